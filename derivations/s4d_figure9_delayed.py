@@ -8,6 +8,7 @@ region around it is smaller. How much?
 from sympy import Rational, S, cancel, cos, pi, sin
 
 from symhaptic.book.figures.stability import delayed
+from symhaptic.book.lemmas.figure9 import drawn, right_of_the_line
 from symhaptic.model import plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, e, gamma, n_0, n_1, theta, z
@@ -36,18 +37,15 @@ def derive(page):
         "The drawn arcs lie within $0\\le\\theta\\le\\pi/(d+1)$. On all of this, with the damping "
         "$\\delta=0.02$ that makes the regions largest:"
     )
-    facts = []
     for late, bound in ((1, Rational(17, 100)), (2, Rational(8, 100))):
         for gam in (S.Zero, STIFF):
             device = plant.numbers(gam, DAMPED)
             slack = (bound * size * cos(theta / 2) - along).subs({d: late, **device})
-            facts.append(
-                page.positive(
-                    f"The width for $d={late}$",
-                    positive(slack, {theta: (S.Zero, pi / (late + 1))}),
-                    rf"\gamma={float(gam):g}",
-                    name=rf"{float(bound):g}-\alpha",
-                )
+            page.positive(
+                f"The width for $d={late}$",
+                positive(slack, {theta: (S.Zero, pi / (late + 1))}),
+                rf"\gamma={float(gam):g}",
+                name=rf"{float(bound):g}-\alpha",
             )
     page.say(
         "So the spring's $0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ "
@@ -57,11 +55,11 @@ def derive(page):
         "grows. The other roots, at the four limits:"
     )
     line = polynomial.subs({d: 2, alpha: -gamma}).subs(a, 1 + e - gamma * (n_1 + n_0))
-    others, inside = cancel(line / (z - 1)), []
+    others = cancel(line / (z - 1))
     for gam, fall in ((S.Zero, S.Zero), (S.Zero, DAMPED), (STIFF, S.Zero), (STIFF, DAMPED)):
         title = f"$\\gamma={float(gam):g}$, $\\delta={float(fall):g}$"
         point, given = {gamma: gam, beta: Rational(1, 4)}, plant.numbers(gam, fall)
-        inside.append(page.inside(title, others, point, given))
+        page.inside(title, others, point, given)
     page.figure(
         "fig9",
         "Fig. 9 of the paper: stable walls for $d=1$ and $d=2$ at the limits of the parameter "
@@ -70,6 +68,14 @@ def derive(page):
         panels=(1, 2),
         height=0.5,
     )
-    page.settle(
-        "fig9", root, *facts, *inside, note="for $d=2$ the spring takes over a percent of the width"
+    page.lemma(
+        "Stable walls lie right of $\\alpha=-\\gamma$, for all arms of (23)",
+        right_of_the_line(),
+        because="at 1 the polynomial is $(\\alpha+\\gamma)(n_1+n_0)$",
     )
+    page.say(
+        "Two walls of each region, one next to the left bound and one next to the tip, are shown "
+        "to be stable by their roots. That none is stiffer says one point of the circle: of a "
+        "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
+    )
+    page.settle("fig9", drawn(), note="for $d=2$ the spring takes over a percent of the width")

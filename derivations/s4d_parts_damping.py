@@ -7,11 +7,26 @@ paper's ranges (23) this is one inequality in three variables.
 
 from sympy import Poly, Rational, S, diff, symbols
 
-from symhaptic.model import circle, loop
+from symhaptic.book.lemmas.more_damped import (
+    STIFF_ONE,
+    UNDELAYED_ARM,
+    excluded,
+    grown,
+    minor_rises,
+    more_damped_is_stable,
+)
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
+from symhaptic.model import circle
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.paper.ranges import IN_23, RANGES
 from symhaptic.proof import box
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, NUMBERS, SLOPES, TOGETHER, named
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
 def derive(page):
@@ -54,7 +69,7 @@ def derive(page):
         because="positive for $0\\le y<4$",
     )
     end = Rational(11, 5)
-    fact = page.positive(
+    page.positive(
         "Inside (23) the pull is positive",
         positive(pull, y, (0, end)),
         on=rf"0\le y\le\tfrac{{11}}5,\ {IN_23}",
@@ -78,27 +93,43 @@ def derive(page):
         "one damping inside (23) is stable for every larger one. The left bound $\\alpha=-\\gamma$ "
         "stays where it is."
     )
-    stiff = {alpha: S(-4), beta: Rational(59, 10), gamma: S(5), d: S.Zero}
     page.say(
-        "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay."
+        "As a theorem this needs no roots that move. The stable walls with $\\beta>-1$ are those "
+        "right of $\\alpha=-\\gamma$ with a positive largest minor of Jury's, and the minor of a "
+        "wall rises with the damping:"
     )
-    device = loop.numbers()
-    page.inside(
-        "With the damping $\\delta=1.2$ the roots lie inside",
-        loop.named(),
-        {**stiff, delta: Rational(6, 5)},
-        device,
+    page.lemma(
+        "The minor of a wall is larger for the larger damper",
+        minor_rises(),
+        because="the devices' numbers are $n_1$ to $e$ and $n_1''$ to $e''$; the slope is "
+        "positive, in balls from the exponential of the plant's matrix and its derivative",
     )
-    much = {**stiff, delta: Rational(3, 2)}
-    witness = page.outside(
-        "With the damping $\\delta=1.5$ a root lies outside", loop.named(), much, device
+    page.lemma("So a stable wall without delay stays stable", more_damped_is_stable())
+    page.say(
+        "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay. "
+        "With $\\delta=1.2$ this wall is stable, and with $1.5$ a root lies outside."
     )
+    claim = CLAIMED["s4d-delta-grows"](())
+    symbols_, given, _ = taken_apart(claim)
+    point = {alpha: S.One / 100, beta: S.One / 10, gamma: S.Zero, d: S.Zero}
+    point |= {delta: Rational(1, 100), HEAVIER: Rational(1, 50)}
+    here = UNDELAYED_ARM.at(point)
+    arm = widened(conjoined(*(number(p) for p in here.of[0].of)), here)
+    there = {**STIFF_ONE, delta: STIFF_ONE[HEAVIER]}
     page.settle(
         "s4d-delta-grows",
-        fact,
-        provided=rf"d=0,\ {IN_23}",
-        unless=much,
-        truth=witness,
+        for_all(symbols_, [*given, UNDELAYED_ARM], weakened(grown(), *given)),
+        example=example(point, [*given, UNDELAYED_ARM], stable_at(point), arm),
+        unless=[
+            counterexample(
+                claim,
+                STIFF_ONE,
+                stable_at(STIFF_ONE),
+                unstable_at(there),
+                excluded(),
+                but=UNDELAYED_ARM,
+            )
+        ],
         shows=r"a wall that is stable for $\delta=1.2$ and not for $\delta=1.5$",
         note="for $d>0$ inside (23) nothing is shown; no counterexample was found there",
     )

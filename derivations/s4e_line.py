@@ -94,18 +94,6 @@ def derive(page):
         "for $\\alpha\\ge0$ where $\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
         boxed=True,
     )
-    page.state(
-        "linear-short-periods",
-        "the boundary tends to (25) as $T\\to0$ with $K$ of order $1/T$ and $d$ kept",
-    )
-    page.settle("linear-short-periods", distance, note="the relative error is of order $T$")
-    page.settle(
-        "s4e-linearised",
-        flatter,
-        distance,
-        note="in the limit of small $\\alpha$ and $\\delta$; the boundary without a spring "
-        "starts at $(0,-\\delta)$, not through the origin, and the tangent there is flatter",
-    )
 
 
 def periods(page):

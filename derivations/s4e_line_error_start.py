@@ -6,11 +6,14 @@ paper's Fig. 10 shows small errors there. We take the limit, with and without sp
 
 from sympy import I, Rational, S, tanh
 
+from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_start import no_bound, unbounded
 from symhaptic.model import boundary, linear, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
+from symhaptic.paper.propositions.linear_error import corner
+from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.tactics import example, for_all
@@ -83,6 +86,7 @@ def derive(page):
         "and $\\alpha=\\beta=0$",
     )
     unbounded_there(page)
+    beyond_two_percent(page)
 
 
 def unbounded_there(page):
@@ -105,4 +109,26 @@ def unbounded_there(page):
         for_all(symbols, given, weakened(no_error, *given)),
         example=example({gamma: S.One, delta: S.One, d: S.Zero}, given),
         note="it is bounded for $\\gamma=0$ or $\\delta=0$",
+    )
+
+
+def beyond_two_percent(page):
+    """Beside spring and damper, for every size of both inside (23)."""
+    page.say(
+        "So the error is large somewhere next to the start. In the numbers of (23) a chord of 25 "
+        "times the gap will do: there the gap weighs more than $2\\,\\%$ of $\\alpha+\\gamma$, and "
+        "$\\alpha$ is still so small that $\\beta<0$."
+    )
+    symbols, given, _ = taken_apart(corner())
+    page.state(
+        "linear-error-corner",
+        "inside (23), for $\\gamma\\delta>0$, the error exceeds 2\\,\\% for a wall of the boundary "
+        "with $\\beta<0$, for $d=0$ and $d=1$",
+        claim=corner(),
+    )
+    page.settle(
+        "linear-error-corner",
+        for_all(symbols, given, in_the_corner()),
+        example=example({gamma: STIFF, delta: STIFF}, given),
+        note="it lies closer to the corner of Fig. 10 than one can see",
     )

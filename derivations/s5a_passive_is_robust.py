@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.walls import (
     LATE,
     damped,
     divisors,
-    late_sums,
+    fractional_sums,
     margins,
     met,
     unstable,
@@ -87,7 +87,7 @@ def _robust(page):
             counterexample(
                 claim,
                 LATE,
-                met(LATE, *late_sums()),
+                met(LATE, *fractional_sums()),
                 shaken(LATE),
                 holds=[alpha > 0],
                 but=whole(d),

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.passive_is_stable import (
     no_crossing,
     passive_is_stable,
 )
-from symhaptic.book.lemmas.walls import LATE, late_sums, margins, met, unstable
+from symhaptic.book.lemmas.walls import LATE, fractional_sums, margins, met, unstable
 from symhaptic.notation import F, alpha, beta, d, delta, gamma, p_k, theta, v, x
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
@@ -118,7 +118,7 @@ def _subset(page):
             counterexample(
                 claim,
                 late,
-                *(met(late, *late_sums()), unstable(late)),
+                *(met(late, *fractional_sums()), unstable(late)),
                 holds=[delta > 0, alpha + gamma > 0],
                 but=whole(d),
             ),

@@ -7,9 +7,13 @@ one. Stable walls are stiffer, but the ratio comes close to one. What happens th
 from sympy import Poly, Rational, S, cos, exp, pi, sin, symbols, tan
 
 from symhaptic.book.figures.stability import largest_stiffnesses
+from symhaptic.book.lemmas.figure12 import drawn
+from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.model import boundary, passivity, plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
+from symhaptic.paper.propositions.ratio import PEAKS
+from symhaptic.paper.ranges import DAMPED
 from symhaptic.proof.sign import number
 
 
@@ -82,14 +86,14 @@ def derive(page):
     y, alike = symbols("y"), Rational(1, 2000)
     plant_side = ((1 + e) * (1 - y) - a) ** 2 + (1 - e) ** 2 * y * (2 - y)
     wall_side = alike**2 * ((n_1 + n_0) ** 2 - 2 * n_1 * n_0 * y)
-    sides = page.same(
+    page.same(
         "squares on the circle",
         [p.subs(y, 1 - cos(theta)) for p in (plant_side, wall_side)],
         [on_circle(p * p.subs(z, 1 / z)) for p in (bottom, alike * top)],
     )
     gap = Poly(plant_side - wall_side, y).all_coeffs()
     gap = [c.subs(plant.numbers(Rational(1, 1000), Rational(1, 50))) for c in gap]
-    always = page.positive(
+    page.positive(
         "A wall for every delay",
         number(4 * gap[0] * gap[2] - gap[1] ** 2),
         "|A|^2-\\alpha^2|N|^2=g_2y^2+g_1y+g_0",
@@ -105,9 +109,20 @@ def derive(page):
         panels=(1, 3),
         height=0.44,
     )
+    page.say(
+        "Each of the drawn values is enclosed: from below by a stable wall next to the tip, from "
+        "above by one point of the circle. Of a polynomial $p$ of degree $n$ with its zeros "
+        "inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there, and at the tip's angle this is false for all "
+        "stiffer walls:"
+    )
+    for spring, delays in PEAKS.items():
+        page.lemma(
+            f"All stable walls are softer for $d={delays[-1]}$, with this spring",
+            none_above((spring, DAMPED), delays[-1])[1],
+        )
     page.settle(
         "fig12",
-        sides,
-        always,
-        note="the ratio comes near 1, stays below it and falls again",
+        drawn(),
+        note="the ratio comes near 1, stays below it and falls again; said of a list of whole "
+        "delays, five of them those of Fig. 11",
     )

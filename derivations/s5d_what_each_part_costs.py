@@ -14,8 +14,8 @@ from sympy import Rational, Symbol
 from symhaptic.book.figures.cost import costs as draw
 from symhaptic.bounds.simplest.at_damping import error_of_line
 from symhaptic.bounds.simplest.cost import Model, cost, error
+from symhaptic.bounds.simplest.max_stiffness import stiffest
 from symhaptic.bounds.simplest.plants import Interval
-from symhaptic.bounds.simplest.stiffest import stiffest
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 

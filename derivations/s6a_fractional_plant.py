@@ -7,6 +7,7 @@ motion are again a transfer function, exactly; the paper's $z^{-d}$ is not.
 
 from sympy import S, exp, expand, eye
 
+from symhaptic.book.lemmas.late_device import exact_late_plant, exact_plant
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant
@@ -26,13 +27,13 @@ def derive(page):
     parts = [device.transition(t, c).xreplace(given) for t in (S.One, rest, epsilon)]
     pushed = [device.held(t, c).xreplace(given) for t in (S.One, rest, epsilon)]
     page.show(
-        "Motion over a period",
+        "A period's motion is that of its two parts",
         r"\Phi(1)",
         r"\Phi(1-\varepsilon)\,\Phi(\varepsilon)",
         page.same("the free motion", parts[0], parts[1] * parts[2]),
     )
     page.show(
-        "The same force twice is the held force",
+        "A force that stays the same is the held force",
         r"\Gamma(1)",
         r"\Gamma(1-\varepsilon)+\Phi(1-\varepsilon)\,\Gamma(\varepsilon)",
         page.same("the held force", pushed[0], pushed[1] + parts[1] * pushed[2]),
@@ -47,12 +48,11 @@ def derive(page):
     place = (turning.adjugate() * force / turning.det())[0] * z ** (-l)
     exact = page.same("the late force", place, late.transfer.xreplace(given))
     page.show(
-        "Exact discrete equivalent",
+        "The sampled device has one more coefficient, and one more state",
         "P(z)",
         r"\frac{m_2z^2+m_1z+m_0}{z\,(z^2-az+e)}\;z^{-\ell}",
         exact,
-        because="one more state, the force before, and one more coefficient; $a$ and $e$ are those "
-        "of the undelayed device",
+        because="the state is the force before; $a$ and $e$ are those of the undelayed device",
         boxed=True,
     )
     page.say(
@@ -66,14 +66,14 @@ def derive(page):
 
     first = rest**2 * shortened(rest).n1
     page.show(
-        "The first sample after a late force",
+        "The first sample after a late force is that of a shorter period",
         m_2,
         r"(1-\varepsilon)^2\,n_1\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)",
         page.same("first", late.m2.xreplace(given), first.xreplace(given)),
     )
     last = epsilon**2 * exp(-delta * rest) * shortened(epsilon).n0
     page.show(
-        "What is left of the force before",
+        "What is left of the force before is that of a shorter period, decayed",
         m_0,
         r"\varepsilon^2 e^{-\delta(1-\varepsilon)}\,n_0\bigl(\gamma\varepsilon^2,"
         r"\delta\varepsilon\bigr)",
@@ -89,7 +89,7 @@ def derive(page):
     )
     backward = plant.sampled(Plant(S.One, -delta, gamma), split=c).n1
     page.show(
-        "One function is enough",
+        "One function is enough for both numbers",
         "n_0(\\gamma,\\delta)",
         r"e^{-\delta}\,n_1(\gamma,-\delta)",
         page.same("backward", whole.n0.xreplace(given), (exp(-delta) * backward).xreplace(given)),
@@ -109,29 +109,42 @@ def derive(page):
         )
     ]
     page.show(
-        "No fraction",
+        "Without a fraction it is the undelayed device",
         r"(m_2,m_1,m_0)\big|_{\varepsilon=0}",
         r"(n_1,\;n_0,\;0)",
         ends[0],
         because="the $z$ of the denominator cancels",
     )
     page.show(
-        "A full period",
+        "A full period makes it the undelayed device, one sample later",
         r"(m_2,m_1,m_0)\big|_{\varepsilon=1}",
         r"(0,\;n_1,\;n_0)",
         ends[1],
-        because="the undelayed device with one more $z^{-1}$",
+        because="the same numbers, with one more $z^{-1}$",
+    )
+    found = page.lemma(
+        "The sampled device is exact for every device, and nothing jumps",
+        exact_late_plant(),
+        because="with the motion $g(t)$ under a unit force from rest, $m_2=g(1-\\varepsilon)$ and "
+        "$m_1=g(2-\\varepsilon)-(1+a)m_2$: with a spring, critically damped, with a damper alone, "
+        "and for the free mass",
     )
     page.state(
         "fractional-plant",
         "behind a delay of $(\\ell+\\varepsilon)T$ the sampled device is "
         "$M(z)z^{-\\ell}/(zA(z))$ with $M=m_2z^2+m_1z+m_0$, exactly, and between the whole "
         "delays $\\ell$ and $\\ell+1$ nothing jumps",
+        claim=exact_plant(),
     )
-    page.settle("fractional-plant", exact, *ends)
+    page.settle("fractional-plant", found)
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     page.say("For a free mass, $\\gamma=\\delta=0$:")
     numbers = [(m_2, rest**2 / 2), (m_1, (1 + 2 * epsilon - 2 * epsilon**2) / 2)]
     numbers.append((m_0, epsilon**2 / 2))
     for (name, value), derived in zip(numbers, (free.m2, free.m1, free.m0), strict=True):
-        page.step(f"The free mass, ${name}$", expand(derived), value, name=name)
+        page.step(
+            f"For the free mass ${name}$ is quadratic in the fraction",
+            expand(derived),
+            value,
+            name=name,
+        )

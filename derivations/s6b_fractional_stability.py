@@ -5,8 +5,10 @@ of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and
 explicit curve.
 """
 
-from sympy import I, S, cos, exp, sin, symbols
+from sympy import I, Rational, S, cos, exp, sin, symbols
 
+from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
+from symhaptic.book.lemmas.late_loop import GIVEN, late_polynomial, polynomial_of_a_late_loop
 from symhaptic.model import fractional, loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle, real_part
@@ -27,6 +29,9 @@ from symhaptic.notation import (
     theta,
     z,
 )
+from symhaptic.proof.theorems.tactics import example
+
+EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
 
 
 def derive(page):
@@ -35,7 +40,7 @@ def derive(page):
     push = (alpha + beta) * z - beta
     page.say("With $A=z^2-az+e$ and $M=m_2z^2+m_1z+m_0$ the loop closes over the wall:")
     polynomial = page.step(
-        "The characteristic polynomial",
+        "The loop has the polynomial of the late device and the wall",
         (1 + top / (z * bottom) * z ** (-l) * push / z) * z ** (l + 2) * bottom,
         z ** (l + 2) * bottom + top * push,
         name="p_1(z)",
@@ -46,26 +51,34 @@ def derive(page):
     numbers |= {a: device.device.a, e: device.device.e}
     given = {gamma: (delta**2 - c**2) / 4}
     made = fractional.characteristic(FULL, split=c)
-    general = page.same("made of the plant", polynomial.subs(numbers), made)
+    page.same("made of the plant", polynomial.subs(numbers), made)
     whole = loop.characteristic(FULL, split=c)
-    ends = [
-        page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
-        for end, expected in ((0, z * whole.subs(d, l)), (1, whole.subs(d, l + 1)))
-    ]
-    page.show("No fraction", r"p_1\big|_{\varepsilon=0}", r"z\;p_1\big|_{d=\ell}", ends[0])
-    page.show("A full period", r"p_1\big|_{\varepsilon=1}", r"p_1\big|_{d=\ell+1}", ends[1])
+    for end, expected, title, name in (
+        (0, z * whole.subs(d, l), "Without a fraction there is one root more, at 0", r"z\;p_1"),
+        (1, whole.subs(d, l + 1), "At a full period it is that of the next whole delay", "p_1"),
+    ):
+        same = page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
+        delay = r"\ell" if end == 0 else r"\ell+1"
+        page.show(title, rf"p_1\big|_{{\varepsilon={end}}}", rf"{name}\big|_{{d={delay}}}", same)
+    found = page.lemma(
+        "A loop is stable behind a fractional delay if all zeros of this polynomial lie inside",
+        polynomial_of_a_late_loop(),
+        because="the degree is $\\ell+4$, and at both ends it is that of a whole delay, since "
+        "$(m_2,m_1,m_0)$ is $(n_1,n_0,0)$ and $(0,n_1,n_0)$ there",
+    )
     page.state(
         "fractional-polynomial",
         "for a delay of $(\\ell+\\varepsilon)T$ the characteristic polynomial is "
         "$z^{\\ell+2}A+M((\\alpha+\\beta)z-\\beta)$, of degree $\\ell+4$; it passes into those of "
         "the whole delays on both sides",
+        claim=late_polynomial(),
     )
-    page.settle("fractional-polynomial", general, *ends)
+    page.settle("fractional-polynomial", found, example=example(EXAMPLE, GIVEN))
 
     page.say("It is affine in the wall, so that the boundary is explicit again:")
     q = -(z ** (l + 1)) * bottom / top
     page.step(
-        "The wall that a root needs",
+        "A root asks for one wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zM(z)}",
@@ -77,7 +90,7 @@ def derive(page):
     boundary = {alpha: real - damping * (1 - cos(theta)), beta: damping}
     residual = on_circle(polynomial).subs(boundary)
     page.step(
-        "Real and imaginary part solved",
+        "Its real and imaginary part are solved by one wall at each angle",
         residual,
         S.Zero,
         name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
@@ -87,38 +100,55 @@ def derive(page):
     at_one = polynomial.subs(z, 1).subs(numbers).xreplace(given)
     total = (device.device.n1 + device.device.n0).xreplace(given)
     left = page.same("the left bound", at_one, total * (alpha + given[gamma]))
-    page.show("A root at 1", "p_1(1)", (n_1 + n_0) * (alpha + gamma), left)
+    page.show(
+        "There is a root at 1 on the left bound only", "p_1(1)", (n_1 + n_0) * (alpha + gamma), left
+    )
     page.say(
         "As before, $\\alpha>-\\gamma$ is necessary, for every plant and every delay. There may be "
         "a root at $-1$, too:"
     )
     page.step(
-        "A root at $-1$, even $\\ell$",
+        "For even $\\ell$ a root at $-1$ is another line",
         polynomial.subs(l, 0).subs(z, -1),
         1 + a + e - (m_2 - m_1 + m_0) * (alpha + 2 * beta),
         name="p_1(-1)",
         because="for odd $\\ell$ the first three terms change their sign",
+    )
+    found = page.lemma(
+        "At each angle one wall has a root",
+        boundary_is_explicit(),
+        because="the conjugate of the equation is a second one for two real unknowns; where $M=0$ "
+        "no wall moves the root, and $A=0$",
     )
     page.state(
         "fractional-boundary",
         "for every plant and every delay $(\\ell+\\varepsilon)T$ the boundary is explicit: "
         "$\\beta=\\Im Q/\\sin\\theta$, $\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$ with "
         "$Q=-z^{\\ell+1}A/M$, $z=e^{j\\theta}$, and the lines of a root at 1 and $-1$",
+        claim=late_boundary(),
     )
-    page.settle("fractional-boundary", page.same("on it", residual, S.Zero), left)
+    page.settle("fractional-boundary", found, example=example(EXAMPLE, GIVEN))
     page.say(
         "A root on the unit circle needs $|A|=|M|\\,|(\\alpha+\\beta)z-\\beta|$, where $\\ell$ "
         "does not occur:"
     )
     x = cos(theta)
     for title, factor, square in (
-        ("The device", bottom, 4 * e * x**2 - 2 * a * (1 + e) * x + a**2 + (1 - e) ** 2),
         (
-            "The late force",
+            "The size of $A$ does not contain the delay",
+            bottom,
+            4 * e * x**2 - 2 * a * (1 + e) * x + a**2 + (1 - e) ** 2,
+        ),
+        (
+            "The size of $M$ does not contain the delay either",
             top,
             4 * m_2 * m_0 * x**2 + 2 * m_1 * (m_2 + m_0) * x + m_1**2 + (m_2 - m_0) ** 2,
         ),
-        ("The wall", push, alpha**2 + 2 * beta * (alpha + beta) * (1 - x)),
+        (
+            "The size of the wall is linear in $\\cos\\theta$",
+            push,
+            alpha**2 + 2 * beta * (alpha + beta) * (1 - x),
+        ),
     ):
         value = on_circle(factor)
         name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, r"|(\alpha+\beta)z-\beta|^2")
@@ -131,7 +161,7 @@ def derive(page):
     numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
     shift = exp(-I * (l + epsilon + S.Half) * theta)
     page.show(
-        "A free mass at low frequencies",
+        "Of a free mass the boundary leaves the origin as (25) has it",
         "Q",
         r"\theta^2e^{j(\ell+\varepsilon+1/2)\theta}\,(1+O(\theta^2))",
         page.limits((turned.subs(numbers) * shift / theta**2 - 1) / theta, theta, S.Zero, S.Zero),

@@ -7,8 +7,14 @@ whole delays?
 
 from sympy import I, Rational, S, cos, cot, sin, sqrt
 
+from symhaptic.book.lemmas.late_passivity import (
+    GIVEN,
+    condition_at_every_angle,
+    passive_at_every_angle,
+)
 from symhaptic.model import fractional, passivity, wall
 from symhaptic.notation import B, K, T, b, d, epsilon, l, p_k, phi, q_k, r, theta, u, w, x, z
+from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
 KERNEL = K * T / (2 * sin(theta / 2))
@@ -23,7 +29,7 @@ def derive(page):
         "$(1-\\varepsilon)T$ and $\\varepsilon T$, cost least at constant speed:"
     )
     page.step(
-        "The least a damper burns, times $T/b$",
+        "A damper burns this at least, times $T/b$",
         (rest * p_k + q_k) ** 2 / rest + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * rest),
     )
@@ -35,7 +41,7 @@ def derive(page):
         "+\\Re\\{G\\,(\\ldots p+q)\\,\\bar p\\}$ with $G=z^{-\\ell-1}H$."
     )
     page.step(
-        "The place of the sample",
+        "The sample is taken between two whole delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
         because="between the delays $\\ell$ and $\\ell+1$, with the weights $1-\\varepsilon$ and "
@@ -43,7 +49,7 @@ def derive(page):
     )
     form = fractional.energy_form()
     straight = page.step(
-        "The damping that a straight motion needs",
+        "A straight motion needs damping",
         b - T * form[0, 0],
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
@@ -52,14 +58,14 @@ def derive(page):
     )
     need = passivity.dirichlet_form()
     page.show(
-        "It lies between those of two whole delays",
+        "What it needs lies between the needs of two whole delays",
         "n",
         r"(1-\varepsilon)\,\text{need}\big|_{d=\ell}+\varepsilon\,\text{need}\big|_{d=\ell+1}",
         page.same("n", straight, rest * need.subs(d, l) + epsilon * need.subs(d, l + 1)),
     )
     force = passivity.on_circle(wall.transfer() * z ** (-l - 1))
     square = page.step(
-        "The wall's size",
+        "The size of the wall does not contain the delay",
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",
@@ -79,7 +85,7 @@ def derive(page):
     )
     root = (u + sqrt(u**2 + w)) / 2
     page.step(
-        "Solved for the damping",
+        "Solved for the damping it has one positive solution",
         root * (root - u) - w / 4,
         S.Zero,
         name=r"\det\big|_{b=\frac12(n+\sqrt{n^2+\varepsilon(1-\varepsilon)T^2|H|^2})}",
@@ -95,14 +101,14 @@ def derive(page):
     )
     wall_ = {K: 2 * b * u / T, B: b * (w - u)}
     page.step(
-        "The wall's size again",
+        "In $u$ and $w$ the size of the wall falls with the angle",
         square.subs(wall_) / (2 * b * sin(theta / 2)) ** 2,
         w**2 + u**2 * cot(theta / 2) ** 2,
         name=r"\Bigl(\frac{T|H|}{2b\sin\psi}\Bigr)^2",
     )
     need_ = r * (1 + x) / 2
     page.step(
-        "With the damping $\\tfrac12(1+x)\\,br$",
+        "The damping $\\tfrac12(1+x)\\,br$ is enough at every angle",
         need_**2 - need_ * r * x * cos(phi) - (1 - x**2) * r**2 / 4,
         r**2 * x * (1 + x) * (1 - cos(phi)) / 2,
         name=r"\frac{1}{b^2}\Bigl(b(b-n)-\ldots\Bigr)",
@@ -113,12 +119,27 @@ def derive(page):
         page.same("ends", fractional.margin().subs(epsilon, end), b * (b - need.subs(d, whole)))
         for end, whole in ((0, l), (1, l + 1))
     ]
-    page.show("No fraction", r"b(b-n)", r"b\,\bigl(b-\text{need}\big|_{d=\ell}\bigr)", ends[0])
-    page.show("A full period", r"b(b-n)", r"b\,\bigl(b-\text{need}\big|_{d=\ell+1}\bigr)", ends[1])
+    page.show(
+        "Without a fraction it is the condition of the delay $\\ell$",
+        r"b(b-n)",
+        r"b\,\bigl(b-\text{need}\big|_{d=\ell}\bigr)",
+        ends[0],
+    )
+    page.show(
+        "At a full period it is the condition of the delay $\\ell+1$",
+        r"b(b-n)",
+        r"b\,\bigl(b-\text{need}\big|_{d=\ell+1}\bigr)",
+        ends[1],
+    )
     page.say(
         "As for whole delays a motion that comes back to where it began decides, and $K\\ge0$ "
         "stands for the others: what a spring has stored can be fetched by a slow way back, which "
         "costs the damper as little as one likes. At equality no energy is gained either."
+    )
+    found = page.lemma(
+        "No motion extracts energy if and only if that holds at every angle",
+        passive_at_every_angle(),
+        because="the sum over all motions is not negative where the form is not, at every angle",
     )
     page.state(
         "fractional-passivity",
@@ -129,5 +150,9 @@ def derive(page):
         r"\br - \frac{bKT}{2 \sin(\theta/2)} ((1-\varepsilon) \sin((\ell+\tfrac{1}{2})\theta) "
         r"+ \varepsilon \sin((\ell+\tfrac{3}{2})\theta)) "
         r"\br \geq \frac{\varepsilon(1-\varepsilon)}{4} (K^2T^2 + 4B(KT+B) \sin^2(\theta/2))",
+        claim=condition_at_every_angle(),
     )
-    page.settle("fractional-passivity", margin >= 0)
+    point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
+    page.settle(
+        "fractional-passivity", margin >= 0, found, example=example(point, [*GIVEN, K >= 0])
+    )

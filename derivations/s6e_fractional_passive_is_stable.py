@@ -6,9 +6,37 @@ same motion is looked at again, with a force that changes inside the period.
 
 from sympy import S, eye
 
+from symhaptic.book.lemmas.half_late_passive import DAMPED, passive_with
+from symhaptic.book.lemmas.late_passive_is_stable import (
+    GIVEN,
+    PASSIVE,
+    late_passive_is_stable,
+    late_passive_walls_are_stable,
+    no_crossing,
+)
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import F, c, delta, epsilon, gamma, p_k, q_k, v, x, y, z
+from symhaptic.notation import (
+    F,
+    T,
+    alpha,
+    b,
+    beta,
+    c,
+    delta,
+    epsilon,
+    gamma,
+    l,
+    p_k,
+    q_k,
+    v,
+    w,
+    x,
+    y,
+    z,
+)
+from symhaptic.proof.theorems.kernel import placed
+from symhaptic.proof.theorems.tactics import closed, example, one
 
 
 def derive(page):
@@ -25,25 +53,25 @@ def derive(page):
     turning = z * eye(2) - phi
     start = (turning.adjugate() * push / turning.det()).xreplace(given)
     again = (phi * start + push).xreplace(given)
-    steady = page.same("the state turns by z", again, (z * start).xreplace(given))
+    page.same("the state turns by z", again, (z * start).xreplace(given))
     late = fractional.late(device, split=c)
     place = late.numerator / (z * late.device.denominator)
     page.show(
-        "The steady state",
+        "In the steady state the samples are those of the device",
         r"\frac{x_0}{F}",
         r"\frac{M(z)}{zA(z)}",
         page.same("the sampled device", start[0], place.xreplace(given)),
         because="a state that turns by $z$ in every period, and the sampled device again",
     )
     page.step(
-        "Power",
+        "All work is burnt",
         v * (F - delta * v - gamma * x) + gamma * x * v,
         F * v - delta * v**2,
         name=r"\tfrac{d}{dt}\,\tfrac12(v^2+\gamma x^2)",
-        because="the stored energy is the same at all samples, so all work is burnt",
+        because="the stored energy is the same at all samples",
     )
     page.step(
-        "The least the damper burns",
+        "The damper burns this at least",
         ((1 - epsilon) * p_k + q_k) ** 2 / (1 - epsilon) + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * (1 - epsilon)),
         because="in the time in which one force is held, as in the chapter before; and more, "
@@ -52,26 +80,42 @@ def derive(page):
     page.say(
         "So the energy left to damper and wall, the form in $p$ and $q$ of the chapter before, is "
         "negative for this motion: equality would need a constant speed at all times, and that is "
-        "$z=1$. (If neither $p$ nor $q$ is there, the device rests.) A wall for which the form is "
-        "nowhere negative has no root at $0<\\theta\\le\\pi$, and none of the weaker walls $yW$ on "
-        "its ray has:"
+        "$z=1$. (If neither $p$ nor $q$ is there, the device rests.) But of a passive wall "
+        "the form is nowhere negative, and the condition is concave in the share $y$ of "
+        "a weaker wall $yW$:"
     )
-    whole, part = x, y
-    scaled = page.step(
-        "Between no wall and the wall",
-        delta + part * whole,
-        (1 - part) * delta + part * (delta + whole),
-        name=r"\delta+yx",
-        because="here $\\delta$ stands for the damper's share of the form and $x$ for the wall's",
+    margin, whole, part = delta**2 - delta * x - w / 4, x, y
+    page.step(
+        "The condition of a weaker wall is above the line from no wall to the wall",
+        delta**2 - part * delta * whole - part**2 * w / 4,
+        (1 - part) * delta**2 + part * margin + part * (1 - part) * w / 4,
+        name=r"D\big|_{yW}",
+        because="here $x$ stands for $n$ and $w$ for $\\varepsilon(1-\\varepsilon)|H|^2$, which is "
+        "not negative",
     )
-    proof = page.same("scaling", scaled, delta + part * whole)
-    page.say(
-        "At $z=1$ no root crosses either, as $p_1(1)=(n_1+n_0)(y\\alpha+\\gamma)>0$. Turned up "
-        "from nothing, all roots stay inside."
+    page.lemma(
+        "No root of a passive wall, or of a weaker one, lies on the circle but at 1",
+        no_crossing(),
+        because="$2\\Re\\bar p\\,p_1$ is the sum of what is burnt beyond $\\delta(|p|^2+|q|^2/"
+        "(\\varepsilon(1-\\varepsilon)))$, of $|p|^2D$ and of a square",
+    )
+    found = page.lemma(
+        "Passive walls are stable behind every delay",
+        late_passive_is_stable(),
+        because="at $z=1$ no root crosses either, as $p_1(1)=(n_1+n_0)(y\\alpha+\\gamma)$: turned "
+        "up from nothing, all roots stay inside",
+        boxed=True,
     )
     page.state(
         "fractional-passive-is-stable",
-        "for $\\delta>0$, $\\alpha\\ge0$ and $\\alpha+\\gamma>0$, a wall that is passive for the "
-        "delay $(\\ell+\\varepsilon)T$ keeps every device stable",
+        "for $\\delta>0$, $\\gamma\\ge0$ and $\\alpha+\\gamma>0$, a wall that is passive for the "
+        "delay $(\\ell+\\varepsilon)T$ is stable",
+        claim=late_passive_walls_are_stable(),
     )
-    page.settle("fractional-passive-is-stable", steady, proof)
+    point = {alpha: S.Zero, beta: DAMPED, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
+    damped = placed(passive_with(S.Zero, DAMPED), {b: S.One, T: S.One})
+    page.settle(
+        "fractional-passive-is-stable",
+        found,
+        example=example(point, [*GIVEN, PASSIVE], closed(damped, one())),
+    )

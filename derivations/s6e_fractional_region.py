@@ -8,10 +8,15 @@ stiffness.
 from sympy import Rational, S, cos, sin
 
 from symhaptic.book.figures.fractional import passive_regions
+from symhaptic.book.lemmas.late_damping import damping_late, limit_points
+from symhaptic.book.lemmas.late_passivity import GIVEN, low_frequencies, needed_at_low_frequencies
 from symhaptic.model import fractional
 from symhaptic.notation import B, K, T, b, epsilon, l, theta
+from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
+
+POINT = {K: S.One, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 
 
 def derive(page):
@@ -21,13 +26,13 @@ def derive(page):
         "negative at any angle."
     )
     low = page.limit(
-        "Low frequencies",
+        "At low frequencies it is a condition like (9) with a term more",
         margin / b,
         theta,
         S.Zero,
         b + B - K * T * (l + epsilon + HALF) - epsilon * rest * (K * T) ** 2 / (4 * b),
         name="D/b",
-        because="the condition (9), with the delay $d=\\ell+\\varepsilon$, and a term more: the "
+        because="with the delay $d=\\ell+\\varepsilon$: the "
         "lower part of the boundary is no line but an arc of a parabola, tangent to it at "
         "$(0,-b)$",
     )
@@ -37,10 +42,13 @@ def derive(page):
         "part (8), (9) does",
         r"b + B \geq KT(\ell+\varepsilon+\tfrac{1}{2}) "
         r"+ \frac{\varepsilon(1-\varepsilon)K^2T^2}{4b}",
+        claim=low_frequencies(),
     )
     page.settle(
         "fractional-low-frequencies",
         low >= 0,
+        needed_at_low_frequencies(),
+        example=example(POINT, GIVEN),
         note="at $d=\\tfrac12$ and $B=0$ the paper allows $KT=b$, and $0.944\\,b$ is true",
     )
     without_stiffness(page, margin / b**2)
@@ -55,34 +63,37 @@ def derive(page):
 def without_stiffness(page, share):
     one, two = (l + 1) * theta / 2, (l + 2) * theta / 2
     rest = 1 - epsilon
-    squares = []
-    for title, damping, form, because in (
-        ("$K=0$, $B=-b$", -b, sin, "not negative: the lower limiting point is exact"),
-        (
-            "$K=0$, $B=b$",
-            b,
-            cos,
-            "positive, also for $\\theta\\to0$ and $\\pi$, as two angles that differ by "
-            "$\\frac\\theta2\\le\\frac\\pi2$ cannot both have the cosine 0: the upper limiting "
-            "point lies inside",
-        ),
+    loss = epsilon * rest * sin(theta / 2) ** 2
+    mixed = rest * sin(one) * cos(one) + epsilon * sin(two) * cos(two)
+    page.say(
+        "Without stiffness the condition is quadratic in $B$, and concave. At two dampings it is a "
+        "sum of squares, by the identity of Lagrange:"
+    )
+    for title, damping, form in (
+        ("The damping $-b$ is passive", -b, sin),
+        ("The damping $b$ is passive, with room to spare", b, cos),
     ):
-        first, second = 2 * (rest * form(one)) ** 2, 2 * (epsilon * form(two)) ** 2
-        mixed = sin((2 * l + 3) * theta / 2) ** 2 + 4 * form(one) ** 2 * form(two) ** 2
-        pair = share.subs({K: 0, B: damping}), first + second + epsilon * rest * mixed
-        page.step(title, *pair, name="D/b^2", because=because)
-        squares.append(pair)
-    ends = page.limits(share.subs(K, 0), theta, S.Zero, 1 + B / b)
+        part = rest * form(one) ** 2 + epsilon * form(two) ** 2
+        squares = 2 * part**2 + 2 * mixed**2 + loss
+        page.step(title, share.subs({K: 0, B: damping}), squares, name="D/b^2")
+    found = page.lemma(
+        "For every fraction damping is passive from $-b$ to above $b$",
+        damping_late(),
+        because="from $\\theta=\\pi/(2(\\ell+2))$ on the last term of $D$ leaves room for more, "
+        "and up to there no cosine is negative. At $\\theta\\to0$ it is $D=b(b+B)$, and at "
+        "$\\theta=\\pi/(\\ell+2)$ no damping beyond $b/\\varepsilon$ is passive",
+        boxed=True,
+    )
     page.state(
         "fractional-limit-points",
         "without stiffness the passive damping begins at $B=-b$ for every delay, and for "
         "$0<\\varepsilon<1$ it ends above $b$",
+        claim=limit_points(),
     )
-    sums = [page.same("squares", *pair) for pair in squares]
     page.settle(
         "fractional-limit-points",
-        *sums,
-        ends,
+        found,
+        example=example(POINT, GIVEN),
         note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; half a period late the end is "
         "$1.296\\,b$ (next chapter)",
     )

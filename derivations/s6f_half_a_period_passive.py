@@ -24,14 +24,14 @@ HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
 def derive(page):
     value = 1 - K * x + B * (4 * x**2 - 3 * x) - K**2 / 16 - B * (K + B) * (1 - x) / 4
     page.show(
-        "The exact condition, a quadratic",
+        "The exact condition is a quadratic",
         "f(x)",
         value,
         page.same("in x", fractional.margin().subs(HALF), value.subs(x, cos(theta / 2) ** 2)),
         because="not negative for all $x=\\cos^2\\frac\\theta2$ between 0 and 1",
     )
     page.step(
-        "Its value at 1, the low frequencies",
+        "At low frequencies it bounds the lower part",
         value.subs({x: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
@@ -39,7 +39,7 @@ def derive(page):
     )
     bend, fall, rest = (expand(value).coeff(x, n) for n in (2, 1, 0))
     double = page.step(
-        "Its discriminant",
+        "Its discriminant bounds the upper part",
         16 * (fall**2 - 4 * bend * rest),
         (K * (B + 4) + B * (B + 12)) ** 2 - 16 * B * (16 - B**2),
         name=r"16\,(f_1^2-4f_0f_2)",
@@ -47,13 +47,13 @@ def derive(page):
         "$K=4\\sqrt{B(4-B)/(4+B)}-B(B+12)/(B+4)$",
     )
     end = page.step(
-        "Where the upper part ends",
+        "The upper part ends at a zero of a cubic",
         double.subs(K, 0) / B,
         B**3 + 40 * B**2 + 144 * B - 256,
         name=r"\tfrac{16}{B}\,(f_1^2-4f_0f_2)\big|_{K=0}",
     )
     tip = page.step(
-        "Where it is farthest to the right",
+        "It is farthest to the right at a zero of another polynomial",
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"\text{discriminant in }B",
@@ -61,7 +61,9 @@ def derive(page):
     )
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
-    page.enclosed("Their zeros", zeros, places=12, because="of the second we ask if it is a bound")
+    page.enclosed(
+        "Both zeros are enclosed", zeros, places=12, because="of the second we ask if it is a bound"
+    )
     found = page.lemma(
         "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),

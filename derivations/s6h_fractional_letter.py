@@ -37,8 +37,18 @@ def derive(page):
     total = device.n1 + device.n0
     bottom = device.denominator.subs(z, 1)
     for power, wall, title, because in (
-        (1, gamma + alpha, "At $\\zeta=1$", "positive if all roots are inside"),
-        (-1, alpha - gamma, "At $\\zeta=-1$", "negative if so, since the degree $3q+r$ is odd"),
+        (
+            1,
+            gamma + alpha,
+            "At $\\zeta=1$ the wall adds to the spring",
+            "positive if all roots are inside",
+        ),
+        (
+            -1,
+            alpha - gamma,
+            "At $\\zeta=-1$ it is taken from it",
+            "negative if so, since the degree $3q+r$ is odd",
+        ),
     ):
         value = power * bottom + total * alpha
         proof = page.same(title, value.xreplace(given), (total * wall).xreplace(given))

@@ -7,6 +7,7 @@ principal root of $z$. That is not the delayed force either, and we ask how far 
 from sympy import I, Rational, pi
 
 from symhaptic.book.figures.fractional import stable_readings
+from symhaptic.book.lemmas.principal import both_errors, read_wrongly
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, gamma, l, x, y, z
@@ -30,44 +31,51 @@ def derive(page):
     made = fractional.characteristic(Parts(damping=False), HALF).subs(l, 0)
     made = made.subs({alpha: x * gamma, beta: y * gamma}).subs(spring)
     exactly = page.same("exact", made, exact)
-    page.show("The true polynomial", "p_1(z)", exact, exactly)
+    page.show("The true polynomial has four roots", "p_1(z)", exact, exactly)
     theirs = z**3 * device.denominator.subs(z, z**2) + device.numerator.subs(z, z**2) * gamma * (
         (x + y) * z**2 - y
     )
     page.show(
-        "The paper's, with $\\zeta=\\sqrt z$",
+        "The paper's has seven, with $\\zeta=\\sqrt z$",
         r"p_1(\zeta)",
         r"\zeta^3(\zeta^4+\zeta^2+1)+\tfrac32(\zeta^2+1)\bigl((x+y)\zeta^2-y\bigr)",
         page.same("the paper's", theirs.subs(spring), letter),
     )
     page.step(
-        "A root at $-1$",
+        "The true one has a root at $-1$ on a line",
         exact.subs(z, -1),
         1 + x + 2 * y,
         name="p_1(-1)",
         because="the region ends at the line $x+2y=-1$",
     )
     page.step(
-        "The paper's at $z=-1$",
+        "The paper's has none at $z=-1$",
         letter.subs(z, I),
         -I,
         name=r"p_1(\zeta)\big|_{\zeta=j}",
         because="never zero: this border is missing. So it is for every device and fractional "
         "$d$, as the imaginary part is $\\pm(1+a+e)\\sin\\pi d$",
     )
-    apart = []
     for place, stable in (((-3, -2, 4), False), ((3, -5, 8), True)):
         at = {x: Rational(place[0], place[2]), y: Rational(place[1], place[2])}
         words = f"${latex(at[x])}$, ${latex(at[y])}$"
         true, read = (page.inside, page.outside) if stable else (page.outside, page.inside)
-        apart.append(true(f"True, at $(x,y)=$ {words}", exact.subs(at)))
-        apart.append(read(f"On the principal sheet, at {words}", letter.subs(at), half=True))
+        says, denies = ("", " not") if stable else (" not", "")
+        true(f"At $(x,y)=$ {words} the loop is{says} stable", exact.subs(at))
+        read(f"On the principal sheet it is{denies} stable there", letter.subs(at), half=True)
+    found = page.lemma(
+        "Both errors occur: a wall that is stable on the principal sheet alone, and one in truth",
+        both_errors(),
+        because="by balls around all roots, of which the sheet has those with $\\Re\\zeta>0$",
+        boxed=True,
+    )
     page.state(
         "fractional-principal",
-        "for a stiff spring the principal sheet calls walls stable that are not, and others "
-        "unstable that are stable",
+        "for a stiff spring, $\\sqrt\\gamma=\\frac23\\pi$ and half a period late, the principal "
+        "sheet calls walls stable that are not, and others unstable that are stable",
+        claim=read_wrongly(),
     )
-    page.settle("fractional-principal", *apart)
+    page.settle("fractional-principal", found)
     page.figure(
         "stable-fractional",
         "Stable walls half a period late, for a stiff spring with some damping "

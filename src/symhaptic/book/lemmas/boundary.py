@@ -57,10 +57,13 @@ def apart() -> tuple[Theorem, ...]:
 @cache
 def zero_on_circle_is_explicit() -> Theorem:
     """p(exp(j theta)) = 0 <=> alpha = alpha(theta) and beta = beta(theta), where N is not zero."""
+    return explicit_wall(at_angle(), on_boundary(), n_1 * exp(I * theta) + n_0, SQUARE)
+
+
+def explicit_wall(root: Proposition, wall: Proposition, top: Expr, square_: Expr) -> Theorem:
+    """That, of a zero ... + top ((alpha + beta) z - beta) = 0 and the size of its factor."""
     turn = exp(I * theta)
-    top = n_1 * turn + n_0
-    root, wall = at_angle(), on_boundary()
-    back = _mirror(top) / (turn * SQUARE)
+    back = _mirror(top) / (turn * square_)
     height = back / (2 * I * sin(theta))
     across = back / 2 - tan(theta / 2) * back / (2 * I)
     zero = assume(root)
@@ -71,8 +74,7 @@ def zero_on_circle_is_explicit() -> Theorem:
         combined(damped.conclusion, [zero, height], [mirror, _mirror(height)]),
     )
     here = combined(root, [stiff, top * turn], [damped, top * (turn - 1)])
-    found = either_way(there, here, root, wall)
-    return closed(found, *apart())
+    return closed(either_way(there, here, root, wall), *apart())
 
 
 @cache

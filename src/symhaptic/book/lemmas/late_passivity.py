@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import sympy as sp
 from sympy import Ne
@@ -10,21 +11,38 @@ from sympy import Ne
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
 from symhaptic.model import fractional
 from symhaptic.notation import B, K, T, b, epsilon, l, theta, z
-from symhaptic.notation.proposition import And, Predicate, proposition, whole
+from symhaptic.notation.proposition import (
+    And,
+    Iff,
+    Not,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+    whole,
+)
+from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import axiom
 from symhaptic.proof.theorems.kernel import (
     Theorem,
+    applied,
     assume,
     conjoined,
+    discharged,
     part,
+    weakened,
 )
-from symhaptic.proof.theorems.leaves import is_whole
+from symhaptic.proof.theorems.leaves import combined, is_whole, number, tends
 from symhaptic.proof.theorems.tactics import (
     at,
     chained,
     closed,
+    denied,
     either_way,
+    every,
     for_all,
     one,
     over,
@@ -74,3 +92,76 @@ def passive_late() -> Theorem:
     steps = [is_whole(l + n, assume(whole(l))) for n in (1, 2)]
     steps += [is_whole(sp.Integer(n)) for n in (0, 1)]
     return closed(found, *apart, *steps)
+
+
+# -- as it is printed ------------------------------------------------------------------
+
+_REST, _HALF = 1 - epsilon, sp.S.Half
+CONDITION = sp.Ge(
+    b**2
+    + b * B * (_REST * sp.cos((l + 1) * theta) + epsilon * sp.cos((l + 2) * theta))
+    - b
+    * K
+    * T
+    / (2 * sp.sin(theta / 2))
+    * (_REST * sp.sin((l + _HALF) * theta) + epsilon * sp.sin((l + 3 * _HALF) * theta)),
+    epsilon * _REST / 4 * (K**2 * T**2 + 4 * B * (K * T + B) * sp.sin(theta / 2) ** 2),
+)
+"""What a passive wall needs at an angle."""
+LOW = sp.Ge(b + B, K * T * (l + epsilon + _HALF) + epsilon * _REST * K**2 * T**2 / (4 * b))
+"""What it needs at low frequencies."""
+LINE = sp.Eq(b + B, K * T * (l + epsilon + _HALF))
+"""(8) and (9), with the delay l + epsilon."""
+
+
+def condition_at_every_angle() -> Proposition:
+    """For 0 <= K a wall is passive if and only if the condition holds at every angle."""
+    return every(WALL, [*GIVEN, K >= 0], Iff((LATE, at_every_angle(CONDITION))))
+
+
+@cache
+def passive_at_every_angle() -> Theorem:
+    """That."""
+    found, spring = passive_late(), assume(K >= 0)
+    apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
+    inside = [assume(p) for p in INSIDE]
+
+    def always(known: Theorem, margin: Any) -> Theorem:
+        there = closed(positive(margin, [at(known, {theta: theta}, *inside)]), apart)
+        return for_all([theta], INSIDE, there)
+
+    wanted = at_every_angle(CONDITION)
+    there = always(part(applied(found, assume(LATE)), EVERY_MARGIN), CONDITION)
+    back = applied(found, conjoined(spring, always(assume(wanted), MARGIN >= 0)))
+    same = either_way(there, back, LATE, wanted)
+    return for_all(WALL, [*GIVEN, K >= 0], weakened(same, *GIVEN, K >= 0))
+
+
+def low_frequencies() -> Proposition:
+    """A passive wall meets the condition at low frequencies; on the line no stiff wall does."""
+    beyond = implied([epsilon > 0, epsilon < 1, K > 0, LINE], Not((proposition(LOW),)))
+    return every(WALL, GIVEN, both([implied([LATE], LOW), beyond]))
+
+
+@cache
+def needed_at_low_frequencies() -> Theorem:
+    """That: the margin over b tends to the difference of both sides."""
+    always = part(applied(passive_late(), assume(LATE)), EVERY_MARGIN)
+    margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
+    size = positive(Ne(b, 0), b > 0)
+    end = b * (LOW.lhs - LOW.rhs)
+    limit = tends(MARGIN, theta, sp.S.Zero, end)
+    start = in_the_limit(margin, theta, sp.S.Zero, sp.pi, limit)
+    start = closed(start, number(Relation(sp.S.Zero, "<", sp.pi)), size)
+    needed = closed(positive(LOW, [over(end / b >= 0, start, b > 0)]), size)
+    stiff, rest = assume(K > 0), positive(1 - epsilon > 0, epsilon < 1)
+    share = over(1 / b > 0, one(), b > 0)
+    more = [sp.S.One / 4, assume(epsilon > 0), rest, stiff, stiff, T > 0, T > 0, share]
+    lost = combined(
+        Relation(LOW.lhs, "<", LOW.rhs),
+        [t if isinstance(t, (Theorem, sp.Rational)) else assume(t) for t in more],
+        [assume(LINE), sp.S.One],
+    )
+    beyond = discharged(closed(denied(lost, LOW), size), epsilon > 0, epsilon < 1, K > 0, LINE)
+    found = conjoined(discharged(needed, LATE), beyond)
+    return for_all(WALL, GIVEN, weakened(found, *GIVEN))

@@ -80,15 +80,16 @@ def _mirror(expr: Expr) -> Expr:
 
 
 @cache
-def margin_to_the_end() -> Theorem:
+def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
     """0 <= margin for 0 < theta <= pi, from the angles below pi."""
-    below = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
-    end = MARGIN.xreplace({theta: pi})
-    limit = tends(MARGIN, theta, pi, end)
+    always = assume(at_every_angle(margin_ >= 0))
+    below = at(always, {theta: theta}, *map(assume, INSIDE))
+    end = margin_.xreplace({theta: pi})
+    limit = tends(margin_, theta, pi, end)
     last = in_the_limit(below, theta, sp.S.Zero, pi, limit)
     last = cut(last, number(sp.Lt(0, pi, evaluate=False)))
     equal = both_ways(assume(theta >= pi), assume(theta <= pi))
-    there = substituted(MARGIN >= 0, theta, last, equal)
+    there = substituted(margin_ >= 0, theta, last, equal)
     return by_cases(ordered(theta, pi), below, there)
 
 
@@ -137,22 +138,7 @@ def no_crossing() -> Theorem:
 @cache
 def passive_is_stable() -> Theorem:
     """stable, from the margin at every angle, 0 <= gamma, 0 < delta, 0 < alpha + gamma, d whole."""
-    device = assume(DEVICE)
-    rest = device_at_rest(device)
-    static, pushed, decay = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
-    below_one = positive(1 - y >= 0, y <= 1)
-    stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [below_one, gamma >= 0])
-    plant, wall = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
-    at_one = positive(
-        Ne((1 - a + e) + y * (n_1 + n_0) * alpha, 0), [pushed, stiff], [static, -sp.S.One]
-    )
-    path = (z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one)
-    held = all_inside(z, d + 1, device_comes_to_rest(device))
-    sprung = roots_stay(*path, held)
-    free = _from_a_pole_at_one(static, pushed, decay)
-    spring = ordered(sp.S.Zero, gamma)
-    nothing = both_ways(assume(gamma <= 0), assume(gamma >= 0))
-    stable = by_cases(spring, sprung, cut(free, nothing))
+    stable = turned_up(d + 1, n_1 * z + n_0, no_crossing())
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = loop_of_device(NUMBERS, LOOP)
     readings = [part(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
@@ -160,23 +146,56 @@ def passive_is_stable() -> Theorem:
     return chosen(device_exists(gamma, delta, NUMBERS), both)
 
 
-def _from_a_pole_at_one(static: Theorem, pushed: Theorem, decay: Theorem) -> Theorem:
+def turned_up(power: Expr, top: Expr, crossing: Theorem, *same: Theorem) -> Theorem:
+    """All zeros of z^power A + top W lie inside, if none crosses on the way from no wall.
+
+    ``same`` says that top is n_1 + n_0 at z = 1, where it is not so by its form.
+    """
+    device = assume(DEVICE)
+    rest = device_at_rest(device)
+    static, pushed, decay = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    below_one = positive(1 - y >= 0, y <= 1)
+    stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [below_one, gamma >= 0])
+    total = top.subs(z, 1)
+    at_one = combined(
+        Ne((1 - a + e) + y * total * alpha, 0),
+        [pushed, stiff],
+        [static, -sp.S.One],
+        *([t, -y * alpha] for t in same),
+    )
+    plant, wall = z**2 - a * z + e, top * ((alpha + beta) * z - beta)
+    held = all_inside(z, power, device_comes_to_rest(device))
+    sprung = roots_stay(z**power * plant, wall, z, y, theta, crossing, at_one, held)
+    pushes = positive(total > 0, [pushed], *([t, -sp.S.One] for t in same))
+    free = _from_a_pole_at_one(power, top, crossing, static, pushes, decay)
+    nothing = both_ways(assume(gamma <= 0), assume(gamma >= 0))
+    return by_cases(ordered(sp.S.Zero, gamma), sprung, cut(free, nothing))
+
+
+def _from_a_pole_at_one(
+    power: Expr, top: Expr, crossing: Theorem, static: Theorem, pushes: Theorem, decay: Theorem
+) -> Theorem:
     """Without a spring one pole of the device lies at 1; the first stiffness moves it inwards."""
     place = sp.Symbol("q")
     free = assume(sp.Eq(gamma, 0))
     trace = combined(sp.Eq(a, 1 + e), [static, -1], [free, -(n_1 + n_0)])
-    device = substituted(DEVICE.at({a: place}), place, assume(DEVICE), trace)
+    devices = (
+        substituted(known.at({a: place}), place, assume(known), trace)
+        for known in crossing.hypotheses
+        if a in known.free
+    )
     pull = combined(alpha > 0, [assume(alpha + gamma > 0)], [free, 1])
-    plant, wall = z**2 - (1 + e) * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
-    crossing = cut(placed(no_crossing(), {a: 1 + e}), device)
-    at_one = positive(Ne(y * (n_1 + n_0) * alpha, 0), [y > 0, pushed, pull])
+    plant, wall = z**2 - (1 + e) * z + e, top * ((alpha + beta) * z - beta)
+    crossing = cut(placed(crossing, {a: 1 + e}), *devices)
+    total = top.subs(z, 1)
+    at_one = positive(Ne(y * total * alpha, 0), [y > 0, pushes, pull])
     below_one = closed(rising(exp, -delta, sp.S.Zero), positive(-delta < 0, delta > 0))
     slow = combined(e < 1, [below_one], [decay, 1])
     last = combined(e > -1, [sign_of(exp, -delta)], [decay, -1], [sp.S.One])
-    begin = all_inside(z, d + 1, linear(z, last, slow))
-    inwards = positive((n_1 + n_0) * alpha > 0, [pushed, pull]), positive(1 - e > 0, [slow])
-    start = z ** (d + 1) * plant
+    begin = all_inside(z, power, linear(z, last, slow))
+    inwards = positive(total * alpha > 0, [pushes, pull]), positive(1 - e > 0, [slow])
+    start = z**power * plant
     stable = roots_stay(start, wall, z, y, theta, crossing, at_one, begin, *inwards)
     back = combined(sp.Eq(1 + e, a), [trace, -1])
-    pattern = Predicate("stable", (z,), (z ** (d + 1) * (z**2 - place * z + e) + wall,))
+    pattern = Predicate("stable", (z,), (z**power * (z**2 - place * z + e) + wall,))
     return substituted(pattern, place, stable, back)

@@ -8,6 +8,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import Proposition, Relation, is_complex
+from symhaptic.proof.theorems.definedness import real
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
@@ -16,9 +17,9 @@ from symhaptic.proof.theorems.kernel import (
 from symhaptic.proof.theorems.leaves import combined
 
 
-def _place(name: Symbol) -> Symbol:
-    """A symbol of the same kind, for the place of another."""
-    return sp.Symbol("c" if is_complex(name) else "q")
+def _place(name: Symbol, form: Expr) -> Symbol:
+    """A symbol for the place of another and of what it stands for, complex as either may be."""
+    return sp.Symbol("c" if is_complex(name) or not real(form) else "q")
 
 
 def definitions(given: Any) -> list[Theorem]:
@@ -39,7 +40,7 @@ def renamed(theorem: Theorem, pattern: Proposition, *equations: Theorem) -> Theo
         later: dict[Symbol, Expr] = {}
         for other, value in zip(names[i + 1 :], forms[i + 1 :], strict=True):
             later[other] = value.xreplace(later)
-        place = _place(name)
+        place = _place(name, form)
         here = {name: place} | {n: v.xreplace({name: place}) for n, v in later.items()}
         turned = combined(Relation(form, "=", name), [equation, -sp.S.One])
         theorem = substituted(pattern.at(here), place, theorem, turned)
@@ -60,7 +61,7 @@ def unnamed(theorem: Theorem, *equations: Theorem) -> list[Theorem]:
     for equation in reversed(equations):
         name = equation.conclusion.left  # type: ignore[attr-defined]
         if name in theorem.conclusion.free:
-            place = _place(name)
+            place = _place(name, equation.conclusion.right)  # type: ignore[attr-defined]
             theorem = substituted(theorem.conclusion.at({name: place}), place, theorem, equation)
             found.append(theorem)
     return found

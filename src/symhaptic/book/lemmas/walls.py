@@ -71,7 +71,7 @@ def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:
     return for_all([omega], given.of, found)
 
 
-def late_sums() -> tuple[Any, ...]:
+def fractional_sums() -> tuple[Any, ...]:
     """1 - cos(omega/2) + (1 + cos(3 omega/2))/100 + 1/50, in squares."""
     slow, fast = omega / 2, 3 * omega / 2
     return (

@@ -9,7 +9,7 @@ from symhaptic.notation import B, K, T, alpha, b, d, delta, gamma, k, k_H, m, om
 from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
 from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
-from symhaptic.paper.propositions.ratio import BEST, outdoes, stable
+from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import DAMPER, HEAVY, LOOPS, SPRING, in_units
 from symhaptic.paper.reading import Printed
@@ -100,3 +100,24 @@ def _spring_hardly_counts(printed: Printed) -> Proposition:
     without = outdoes(stable(d, BEST), stable(d).at(free), other)
     given = [*transcribed("eq23"), whole(d)]
     return ForAll((gamma, delta, d), implied(given, both([with_it, without])))
+
+
+FASTER = Symbol("q")
+"""How many times as fast is sampled."""
+LITTLE = Rational(5, 4)
+"""What is at most a quarter more is not significantly more."""
+
+
+@claims("s6-faster-sampling")
+def _faster_sampling_gains_little(printed: Printed) -> Proposition:
+    """Sampled q times as fast at the same delay, a wall is at most a quarter stiffer than some now.
+
+    Said of passive and of stable walls.  The delay outweighs the hold of half a period, 1 < 2 d.
+    In the units of the faster sampling K is q^2 alpha, and the same device has gamma/q^2, delta/q,
+    and the delay q d.  The device is one of (23), delay and q are whole.
+    """
+    later = {gamma: gamma / FASTER**2, delta: delta / FASTER, d: FASTER * d}
+    then = FASTER**2 * alpha <= LITTLE * x
+    parts = [outdoes(kind(d, BEST), kind(d).at(later), then) for kind in (passive, stable)]
+    given = [*transcribed("eq23"), whole(d), 2 * d > 1, whole(FASTER), FASTER >= 1]
+    return ForAll((gamma, delta, d, FASTER), implied(given, both(parts)))

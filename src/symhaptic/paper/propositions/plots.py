@@ -42,7 +42,13 @@ from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.propositions.stability import DEVICE, NUMBERS, at_angle, explicit
+from symhaptic.paper.propositions.stability import (
+    DEVICE,
+    NUMBERS,
+    at_angle,
+    explicit,
+    on_boundary,
+)
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
 
@@ -133,6 +139,89 @@ def _close_up_without_delay(printed: Printed) -> Proposition:
     inside = implied([undelayed()], both([alpha > -gamma, above > -FINE]))
     filled = implied([alpha > -gamma, above > FINE], undelayed())
     return ForAll((alpha, beta, gamma, delta), implied(given, both([inside, filled])))
+
+
+# -- one and two periods late ---------------------------------------------------------------
+
+CORNERS = {gamma: (sp.S.Zero, STIFF), delta: (sp.S.Zero, DAMPED), d: (sp.S.One, sp.S(2))}
+"""What Fig. 9 shows: the limits of (23), and its two panels."""
+THIN = Rational(1, 5000)
+"""The thickness of a line in Fig. 9, whose regions are 0.15 and 0.07 wide."""
+SEEN = 70
+"""The region for d = 2 is less than so many times as wide, right of the origin, as the spring."""
+
+
+def either(symbol: Symbol) -> Proposition:
+    """A symbol has one of its values in Fig. 9."""
+    return Or(tuple(proposition(sp.Eq(symbol, value)) for value in CORNERS[symbol]))
+
+
+@claims("fig9")
+def _boundaries_with_delay(printed: Printed) -> Proposition:
+    """For d = 1 and d = 2 and the four limits of (23): curve, left bound and tip of the region.
+
+    On the curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
+    is stable.  The stable walls lie right of alpha = -gamma and come as near to it as the thickness
+    of a line; one of them is as stiff as all, to within that.  The spring 0.001 is visible: for
+    d = 2 it is more than a seventieth of what lies right of the origin.
+    """
+    other = STABLE.at(dict(zip((alpha, beta), BESIDE, strict=True)))
+    walls = [
+        ForAll((alpha, beta), implied([STABLE], alpha > -gamma)),
+        Exists(BESIDE, both([other, BESIDE[0] < THIN - gamma])),
+        Exists(
+            BESIDE,
+            both([other, ForAll((alpha, beta), implied([STABLE], alpha < BESIDE[0] + THIN))]),
+        ),
+    ]
+    given = [either(s) for s in CORNERS]
+    region = ForAll(tuple(CORNERS), implied(given, both([solid(), *walls])))
+    late = STABLE.at({d: sp.S(2), gamma: STIFF})
+    visible = implied([either(delta), late], alpha < SEEN * STIFF)
+    return both([region, ForAll((alpha, beta, delta), visible)])
+
+
+# -- the linear condition beside the boundary -------------------------------------------------
+
+LINED = {d: (sp.S.Zero, sp.S.One), delta: tuple(Rational(k, 200) for k in range(5))}
+"""The panels and dampers of Fig. 10, whose spring is 0.001."""
+LEVELS = (sp.S.Zero, Rational(2, 100), Rational(5, 100))
+"""Errors of the circles, triangles and squares."""
+BEFORE = ((sp.S.Zero, Rational(4, 200)), (sp.S.One, Rational(3, 200)), (sp.S.One, Rational(4, 200)))
+"""Delays and dampers with a second triangle, before the line crosses the boundary."""
+READ = Rational(1, 10**4)
+"""How near an error is to that of its mark."""
+
+
+def marked(level: Expr) -> Proposition:
+    """A wall of the boundary has this error (26), with its sign, to within READ.
+
+    With alpha_lin, of the wall on the line (25) with the same beta: (alpha_lin - alpha) is level
+    times (alpha + gamma), which is positive.
+    """
+    wall, (right, up) = (theta, *BESIDE), BESIDE
+    [line] = transcribed("eq25")
+    [linear] = sp.solve(sp.Eq(*line.args), alpha)
+    gap = linear.subs(beta, up) - right - level * (right + gamma)
+    near = [right + gamma > 0, gap <= READ * (right + gamma), gap >= -READ * (right + gamma)]
+    on_it = on_boundary().at(dict(zip((alpha, beta), BESIDE, strict=True)))
+    some = Exists(wall, both([theta > 0, theta < sp.pi, on_it, *near]))
+    return ForAll(NUMBERS, implied([DEVICE], some))
+
+
+@claims("fig10")
+def _linear_condition_beside_the_boundary(printed: Printed) -> Proposition:
+    """For gamma = 0.001, five dampers, no delay and one period: the solid curves and their marks.
+
+    On a curve are the walls that have a zero at exp(j theta); none is stable, and no wall left of
+    alpha = -gamma or on it.  On each there are walls whose errors (26) are 0, 2 and 5 percent, to a
+    hundredth of a percent, and on three a wall with the error -2 percent.
+    """
+    left = ForAll((alpha, beta), implied([STABLE], alpha > -gamma))
+    given = [Or(tuple(proposition(sp.Eq(s, v)) for v in values)) for s, values in LINED.items()]
+    curves = implied(given, both([solid(), left, *map(marked, LEVELS)]))
+    more = [marked(-LEVELS[1]).at({d: late, delta: damper}) for late, damper in BEFORE]
+    return both([ForAll(tuple(LINED), curves), *more]).at({gamma: STIFF})
 
 
 # -- springs at the Nyquist frequency ------------------------------------------------------

@@ -10,16 +10,34 @@ All of it is in the units of Table I, with m = T = 1; delays are whole.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import sympy as sp
-from sympy import Rational, S
+from sympy import Expr, Rational, S, Symbol
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x, y
-from symhaptic.notation.proposition import Exists, ForAll, Proposition, Terms, both, implied
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, theta, x, y
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Or,
+    Proposition,
+    Terms,
+    both,
+    implied,
+    proposition,
+    whole,
+)
 from symhaptic.paper.propositions.comparison import STABLE, transcribed
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import (
+    DEVICE,
+    HEAVIER,
+    LATER,
+    NUMBERS,
+    on_boundary,
+)
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
 
@@ -91,3 +109,97 @@ def _stiffness_left_by_one_period(printed: Printed) -> Proposition:
     below = outdoes(stable(0, BEST), stable(1), alpha < Rational("0.22") * x)
     digits = outdoes(stable(1, BEST), stable(0), Rational("0.215") * alpha < x).at(ARM)
     return on_the_range(below, digits)
+
+
+END, RATE = Symbol("D"), Symbol("rho")
+SPRINGS = (S.Zero, STIFF)
+"""Those of Fig. 12, whose damper is 0.02."""
+
+
+def below(share: Expr, delay: Expr | int) -> Proposition:
+    """eta(d) < share: some stable wall, times this, is stiffer than all passive ones."""
+    return outdoes(stable(delay, BEST), passive(delay), alpha < share * x)
+
+
+def above(share: Expr, delay: Expr | int) -> Proposition:
+    """eta(d) > share: some passive wall is stiffer than all stable ones times this."""
+    return outdoes(passive(delay, BEST), stable(delay), share * alpha < x)
+
+
+def grows(delay: Expr | int, later: Expr | int) -> Proposition:
+    """eta(d) < rho < eta(d'), for some rho."""
+    return Exists((RATE,), both([below(RATE, delay), above(RATE, later)]))
+
+
+def springs() -> Proposition:
+    """The spring is one of those of Fig. 12."""
+    return Or(tuple(proposition(sp.Eq(gamma, spring)) for spring in SPRINGS))
+
+
+@claims("s5a-smaller-delta")
+def _less_damping_sets_them_further_apart(printed: Printed) -> Proposition:
+    """With less damping the passive stiffness is a smaller share of the stable one, on (23).
+
+    Size is read as the largest stiffness: eta(delta) < rho < eta(delta') for some rho, with one
+    spring.  The passive walls vanish with the damper, 0 < delta.  For every whole delay.
+    """
+    more = above(RATE, d).at({delta: HEAVIER})
+    ranges = [p.subs(delta, HEAVIER) for p in transcribed("eq23")]
+    given = [*ranges, delta > 0, delta < HEAVIER, whole(d)]
+    further = Exists((RATE,), both([below(RATE, d), more]))
+    return ForAll((gamma, delta, HEAVIER, d), implied(given, further))
+
+
+@claims("s5b-eta-grows")
+def _until_it_is_one(printed: Printed) -> Proposition:
+    """Behind some whole delay no stable wall is stiffer than a passive one; until then eta grows.
+
+    For both springs of Fig. 12, of which it is said.
+    """
+    same = outdoes(passive(END, BEST), stable(END), alpha <= x)
+    before = [whole(d), whole(LATER), d < LATER, LATER <= END]
+    growing = ForAll((d, LATER), implied(before, grows(d, LATER)))
+    some = Exists((END,), both([whole(END), same, growing])).at({delta: DAMPED})
+    return ForAll((gamma,), implied([springs()], some))
+
+
+SHOWN = (0, 1, 2, 4, 8)
+"""Delays of Fig. 12 (a) and (b), of which Fig. 11 shows the walls, too."""
+PEAKS = {S.Zero: (16, 32, 64, 122), STIFF: (16, 32, 40)}
+"""Delays of (c) up to the peak of eta, for each spring."""
+NEAR = Rational(9998, 10**4)
+"""What cannot be told from 1 in print."""
+FALLEN = {S.Zero: Rational(91, 100), STIFF: Rational(6, 100)}
+"""More than eta at the right end of (c), d = 1000."""
+FINE = Rational(1, 1000)
+"""The thickness of a line, as a share of the stiffness."""
+OTHER = sp.symbols("alpha_1 beta_1")
+
+
+def rightmost() -> Proposition:
+    """The stable walls are as stiff as a wall of the boundary, within a line's thickness."""
+    curve = on_boundary().at(dict(zip(WALL, BEST, strict=True)))
+    most = ForAll(WALL, implied([stable(d)], alpha < (1 + FINE) * x))
+    near = Exists(OTHER, both([stable(d, OTHER), OTHER[0] > (1 - FINE) * x]))
+    tip = Exists((theta, *BEST), both([theta > 0, theta < sp.pi, curve, most, near]))
+    return ForAll(NUMBERS, implied([DEVICE], tip))
+
+
+@claims("fig12")
+def _largest_stiffnesses(printed: Printed) -> Proposition:
+    """For both springs and delta = 0.02: the curves of (a), and how their ratio runs in (b), (c).
+
+    At five delays the largest stable stiffness is that of a wall of the boundary, as Sec. V-B says,
+    to a thousandth; the passive one is that of (11), which is another statement.  From one delay of
+    a list to the next the ratio grows, until it cannot be told from 1 in print, at 122 periods
+    without a spring and 40 with it; at the right end of (c), d = 1000, it has fallen.
+    """
+    one = Or(tuple(proposition(sp.Eq(d, n)) for n in SHOWN))
+    tips = ForAll((gamma, d), implied([springs(), one], rightmost()))
+    runs = []
+    for spring, later in PEAKS.items():
+        delays = (*SHOWN, *later)
+        steps = [grows(a, b) for a, b in itertools.pairwise(delays)]
+        ends = [above(NEAR, later[-1]), below(FALLEN[spring], 1000)]
+        runs += [p.at({gamma: spring}) for p in (*steps, *ends)]
+    return both([tips, *runs]).at({delta: DAMPED})

@@ -90,6 +90,20 @@ def _delay_shrinks_the_region(printed: Printed) -> Proposition:
     return ForAll((*LOOP, LATER), implied(given, STABLE))
 
 
+HEAVIER = Symbol("delta'")
+"""A larger damper."""
+
+
+@claims("s4d-delta-grows")
+def _damping_enlarges_the_region(printed: Printed) -> Proposition:
+    """What is stable with a damper is stable with a larger one.
+
+    On the left nothing is gained: that bound is alpha = -gamma, another statement.
+    """
+    given = [*PLANT, d >= 0, delta < HEAVIER, STABLE]
+    return ForAll((*LOOP, HEAVIER), implied(given, STABLE.at({delta: HEAVIER})))
+
+
 PHYSICAL = (K, B, T, m, b, k, d)
 MORE = tuple(Symbol(f"{s}'") for s in (m, b, k))
 """Mass, damper and spring of another arm."""

@@ -1,0 +1,86 @@
+r"""How near to the boundary is the line of the linear condition?
+
+The paper linearises the boundary around the origin for small $\alpha$. In the limit of short
+periods the line is what all boundaries tend to, for every delay. We ask how far they are from it.
+"""
+
+from sympy import S
+
+from symhaptic.book.lemmas.linear_boundary import TOTAL
+from symhaptic.book.lemmas.linear_gap import narrow
+from symhaptic.book.lemmas.linear_rays import A
+from symhaptic.book.lemmas.linear_second_order import (
+    GAP,
+    UNEVEN,
+    linearised,
+    nearly_even,
+    on_line,
+)
+from symhaptic.book.lemmas.linear_short_periods import tends
+from symhaptic.notation import T, delta, e, gamma, m, n_0, n_1
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.linear_error import short_periods
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.tactics import example, for_all
+
+
+def derive(page):
+    page.say(
+        "On the boundary is a wall that is not stable while all that are softer, down to "
+        "$\\alpha=-\\gamma$, are: Jury's largest minor is zero there. On the line this is, with "
+        "$A=\\alpha+\\gamma$, $w=n_1-n_0$ and the gap $G=g\\,(n_1+n_0)$,"
+    )
+    loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
+    small = delta + gamma / 2
+    page.step(
+        "The minor on the line without delay",
+        on_line(0).subs(e, loss).subs(n_1, n_0 + UNEVEN),
+        GAP * (1 + n_0 * (small - A / 2))
+        + A * (UNEVEN / 2 + n_0 * small * (4 * n_0 + 3 * UNEVEN) / 2)
+        - A**2 * n_0 * (4 * n_0 + 3 * UNEVEN) / 4,
+        name=r"\Delta_2",
+        because="products of two small numbers; one period late it is the same with others",
+    )
+    page.lemma("A device that burns little answers alike", nearly_even(), because="bounds $w$")
+    page.lemma("The gap is narrow", narrow(), because="bounds $G$, for all arms up to (30)")
+    page.say(
+        "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
+        "$\\Delta=\\beta+\\delta-(d+\\frac12)\\alpha$ over the line, nearly by as much. So the "
+        "surplus of the boundary is of this order, too: with a factor of 3 for all of (23), one "
+        "period late and without delay."
+    )
+    second_order(page)
+    order_of_period(page)
+
+
+def second_order(page):
+    """The line is the boundary to first order."""
+    claim = CLAIMED["s4e-linearised"](())
+    symbols, given, _ = taken_apart(claim)
+    page.settle(
+        "s4e-linearised",
+        for_all(symbols, given, linearised()),
+        example=example(dict.fromkeys(symbols, S.Zero), given),
+        note="in $\\alpha$, $\\gamma$ and $\\delta$ together, for $d=0$ and $d=1$. Of one arm the "
+        "line is not the tangent (linear-tangent): the boundary without a spring starts at "
+        "$(0,-\\delta)$, and the tangent there is flatter",
+    )
+
+
+def order_of_period(page):
+    """Which are of order T for a given device."""
+    claim = short_periods()
+    symbols, given, _ = taken_apart(claim)
+    page.state(
+        "linear-short-periods",
+        "for $d=0$ and $d=1$ the boundary tends to the line of (24) as $T\\to0$ with $KT\\le y$: "
+        "what is left of $b+B-K(t_d+\\frac T2)$ is of order $T$",
+        claim=claim,
+    )
+    easy = dict.fromkeys(symbols, S.Zero) | {m: S.One, T: S.One}
+    page.settle(
+        "linear-short-periods",
+        for_all(symbols, given, tends()),
+        example=example(easy, given),
+        note="both sides of (24) are of order 1 there, so that the relative error is of order $T$",
+    )

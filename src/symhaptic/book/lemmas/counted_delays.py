@@ -1,0 +1,47 @@
+"""A whole delay is one of the first few, or longer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+from sympy import Eq, S
+
+from symhaptic.book.lemmas.marginal import behind
+from symhaptic.notation import d
+from symhaptic.notation.proposition import And, Or, Proposition, Relation, proposition, whole
+from symhaptic.proof.theorems.analysis import induction
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    by_cases,
+    discharged,
+    weakened,
+    widened,
+)
+from symhaptic.proof.theorems.leaves import combined, number
+
+
+@cache
+def counted(longest: int) -> Theorem:
+    """d is 0, 1, ... or at least ``longest``; d is whole."""
+    cases = [proposition(Eq(d, n)) for n in range(longest)]
+    claim = Or((*cases, proposition(d >= longest)))
+    start = claim.at({d: S.Zero})
+    begin = widened(number(Relation(S.Zero, "=", S.Zero)), start)
+    after = claim.at({d: d + 1})
+    *equal, beyond = after.parts[1:]
+    steps = [combined(then, [assume(case), 1]) for case, then in zip(cases, equal, strict=False)]
+    steps.append(combined(beyond, [assume(cases[-1]), -1]))
+    steps.append(combined(beyond, [assume(claim.of[-1])], [1]))
+    step = by_cases(assume(claim), *(widened(shown, after) for shown in steps))
+    given = And((whole(d), claim))
+    return induction(claim, d, begin, discharged(weakened(step, whole(d)), given))
+
+
+def each_delay(
+    claim: Proposition, longest: int, build: Callable[[int], Theorem], late: Theorem
+) -> Theorem:
+    """A claim for every whole delay: of each of the first ones, and of all that are longer."""
+    shown = [behind(n, claim, build(n)) for n in range(longest)]
+    return by_cases(counted(longest), *shown, late)

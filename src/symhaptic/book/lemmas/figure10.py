@@ -1,0 +1,106 @@
+"""Fig. 10: the boundary for ten plants, and the walls on it whose linear condition errs so much."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Expr, Rational, S, cos, sin
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
+from symhaptic.book.lemmas.one_plane import stable_curve
+from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.bounds.linear_points import Arc, points
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
+from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
+from symhaptic.paper.ranges import STIFF
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    conjoined,
+    placed,
+    weakened,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import identity
+from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
+
+FAR = -Rational(1, 10**5)
+"""Marks next to the corner lie left of this, and are not drawn."""
+
+
+def _known(theorem: Theorem) -> Theorem:
+    """Without the hypotheses that have no symbols."""
+    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
+
+
+@cache
+def angle_of(damper: Expr, delay: int, level: Expr) -> Rational:
+    """Where the error is about this, as a search finds it."""
+    [found] = (p for p in points(Arc(STIFF, damper, delay), level) if p.alpha.mid() > float(FAR))
+    return Rational(round(float(found.theta.mid()) * 10**10), 10**10)
+
+
+def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
+    """The wall of the boundary at this angle has an error near the level."""
+    symbols, given, some = taken_apart(claim)
+    here = {gamma: STIFF, delta: damper}
+    ranges = {s: (v, v) for s, v in here.items()}
+    angle = angle_of(damper, delay, level)
+    size, half = SQUARE.subs(theta, angle), cos(angle / 2)
+    along, across = (f(S(delay)).subs(theta, angle) for f in (stiffness, damping))
+    wall = {
+        theta: angle,
+        BESIDE[0]: along / (half * size),
+        BESIDE[1]: across / (sin(angle) * size),
+    }
+    below = half * sin(angle) * size
+
+    def on_curve(expr: Expr) -> Theorem:
+        return _known(placed(at_point(expr, ranges), here))
+
+    bottom = on_curve(below)
+    there = some.body.at(wall).of  # type: ignore[attr-defined]
+    parts = [fact(there[0]), fact(there[1])]
+    parts.append(conjoined(*(identity(p.left, p.right) for p in there[2].of)))
+    symbolic = some.body.of[3:]  # type: ignore[attr-defined]
+    top = {BESIDE[0]: along * sin(angle), BESIDE[1]: across * half}
+    for shown, meant in zip(there[3:], symbolic, strict=True):
+        # homogeneous of degree one in the wall and what is divided out
+        difference = meant.right - meant.left
+        rest = difference.subs(dict.fromkeys(BESIDE, S.Zero))
+        scaled = (difference - rest).expand().subs(top) + rest * below
+        strict = over(shown.right - shown.left > 0, on_curve(scaled), bottom)
+        parts.append(positive(shown, [strict]))
+    found = witnessed(conjoined(*parts), some, wall)
+    apart = not_zero(bottom), not_zero(on_curve(size))
+    return for_all(symbols, given, weakened(closed(found, *apart, *apart), *given))
+
+
+def drawn() -> Theorem:
+    """All of Fig. 10."""
+    curves, *more = CLAIMED["fig10"](()).of  # type: ignore[attr-defined]
+    symbols, given, then = taken_apart(curves)
+
+    def build(known: dict[Any, Expr]) -> Theorem:
+        plant = {**known, gamma: STIFF}
+        _, left, *marks = then.at(known).of  # type: ignore[attr-defined]
+        solid = _known(placed(stable_curve(), plant))
+        line = _known(placed(right_of_the_line(), plant))
+        bound = for_all((alpha, beta), [left.body.of[0]], line)
+        late = int(known[d])
+        found = (
+            mark(claim, known[delta], late, level)
+            for claim, level in zip(marks, LEVELS, strict=True)
+        )
+        return conjoined(solid, bound, *found)
+
+    found = each_value(then, dict(zip(symbols, given, strict=True)), build)
+    others = (
+        mark(claim, damper, int(late), -LEVELS[1])
+        for claim, (late, damper) in zip(more, BEFORE, strict=True)
+    )
+    return conjoined(for_all(symbols, given, found), *others)

@@ -1,0 +1,235 @@
+"""On the boundary of the stable walls near the origin Jury's largest minor is zero, d = 0 and 1.
+
+All is said of an arm's four numbers, inside (23), and of walls with alpha > -gamma and a damping
+between two bounds.  There the largest of Jury's minors is what fails first, and it falls with the
+stiffness.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Add, Expr, Ne, Poly, Rational, S, Symbol, expand
+
+from symhaptic.book.lemmas.arm_numbers import pushed
+from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, slow
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.stiffest_stable import (
+    WIDEST,
+    damping_between,
+    inequalities,
+    of_every_plant,
+    on_box,
+)
+from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, x
+from symhaptic.notation.proposition import Relation, conjuncts
+from symhaptic.paper.propositions.linear_error import on_boundary_at as here
+from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.familiar import both_ways, device_static, ordered
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    conjoined,
+    discharged,
+    general,
+    instance,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined, tends
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+HALF = S.Half
+LOW, HIGH = -Rational(3, 100), Rational(1, 10)
+"""The virtual dampings of which all this is said; no stable wall with alpha > -gamma has less."""
+
+TOP = {0: Rational(3, 10), 1: Rational(1, 10)}
+"""No stable wall with so much damping at most is as stiff."""
+
+PUSH = beta * TOTAL + 1 - e + gamma * n_0
+"""(beta + s_1) (n_1 + n_0)."""
+
+
+def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
+    """Arms and walls."""
+    return {**RANGES, alpha: (-STIFF, TOP[delay]), beta: (LOW, HIGH)}
+
+
+def minor(delay: int) -> Expr:
+    """The largest of Jury's minors, as a function of alpha and beta."""
+    *_, last = conjuncts(by_inequalities(delay).conclusion.of[1])  # type: ignore[attr-defined]
+    value: Expr = last.right  # type: ignore[attr-defined]
+    return value
+
+
+def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
+    """(f(to) - f(by))/(to - by) of a polynomial f."""
+    rising = Poly(value, by).all_coeffs()[::-1]
+    powers = (sum(to**i * by ** (k - 1 - i) for i in range(k)) for k in range(len(rising)))
+    return expand(Add(*(c * p for c, p in zip(rising, powers, strict=True))))
+
+
+@cache
+def static() -> Theorem:
+    """a = 1 + e - gamma (n_1 + n_0)."""
+    return combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
+
+
+def turn(value: Expr) -> list[Any]:
+    """What the value of a gives for this polynomial."""
+    return [static(), -divided(value, a, AT_REST)]
+
+
+@cache
+def least(delay: int) -> Theorem:
+    """-0.03 <= beta of a stable wall with -gamma < alpha, no stiffer than the top."""
+    low, _, _ = damping_between(delay, RANGES)
+    known = inequalities(delay)[-1]
+    wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: (-WIDEST, LOW)}
+    below = positive(beta <= LOW, beta < LOW)
+    fails = closed(on_box(-minor(delay), wide), low, below)
+    contrary = absurd(known, combined(Relation(minor(delay), "<=", S.Zero), [fails]))
+    wanted = Relation(LOW, "<=", beta)
+    found = by_cases(ordered(beta, LOW), anything(contrary, wanted), assume(wanted))
+    return closed(of_every_plant(found), soft())
+
+
+@cache
+def unstable_at_the_top(delay: int) -> Theorem:
+    """Falsehood, from a stable wall at the top with beta <= 0.1."""
+    there = {alpha: S(TOP[delay])}
+    low, _, _ = (placed(t, there) for t in damping_between(delay, RANGES))
+    value = minor(delay).subs(there)
+    wide = on_box(-value, {**RANGES, beta: (-WIDEST, HIGH)})
+    known = placed(inequalities(delay)[-1], there)
+    contrary = absurd(known, combined(Relation(value, "<=", S.Zero), [wide]))
+    return closed(of_every_plant(contrary), low)
+
+
+def soft() -> Theorem:
+    """-0.001 <= alpha for -gamma < alpha."""
+    return positive(alpha >= -STIFF, -gamma < alpha, gamma <= STIFF)
+
+
+@cache
+def enough(delay: int) -> Theorem:
+    """A wall with a positive minor is stable: -gamma < alpha, inside the box."""
+    loop = by_inequalities(delay)
+    goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
+    first, second, less = pushed()
+    total = positive(TOTAL > 0, [first], [second])
+    above = positive(alpha + gamma > 0, -gamma < alpha)
+    shown = []
+    for place, goal in enumerate(goals):
+        value = goal.right  # type: ignore[attr-defined]
+        if place == 0:
+            known = combined(goal, [total, above], turn(value))
+        elif place == len(goals) - 1:
+            known = assume(goal)
+        elif (delay, place) == (0, 1):
+            known = combined(
+                goal, [2, _push()], [positive(n_1 - n_0 >= 0, [less]), above], turn(value)
+            )
+        else:
+            known = combined(goal, [on_box(value, box(delay))])
+        shown.append(known)
+    return closed(applied(loop, conjoined(*shown)), slow(), soft())
+
+
+def _push() -> Theorem:
+    """0 < (beta + s_1) (n_1 + n_0) where the minor without delay is positive."""
+    value = minor(0)
+    inside, toward = 1 - n_0 * beta, 1 + n_1 * beta
+    room, way = (on_box(f, box(0)) for f in (inside, toward))
+    above = positive(alpha + gamma > 0, -gamma < alpha)
+    second = pushed()[1]
+    product = combined(
+        inside * PUSH > 0, [assume(value > 0)], [second, way, above], turn(inside * PUSH - value)
+    )
+    found = over(PUSH > 0, product, room)
+    return closed(found, positive(Ne(inside, 0), [room]))
+
+
+def softer(delay: int) -> Expr:
+    """-(f(x) - f(alpha))/(x - alpha) of the minor f."""
+    value = minor(delay)
+    return -divided(value, alpha, x)
+
+
+@cache
+def falls(delay: int) -> Theorem:
+    """0 < (f(x) - f(alpha))/(alpha - x): the minor f falls with the stiffness."""
+    wide = box(delay)
+    return on_box(softer(delay), {**wide, x: wide[alpha]})
+
+
+@cache
+def on_it(delay: int) -> Theorem:
+    """A wall of the boundary with beta <= 0.1 is in the box: alpha <= its top, -0.03 <= beta."""
+    boundary = assume(here(delay))
+    left, _, every = (part(boundary, claim) for claim in conjuncts(here(delay)))
+    middle = (alpha - gamma) / 2
+    between = positive(middle < alpha, [HALF, left]), positive(middle > -gamma, [HALF, left])
+    inner = applied(instance(every, {x: middle}), conjoined(between[1], between[0]))
+    damped = closed(placed(least(delay), {alpha: middle}), inner, between[1])
+    top = TOP[delay]
+    contrary = closed(unstable_at_the_top(delay), _at(every, S(top)))
+    wanted = Relation(alpha, "<=", top)
+    low = positive(-gamma < top, [top], gamma >= 0)
+    found = by_cases(ordered(top, alpha), anything(contrary, wanted), assume(wanted))
+    stiff = closed(found, low)
+    less = positive(middle <= top, [between[0]], [stiff])
+    return conjoined(stiff, closed(damped, less))
+
+
+def _at(every: Theorem, stiffness: Expr) -> Theorem:
+    """The wall x of the same damping is stable, for -gamma < x < alpha."""
+    known = conjoined(assume(-gamma < stiffness), assume(stiffness < alpha))
+    return applied(instance(every, {x: stiffness}), known)
+
+
+@cache
+def level(delay: int) -> Theorem:
+    """The minor of a wall on the boundary is zero, for beta <= 0.1."""
+    boundary, value = assume(here(delay)), minor(delay)
+    left, unstable, every = (part(boundary, claim) for claim in conjuncts(here(delay)))
+    before = closed(placed(inequalities(delay)[-1], {alpha: x}), _at(every, x))
+    end = tends(value.subs(alpha, x), x, alpha, value)
+    above = closed(in_the_limit(before, x, -gamma, alpha, end), left)
+    stable = closed(enough(delay), left, *_inside(delay))
+    contrary = absurd(stable, unstable)
+    wanted = Relation(value, "<=", S.Zero)
+    below = by_cases(ordered(S.Zero, value), anything(contrary, wanted), assume(wanted))
+    return both_ways(below, above)
+
+
+def _inside(delay: int) -> tuple[Theorem, ...]:
+    found = on_it(delay)
+    return tuple(part(found, claim) for claim in conjuncts(found.conclusion))
+
+
+@cache
+def reached(delay: int) -> Theorem:
+    """A wall whose minor is zero is on the boundary: -gamma < alpha, inside the box."""
+    value = minor(delay)
+    zero, left = assume(Relation(value, "=", S.Zero)), assume(-gamma < alpha)
+    wall = here(delay).of[1].of[0]  # type: ignore[attr-defined]
+    known = closed(inequalities(delay)[-1], assume(wall))
+    unstable = absurd(known, zero, wall)
+    less = assume(x < alpha)
+    more = positive(value.subs(alpha, x) > 0, [less, falls(delay)], [zero, -1])
+    stable = placed(enough(delay), {alpha: x})
+    ends = (
+        positive(x <= TOP[delay], [less], alpha <= TOP[delay]),
+        positive(x >= -STIFF, -gamma < x, gamma <= STIFF),
+    )
+    found = closed(stable, more, *ends)
+    every = general(discharged(found, -gamma < x, x < alpha), x)
+    return closed(conjoined(left, unstable, every), soft())

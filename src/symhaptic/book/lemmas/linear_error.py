@@ -1,0 +1,163 @@
+"""The error of the linear condition along the boundary, for d = 0 and d = 1.
+
+From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + error).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Rational, expand
+
+from symhaptic.book.lemmas.linear_boundary import (
+    HIGH,
+    LOW,
+    on_it,
+)
+from symhaptic.book.lemmas.linear_rays import (
+    A_1,
+    A,
+    at_start,
+    b,
+    b_1,
+    box,
+    coordinates,
+    minor_at,
+    on,
+    share,
+    slope,
+    wedge,
+    zero,
+    zero_of,
+)
+from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.undelayed_curve import apart_of
+from symhaptic.notation import alpha, beta, delta, gamma
+from symhaptic.notation.proposition import conjuncts
+from symhaptic.paper.propositions.linear import LATE
+from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.proof.theorems.familiar import ordered
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    assume,
+    by_cases,
+    conjoined,
+    discharged,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+
+@cache
+def wall(delay: int) -> tuple[Theorem, ...]:
+    """What the lemmas ask of the wall (alpha, beta) of the boundary, by its A and b."""
+    inside = on_it(delay)
+    stiff, low = (part(inside, claim) for claim in conjuncts(inside.conclusion))
+    left = part(assume(on_boundary_at(delay)), -gamma < alpha)
+    place = coordinates(delay)
+    top, high = box(delay)[A][1], box(delay)[b][1]
+    small = [share(delay), gamma <= STIFF]
+    return (
+        zero(delay),
+        positive(place[A] > 0, [left]),
+        positive(place[A] >= 0, [left]),
+        positive(place[A] <= top, [stiff], gamma <= STIFF),
+        positive(place[b] >= LOW, [low], delta >= 0, [share(delay), gamma >= 0]),
+        positive(place[b] <= high, beta <= 0, delta <= DAMPED, small),
+    )
+
+
+def later(theorem: Theorem) -> Theorem:
+    """The same of the other wall."""
+    return placed(theorem, dict(zip((alpha, beta), LATER, strict=True)))
+
+
+@cache
+def rises(delay: int) -> Theorem:
+    """The error rises along the boundary, and is less than 2 per cent, while beta <= 0."""
+    first, second = coordinates(delay), {s: beside(v) for s, v in coordinates(delay).items()}
+    both_ = first | dict(zip((A_1, b_1), second.values(), strict=True))
+    walls = wall(delay)
+    others = [later(t) for t in walls]
+    more = assume(beta < LATER[1])
+    before = positive(beta <= 0, [more], LATER[1] <= 0)
+    turned = closed(
+        placed(wedge(delay), both_), *walls, *others, positive(first[b] < second[b], [more])
+    )
+    one, other = error(delay), beside(error(delay))
+    width = [walls[1], others[1]]
+    size = positive(share(delay) * first[A] * second[A] > 0, [share(delay), *width])
+    gap = over(
+        other - one > 0, positive(second[b] * first[A] - first[b] * second[A] > 0, [turned]), size
+    )
+    rise = closed(combined(one < other, [gap]), *map(apart_of, (*width, size)))
+    found = conjoined(rise, later(small(delay)))
+    return closed(of_every_plant(found), before)
+
+
+@cache
+def small(delay: int) -> Theorem:
+    """The error is less than 2 per cent, for beta <= 0."""
+    place, walls = coordinates(delay), wall(delay)
+    steep = (1 + LEVEL) * share(delay)
+    below = closed(placed(below_the_ray(delay), place), *walls, _damped(delay))
+    gap = (steep * place[A] - place[b]) / share(delay)
+    found = over(LEVEL - error(delay) > 0, positive(gap > 0, [1 / share(delay), below]), walls[1])
+    return closed(combined(error(delay) < LEVEL, [found]), apart_of(walls[1]))
+
+
+def _damped(delay: int) -> Theorem:
+    """b <= delta + (d + 1/2) gamma."""
+    return positive(coordinates(delay)[b] <= delta + share(delay) * gamma, beta <= 0)
+
+
+BEND = {0: Rational(76, 100), 1: Rational(19, 10)}
+"""How much the minor of a softer wall exceeds that on the ray, for its damping."""
+
+
+@cache
+def below_the_ray(delay: int) -> Theorem:
+    """b < 1.02 (d + 1/2) A of a wall with a minor of zero and beta <= 0."""
+    value, steep = minor_at(delay), (1 + LEVEL) * share(delay)
+    wanted = b < steep * A
+    contrary = assume(steep * A <= b)
+    lift = placed(on(delay, slope(delay, b, b_1)), {b: steep * A, b_1: b})
+    damped = delta + share(delay) * gamma
+    on_ray = value.subs(b, steep * A)
+    rate = expand((on_ray - on_ray.subs(A, 0)) / A) - BEND[delay] * (damped - steep * A)
+    high = box(delay)[b][1]
+    narrow = on_box(rate, {**RANGES, A: (0, high / steep)})
+    least = positive(damped - steep * A >= 0, [contrary], b <= damped)
+    gain = positive(
+        value > 0,
+        [contrary, lift],
+        [at_start(delay)],
+        [A > 0, narrow],
+        [BEND[delay], A > 0, least],
+    )
+    ends = (
+        positive(steep * A >= LOW, [steep, A > 0], [-LOW]),
+        positive(steep * A <= high, [contrary], b <= high),
+        positive(high / steep >= A, [1 / steep, contrary], [1 / steep, b <= high]),
+        positive(A >= 0, A > 0),
+    )
+    none = absurd(closed(gain, *ends), zero_of(value))
+    return by_cases(ordered(b, steep * A), assume(wanted), anything(none, wanted))
+
+
+@cache
+def risen() -> Theorem:
+    """What the claim ``rises`` concludes, under its hypotheses."""
+    found = []
+    for delay in LATE:
+        here = on_boundary_at(delay)
+        walls = [here, here.at(dict(zip((alpha, beta), LATER, strict=True)))]
+        damped = tuple(positive(s <= HIGH, s <= 0, [HIGH]) for s in (beta, LATER[1]))
+        before = positive(beta <= 0, beta < LATER[1], LATER[1] <= 0)
+        found.append(discharged(closed(rises(delay), *damped, before), *walls))
+    return conjoined(*found)

@@ -1,0 +1,80 @@
+"""How wide the gap between the line and the start of the boundary is at most: gamma^2 delta/32."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Ne, Rational, S, Symbol, diff, exp
+
+from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
+from symhaptic.book.lemmas.line_crossing import ROOM
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.notation import delta, gamma, u
+from symhaptic.notation.proposition import Implies, Relation, both
+from symhaptic.proof.theorems.analysis import grows
+from symhaptic.proof.theorems.familiar import of_device, rising, square
+from symhaptic.proof.theorems.kernel import Theorem, assume, discharged, placed, unfolded, weakened
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.samples import after_a_blow
+from symhaptic.proof.theorems.tactics import closed, one, over, positive
+
+HALF, QUARTER = S.Half, Rational(1, 4)
+MOST = gamma**2 * delta / 32
+_PLACE, _BEFORE = Symbol("q"), Symbol("v")
+
+
+@cache
+def narrow() -> Theorem:
+    """(s_1 - delta - gamma/2) (n_1 + n_0) <= gamma^2 delta/32."""
+    given = (DEVICE, gamma >= 0, SLOW)
+    implied = Implies((both(given), Relation(ROOM, "<=", MOST)))
+    bare = [undamped(p) for p in given]
+    free = discharged(weakened(_undamped(), *bare), *bare)
+    found = damped_or_not(implied, discharged(weakened(_damped(), *given), *given), free)
+    return closed(unfolded(found), number(Relation(S.Zero, "<=", S.Zero)))
+
+
+def _undamped() -> Theorem:
+    """There is no gap: n_0 <= n_1 and e = 1."""
+    device = assume(undamped(DEVICE))
+    image, less = of_device("device's loss", device), placed(pushed()[2], {delta: S.Zero})
+    claim = undamped(Relation(ROOM, "<=", MOST))
+    return combined(claim, [HALF, assume(gamma >= 0), less], [image, -S.One])
+
+
+def _damped() -> Theorem:
+    """As the gap itself is found, with gamma^2 delta u^2/32 for what is left."""
+    way = delta * u
+    bent = (1 + way / 2) * exp(-way) - 1 + way / 2
+    test = u * (1 - exp(-way)) + gamma * (1 - u) * bent / delta**2 - MOST * u**2
+    first, second = delta + gamma / 2, delta - gamma / 2
+    slope = diff(test, u)
+    kernel = first + second * exp(-way) - diff(slope, u) - delta * slope - gamma * test
+    spring, rest = assume(gamma >= 0), positive(1 - u > 0, u < 1)
+    size = closed(over(1 / delta > 0, one(), delta > 0))
+    there = closed(placed(_bent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
+    shown = combined(
+        kernel >= 0,
+        [spring, spring, size, size, rest, there],
+        [QUARTER, spring, spring, assume(delta > 0), square(u - HALF)],
+        [QUARTER, spring, spring, *map(assume, (delta > 0, u > 0)), rest, rest],
+        [QUARTER, spring, spring, *map(assume, (delta > 0, u > 0, u > 0)), rest, rest],
+        [Rational(1, 16), spring, spring, *map(assume, (delta > 0, delta > 0, u > 0))],
+        [Rational(1, 32), spring, spring, spring, *map(assume, (delta > 0, u > 0, u > 0))],
+    )
+    apart = positive(Ne(delta, 0), delta > 0)
+    found = after_a_blow(assume(DEVICE), first, second, u, test, closed(shown, apart))
+    _, image = turned()
+    return combined(Relation(ROOM, "<=", MOST), [closed(found, apart)], [image, -S.One])
+
+
+def _bent() -> Theorem:
+    """0 < q^3/4 - ((1 + q/2) exp(-q) - 1 + q/2) for 0 < q."""
+    inner = 3 * u**2 / 4 - HALF + (1 + u) * exp(-u) / 2
+    fall = closed(rising(exp, -u, S.Zero), positive(-u < 0, u > 0))
+    speed = positive(diff(inner, u) > 0, [HALF, u > 0, fall], [u > 0])
+    rise = grows(inner, u, S.Zero, _BEFORE, speed)
+    outer = _BEFORE**3 / 4 - (1 + _BEFORE / 2) * exp(-_BEFORE) + 1 - _BEFORE / 2
+    slope = combined(Relation(S.Zero, "<", diff(outer, _BEFORE)), [rise])
+    found = grows(outer, _BEFORE, S.Zero, _PLACE, slope)
+    return positive(outer.subs(_BEFORE, _PLACE) > 0, [found])

@@ -1,0 +1,196 @@
+"""Each ray from the start of the line meets the boundary once, for d = 0 and d = 1.
+
+Walls are counted from the start of the line, A = alpha + gamma and b = beta + delta + (d + 1/2)
+gamma.  On a ray Jury's largest minor is not negative at the start and bent downwards.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Add, Expr, Ne, Poly, Rational, S, Symbol, div, expand, symbols
+
+from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, room
+from symhaptic.book.lemmas.linear_boundary import (
+    HALF,
+    LOW,
+    TOP,
+    divided,
+    level,
+    minor,
+    turn,
+)
+from symhaptic.book.lemmas.stiffest_stable import on_box
+from symhaptic.notation import a, alpha, beta, delta, e, gamma
+from symhaptic.notation.proposition import Relation
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.proof.theorems.familiar import ordered, square
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    assume,
+    by_cases,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
+"""Two walls in these coordinates, and a share of the way along a ray."""
+
+
+def share(delay: int) -> Expr:
+    """d + 1/2."""
+    return delay + HALF
+
+
+def coordinates(delay: int) -> dict[Symbol, Expr]:
+    """A and b by the wall."""
+    return {A: alpha + gamma, b: beta + delta + share(delay) * gamma}
+
+
+@cache
+def minor_at(delay: int) -> Expr:
+    """The minor as a function of A and b, without a."""
+    wall = {alpha: A - gamma, beta: b - delta - share(delay) * gamma}
+    return expand(minor(delay).subs(a, AT_REST).subs(wall, simultaneous=True))
+
+
+def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
+    """Arms, and walls by their A and b, for beta <= 0."""
+    wide, high = (0, TOP[delay] + STIFF), (LOW, DAMPED + share(delay) * STIFF)
+    return {**RANGES, A: wide, A_1: wide, b: high, b_1: high}
+
+
+def slope(delay: int, by: Symbol, to: Symbol) -> Expr:
+    """The minor's divided difference."""
+    return divided(minor_at(delay), by, to)
+
+
+def on(delay: int, expr: Expr) -> Theorem:
+    """0 < expr for all arms and walls."""
+    ranges = box(delay)
+    return on_box(expr, {s: ranges[s] for s in ranges if s in RANGES or s in expr.free_symbols})
+
+
+@cache
+def zero(delay: int) -> Theorem:
+    """The minor is zero at a wall of the boundary with beta <= 0.1, by its A and b."""
+    value = minor_at(delay).xreplace(coordinates(delay))
+    return combined(Relation(value, "=", S.Zero), [level(delay)], turn(minor(delay)))
+
+
+@cache
+def stiffer(delay: int) -> Theorem:
+    """A < A_1 for b < b_1, of two walls with a minor of zero."""
+    value = minor_at(delay)
+    there = value.subs({A: A_1, b: b_1}, simultaneous=True)
+    up = on(delay, slope(delay, b, b_1))
+    down = on(delay, -slope(delay, A, A_1))
+    later = placed(up, {A: A_1})
+    back = assume(A_1 <= A)
+    gain = positive(there - value > 0, [b < b_1, later], [back, down])
+    none = combined(Relation(there - value, "=", S.Zero), [zero_of(there)], [zero_of(value), -1])
+    wanted = A < A_1
+    return by_cases(ordered(A, A_1), assume(wanted), anything(absurd(gain, none), wanted))
+
+
+def zero_of(value: Expr) -> Theorem:
+    """The value is zero, as assumed."""
+    return assume(Relation(value, "=", S.Zero))
+
+
+def bent(delay: int) -> Expr:
+    """-f[0, y, 1] of the minor f along the ray to (A_1, b_1)."""
+    way = minor_at(delay).subs({A: y * A_1, b: y * b_1}, simultaneous=True)
+    rising = Poly(way, y).all_coeffs()[::-1]
+    return expand(-Add(*(c * y**i for k, c in enumerate(rising) for i in range(k - 1))))
+
+
+@cache
+def bent_downwards(delay: int) -> Theorem:
+    """0 < -f[0, y, 1], for 0 < A_1 and 0 < b_1."""
+    value = bent(delay)
+    wide, high, along = assume(A_1 > 0), assume(b_1 > 0), assume(y >= 0)
+    rows: list[list[Any]] = []
+    small = Rational(1, 100) if delay else S.Zero
+    if small:
+        rows.append([small / 2, square(A_1 - b_1)])
+    for powers in {(i, j, k) for i in range(3) for j in range(4) for k in range(2)}:
+        i, j, k = powers
+        part_ = value.coeff(y, k).coeff(A_1, i).coeff(b_1, j)
+        part_ += {(1, 1, 0): small, (2, 0, 0): -small / 2, (0, 2, 0): -small / 2}.get(powers, 0)
+        if part_ != 0:
+            rows.append([*[wide] * i, *[high] * j, *[along] * k, on(delay, part_)])
+    return combined(value > 0, *rows)
+
+
+@cache
+def wedge(delay: int) -> Theorem:
+    """b A_1 < b_1 A for b < b_1, of two walls with 0 < A, 0 < A_1 and a minor of zero."""
+    wanted = b * A_1 < b_1 * A
+    less = stiffer(delay)
+    gap = positive(A_1 - A > 0, [less])
+    low = positive(wanted, [b < b_1, A_1 > 0], [b_1 <= 0, gap])
+    outer = anything(_above_the_ray(delay), wanted)
+    high = by_cases(ordered(b * A_1, b_1 * A), assume(wanted), outer)
+    return closed(by_cases(ordered(S.Zero, b_1), high, low), less)
+
+
+def _above_the_ray(delay: int) -> Theorem:
+    """Falsehood, from b_1 A <= b A_1: the wall would lie above the ray to the other one."""
+    value = minor_at(delay)
+    there = value.subs({A: A_1, b: b_1}, simultaneous=True)
+    lift = placed(on(delay, slope(delay, b, b_1)), {A: y * A_1, b: y * b_1, b_1: b})
+    here = value.subs(A, y * A_1)
+    more = assume(y * b_1 <= b)
+    rest, part_way = positive(1 - y > 0, y < 1), positive(y > 0, y > 0)
+    first = at_start(delay)
+    gain = combined(
+        here > 0,
+        [more, lift],
+        [rest, first],
+        [zero_of(there), -y],
+        [part_way, rest, bent_downwards(delay)],
+    )
+    top, high = box(delay)[A][1], box(delay)[b][1]
+    ends = (
+        positive(y * A_1 >= 0, [y > 0, A_1 > 0]),
+        positive(y * A_1 <= top, [top >= A_1], [rest, A_1 > 0]),
+        positive(y * b_1 >= LOW, [y > 0, b_1 > 0], [-LOW]),
+        positive(y * b_1 <= high, [b_1 <= high], [rest, b_1 > 0]),
+        positive(y >= 0, y > 0),
+        positive(y <= 1, y < 1),
+    )
+    found = closed(absurd(gain, zero_of(here)), *ends)
+    found = placed(found, {y: A / A_1})
+    width = assume(A_1 > 0)
+    sides = (
+        over(A / A_1 > 0, A > 0, width),
+        over(1 - A / A_1 > 0, positive(A_1 - A > 0, A < A_1), width),
+        over(b - A / A_1 * b_1 >= 0, positive(b * A_1 - b_1 * A >= 0, b_1 * A <= b * A_1), width),
+    )
+    apart = positive(Ne(A_1, 0), A_1 > 0)
+    shown = (
+        sides[0],
+        combined(A / A_1 < 1, [sides[1]]),
+        combined(Relation(A * b_1 / A_1, "<=", b), [sides[2]]),
+    )
+    return closed(found, *shown, apart)
+
+
+@cache
+def start_by_gap(delay: int) -> Expr:
+    """How often the gap is in the minor at the start of the line."""
+    share_, rest = div(minor_at(delay).subs({A: 0, b: 0}), ROOM, e)
+    assert rest == 0
+    return expand(share_)
+
+
+@cache
+def at_start(delay: int) -> Theorem:
+    """The minor is not negative at the start of the line."""
+    first = minor_at(delay).subs({A: 0, b: 0})
+    return combined(Relation(S.Zero, "<=", first), [room(), on_box(start_by_gap(delay), RANGES)])

@@ -1,0 +1,248 @@
+"""The boundary leaves the line by terms of second order only, for d = 0 and d = 1.
+
+All that makes an arm differ from a free mass is small with delta and gamma: n_1 - n_0 and the gap.
+On the line Jury's minor is a sum of products of A with one of these, less a multiple of A^2: a
+surplus over the line that is larger has its sign.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import Expr, Rational, S, Symbol, diff, exp, expand, symbols
+
+from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
+from symhaptic.book.lemmas.line_crossing import ROOM, room, slow
+from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
+from symhaptic.book.lemmas.linear_gap import MOST, narrow
+from symhaptic.book.lemmas.linear_rays import (
+    A,
+    at_start,
+    b,
+    b_1,
+    coordinates,
+    minor_at,
+    share,
+    slope,
+    start_by_gap,
+    zero,
+    zero_of,
+)
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1, u
+from symhaptic.notation.proposition import Implies, Relation, both, conjuncts
+from symhaptic.paper.propositions.linear import LATE
+from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.proof.theorems.analysis import grows
+from symhaptic.proof.theorems.familiar import ordered, rising
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    assume,
+    by_cases,
+    conjoined,
+    discharged,
+    part,
+    placed,
+    unfolded,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.samples import after_a_blow
+from symhaptic.proof.theorems.tactics import closed, positive
+
+UNEVEN, GAP = symbols("w G")
+"""n_1 - n_0, and the gap times n_1 + n_0."""
+MEANT = {UNEVEN: n_1 - n_0, GAP: ROOM}
+BOX: dict[Symbol, tuple[Any, Any]] = {**RANGES, A: (0, SMALL + STIFF)}
+_PLACE, _BEFORE = Symbol("q"), Symbol("v")
+
+
+@cache
+def nearly_even() -> Theorem:
+    """n_1 - n_0 <= delta/6: a device that burns little answers to both periods alike."""
+    claim, given = Relation(n_1 - n_0, "<=", delta / 6), (DEVICE, gamma >= 0, SLOW)
+    implied = Implies((both(given), claim))
+    none = number(Relation(S.Zero, "<=", S.Zero))
+    free = after_a_blow(assume(undamped(DEVICE)), -1, 1, u, 0, none)
+    bare = [undamped(p) for p in given]
+    free = discharged(weakened(combined(undamped(claim), [free]), *bare), *bare)
+    damped = discharged(weakened(combined(claim, [_late()]), *given), *given)
+    return unfolded(damped_or_not(implied, damped, free))
+
+
+def _late() -> Theorem:
+    """0 <= n_0 - n_1 + delta/6, from exp(-x) > 1 - x."""
+    way = delta * u
+    above = closed(placed(_tangent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
+    kernel = exp(-way) - 1 + way + way**2 / 2 + gamma * delta * u**3 / 6
+    loss, ago, spring = (assume(p) for p in (delta > 0, u > 0, gamma >= 0))
+    more = [S.Half, loss, loss, ago, ago], [Rational(1, 6), spring, loss, ago, ago, ago]
+    shown = positive(kernel >= 0, [above], *more)
+    return after_a_blow(assume(DEVICE), -1, 1, u, -delta * u**3 / 6, shown)
+
+
+def _tangent() -> Theorem:
+    """0 < exp(-q) - 1 + q for 0 < q."""
+    rest = exp(-_BEFORE) - 1 + _BEFORE
+    fall = closed(rising(exp, -_BEFORE, S.Zero), positive(-_BEFORE < 0, _BEFORE > 0))
+    slope_ = positive(diff(rest, _BEFORE) > 0, [fall])
+    found = grows(rest, _BEFORE, S.Zero, _PLACE, slope_)
+    return positive(rest.subs(_BEFORE, _PLACE) > 0, [found])
+
+
+def on_line(delay: int) -> Expr:
+    """The minor on the line, as a function of A."""
+    return expand(minor_at(delay).subs(b, share(delay) * A))
+
+
+@cache
+def rates(delay: int) -> dict[Symbol, Expr]:
+    """How the slope of the minor at the start of the line is made of what is small."""
+    loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
+    slope_ = on_line(delay).coeff(A, 1).subs(e, loss).subs(n_1, n_0 + UNEVEN)
+    rest, found = expand(slope_), {}
+    for small in (UNEVEN, delta, gamma, GAP):
+        without = rest.subs(small, 0)
+        found[small] = expand((rest - without) / small).xreplace(MEANT)
+        rest = without
+    assert rest == 0
+    return found
+
+
+def curved(delay: int, bow: Expr) -> Expr:
+    """(f(A, line + bow) - f(A, line))/bow of the minor f."""
+    ends = {b: share(delay) * A, b_1: share(delay) * A + bow}
+    return slope(delay, b, b_1).subs(ends, simultaneous=True)
+
+
+ABOVE = CONSTANT * A**2
+BELOW = -CONSTANT * (delta + gamma) * (A + gamma)
+"""Surpluses over the line between which the boundary lies."""
+
+
+@cache
+def positive_above(delay: int) -> Theorem:
+    """The minor is positive at the surplus 3 A^2."""
+    rate, line = rates(delay), on_line(delay)
+    value = minor_at(delay).subs(b, share(delay) * A + ABOVE)
+    rest = line - line.coeff(A, 0) - A * line.coeff(A, 1)
+    bent = CONSTANT * curved(delay, ABOVE) + expand(rest / A**2)
+    width, less = assume(A > 0), pushed()[2]
+    return combined(
+        value > 0,
+        [at_start(delay)],
+        [width, on_box(rate[UNEVEN], RANGES), positive(n_1 - n_0 >= 0, [less])],
+        [width, on_box(rate[delta], RANGES), assume(delta >= 0)],
+        [width, on_box(rate[gamma] + rate[GAP] * MOST / gamma, RANGES), assume(gamma >= 0)],
+        [width, on_box(-rate[GAP], RANGES), narrow()],
+        [width, width, on_box(expand(bent), BOX)],
+    )
+
+
+@cache
+def negative_below(delay: int) -> Theorem:
+    """The minor is not positive at the surplus -3 (delta + gamma) (A + gamma)."""
+    rate, line = rates(delay), on_line(delay)
+    value = minor_at(delay).subs(b, share(delay) * A + BELOW)
+    first, weight = line.coeff(A, 0), start_by_gap(delay)
+    rest = expand((line - first - A * line.coeff(A, 1)) / A**2)
+    push = CONSTANT * curved(delay, BELOW)
+    width, spring, loss = assume(A > 0), assume(gamma >= 0), assume(delta >= 0)
+    by_loss = push - rate[delta] - rate[UNEVEN] / 6
+    return combined(
+        value <= 0,
+        [loss, width, on_box(expand(by_loss), BOX)],
+        [spring, width, on_box(expand(push - rate[gamma]), BOX)],
+        [width, on_box(rate[UNEVEN], RANGES), nearly_even()],
+        [width, on_box(-rate[GAP], RANGES), room()],
+        [width, width, on_box(-rest, BOX)],
+        [spring, loss, on_box(expand(push - weight * gamma / 32), BOX)],
+        [spring, spring, on_box(expand(push), BOX)],
+        [on_box(weight, RANGES), narrow()],
+    )
+
+
+MOST_B = HIGH + DAMPED + 2 * STIFF
+
+
+def _between(delay: int, low: Expr, high: Expr) -> Theorem:
+    """0 < (f(high) - f(low))/(high - low) of the minor f."""
+    wide = {**BOX, b: (LOW, MOST_B), b_1: (LOW, MOST_B)}
+    return placed(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
+
+
+@cache
+def not_above(delay: int) -> Theorem:
+    """b <= (d + 1/2) A + 3 A^2 of a wall with a minor of zero."""
+    value, bow = minor_at(delay), share(delay) * A + ABOVE
+    contrary, width = assume(bow < b), assume(A > 0)
+    lift = _between(delay, bow, b)
+    gain = positive(value > 0, [contrary, lift], [positive_above(delay)])
+    ends = (
+        positive(bow >= LOW, [share(delay), width], [CONSTANT, width, width], [-LOW]),
+        positive(bow <= MOST_B, [contrary], b <= MOST_B),
+    )
+    wanted = Relation(b, "<=", bow)
+    never = absurd(closed(gain, *ends), zero_of(value))
+    return by_cases(ordered(bow, b), anything(never, wanted), assume(wanted))
+
+
+@cache
+def not_below(delay: int) -> Theorem:
+    """(d + 1/2) A - 3 (delta + gamma) (A + gamma) <= b of a wall with a minor of zero."""
+    value, bow = minor_at(delay), share(delay) * A + BELOW
+    contrary, width = assume(b < bow), assume(A > 0)
+    lift = placed(_between(delay, b_1, b), {b: bow, b_1: b})
+    there = value.subs(b, bow)
+    gain = combined(there > 0, [contrary, lift], [zero_of(value), -S.One])
+    less = positive(share(delay) * A - bow >= 0, *_products(width))
+    top = share(delay) * BOX[A][1]
+    ends = (
+        positive(bow >= LOW, [contrary], b >= LOW),
+        positive(bow <= MOST_B, [less], [share(delay), BOX[A][1] >= A], [MOST_B - top]),
+    )
+    wanted = Relation(bow, "<=", b)
+    never = absurd(closed(gain, *ends), negative_below(delay))
+    return by_cases(ordered(b, bow), anything(never, wanted), assume(wanted))
+
+
+def _products(width: Theorem) -> list[list[Any]]:
+    """(delta + gamma) (A + gamma), three times."""
+    spring, loss = assume(gamma >= 0), assume(delta >= 0)
+    return [[CONSTANT, s, t] for s in (spring, loss) for t in (width, spring)]
+
+
+@cache
+def near_the_line(delay: int) -> Theorem:
+    """The claim of second order for the wall (alpha, beta), on the boundary."""
+    place = coordinates(delay)
+    stiff, low = (part(on_it(delay), c) for c in conjuncts(on_it(delay).conclusion))
+    left = part(assume(on_boundary_at(delay)), -gamma < alpha)
+    walls = (
+        zero(delay),
+        positive(place[A] > 0, [left]),
+        positive(place[A] >= 0, [left]),
+        positive(place[A] <= BOX[A][1], alpha <= SMALL, gamma <= STIFF),
+        positive(place[b] >= LOW, [low], delta >= 0, [share(delay), gamma >= 0]),
+        positive(place[b] <= MOST_B, beta <= HIGH, delta <= DAMPED, *_room(delay)),
+    )
+    found = [closed(placed(f(delay), place), *walls, stiff) for f in (not_above, not_below)]
+    claims = second_order(delay)
+    shown = [combined(c, [t]) for c, t in zip(claims, found, strict=True)]
+    return closed(of_every_plant(conjoined(*shown)), slow())
+
+
+def _room(delay: int) -> list[list[Any]]:
+    """(d + 1/2) gamma <= 2 * 0.001."""
+    return [[share(delay), gamma <= STIFF], [(2 - share(delay)) * STIFF]]
+
+
+@cache
+def linearised() -> Theorem:
+    """What the claim of the paper concludes, under its hypotheses."""
+    return conjoined(*(discharged(near_the_line(n), on_boundary_at(n)) for n in LATE))

@@ -1,0 +1,107 @@
+"""A wall that the plant outweighs all around the circle is stable behind every whole delay."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import sympy as sp
+from sympy import I, Ne, Rational, S, cos, exp
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.crossing import mirror
+from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.stiffest_stable import of_every_plant
+from symhaptic.notation import a, d, e, gamma, n_0, n_1, theta, y, z
+from symhaptic.notation.proposition import Relation, proposition, whole
+from symhaptic.paper.propositions.ratio import ARM
+from symhaptic.proof.theorems.familiar import (
+    decided,
+    device_at_rest,
+    device_comes_to_rest,
+    loop_of_device,
+    square,
+)
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
+from symhaptic.proof.theorems.roots import all_inside, roots_stay
+from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
+
+LATE = Rational(59, 10**5)
+"""The stiffness of a wall without virtual damping that is stable behind every delay, for the arm of
+Figs. 11 and 12 with the spring."""
+
+TURN = exp(I * theta)
+PLANT, FORCE = TURN**2 - a * TURN + e, LATE * (n_1 * TURN + n_0)
+HERE = {s: (v, v) for s, v in ARM.items()}
+
+
+@cache
+def lead() -> Theorem:
+    """0 < |A|^2 - alpha^2 |N|^2 at every angle: a square in y = 2 - 2 cos(theta) and more."""
+    chord, static = sp.Symbol("Y"), 1 - a + e
+    plant = static**2 + ((1 - e) ** 2 - static * (1 + e)) * chord + e * chord**2
+    wall = LATE**2 * ((n_1 + n_0) ** 2 - n_1 * n_0 * chord)
+    first, second, third = sp.Poly(plant - wall, chord).all_coeffs()
+    bend, least = at_point(first, HERE), at_point(4 * first * third - second**2, HERE)
+    surplus = PLANT * mirror(PLANT) - FORCE * mirror(FORCE)
+    whole_square = square(2 * first * (2 - 2 * cos(theta)) + second)
+    share = 1 / (4 * first)
+    turned = positive(share > 0, [_inverse(bend)])
+    found = combined(surplus > 0, [turned, whole_square], [turned, least])
+    return closed(found, not_zero(bend))
+
+
+def _inverse(theorem: Theorem) -> Theorem:
+    """0 < 1/(4 x) from 0 < x."""
+    value = theorem.conclusion.right  # type: ignore[attr-defined]
+    return over(1 / (4 * value) > 0, one(), positive(4 * value > 0, [4, theorem]))
+
+
+@cache
+def no_crossing() -> Theorem:
+    """p(exp(j theta)) != 0 for the wall turned up to y, 0 < y <= 1."""
+    late = exp(I * (d + 1) * theta) * PLANT
+    push = y * FORCE * TURN
+    root = assume(sp.Eq(late + push, 0))
+    less = positive(1 - y >= 0, y <= 1)
+    along, across = (FORCE + mirror(FORCE)) / 2, (FORCE - mirror(FORCE)) / (2 * I)
+    more = positive(1 + y > 0, [S.One], y > 0)
+    sizes = [[less, more, square(part_)] for part_ in (along, across)]
+    gap = PLANT * mirror(PLANT) - y**2 * FORCE * mirror(FORCE)
+    ahead = combined(Relation(S.Zero, "<", gap), [lead()], *sizes)
+    nothing = combined(Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push])
+    wanted = proposition(Ne(late + push, 0))
+    contrary = anything(absurd(ahead, nothing), wanted)
+    return by_cases(decided(late + push, S.Zero), contrary, assume(wanted))
+
+
+@cache
+def stable_behind_every_delay() -> Theorem:
+    """The wall (LATE, 0) is stable for every whole d, with the arm of the figures."""
+    device = assume(DEVICE)
+    rest = device_at_rest(device)
+    static, pushed, _ = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    plant, wall = z**2 - a * z + e, (n_1 * z + n_0) * (LATE * z)
+    at_one = positive(
+        Ne(1 - a + e + y * LATE * (n_1 + n_0), 0),
+        [pushed, positive(gamma + LATE * y > 0, gamma >= 0, [LATE, y > 0])],
+        [static, -S.One],
+    )
+    begin = all_inside(z, d + 1, device_comes_to_rest(device))
+    zeros = roots_stay(z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one, begin)
+    readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
+    loop: Any = part(readings, readings.conclusion.parts[1])
+    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
+    found = placed(of_every_plant(closed(applied(loop, zeros), *steps)), ARM)
+    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))

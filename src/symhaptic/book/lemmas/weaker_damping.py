@@ -1,0 +1,182 @@
+"""How the ratio of passive to stable stiffness changes with the damper, for one spring.
+
+Without delay and one period late two linear functions of the damping enclose the largest stable
+stiffness on all of (23), near enough for dampings that are two percent apart.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy import Eq, Expr, Rational, S, Symbol, symbols
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
+from symhaptic.book.lemmas.near_tip import none_above, wall_below
+from symhaptic.book.lemmas.one_plane import right_of_the_line
+from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
+from symhaptic.book.lemmas.stiffness_claims import (
+    ELEVEN,
+    LATE,
+    UNDELAYED,
+    beside,
+    passive_walls,
+)
+from symhaptic.notation import alpha, beta, d, delta, gamma, x
+from symhaptic.notation.proposition import And, Exists, Or, Relation, negated, proposition
+from symhaptic.paper.propositions.ratio import BEST, RATE, WALL
+from symhaptic.paper.propositions.stability import HEAVIER
+from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    assume,
+    by_cases,
+    chosen,
+    conjoined,
+    part,
+    placed,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    fact,
+    none_of,
+    not_all,
+    over,
+    positive,
+    reductio,
+)
+
+APART = Rational(102, 100)
+"""One damping is at least so many times the other."""
+
+HIGH = {0: LIMIT, 1: Rational("0.1447") + Rational("0.56") * delta}
+NEAR_TIP = {0: NEAR, 1: Rational("0.424")}
+WALLS = {0: UNDELAYED, 1: LATE}
+SHORT = Or(
+    tuple(And((proposition(Eq(d, late)), proposition(APART * delta <= HEAVIER))) for late in (0, 1))
+)
+"""No delay, or one of a period, and dampings that are two percent apart."""
+
+
+def _bound(delay: int) -> Theorem:
+    """alpha < HIGH of every stable wall."""
+    return no_stiffer(delay, (HIGH[delay], NEAR_TIP[delay]), RANGES)
+
+
+def _of_delay(claim: Any, delay: int) -> Theorem:
+    """eta(delta) < rho < eta(delta') for one delay, with rho between two quotients."""
+    place = {delta: HEAVIER}
+    wall, high = WALLS[delay], HIGH[delay].subs(place)
+    low, damper = wall[0], assume(delta > 0)
+    passive, least_, best = passive_walls(delay, ELEVEN)
+    share = best[0].subs(delta, 1)
+    heavier = positive(HEAVIER > 0, [damper], delta < HEAVIER)
+    ends = _positive(low, delta, damper), _positive(high, HEAVIER, heavier)
+    gap = _gap(low, high, damper, heavier)
+    half = share / 2
+    weight = number(Relation(S.Zero, "<", half))
+    more = [over(gap.conclusion.right / end.conclusion.right > 0, gap, end) for end in ends]  # type: ignore[attr-defined]
+    rate = half * (delta / low + HEAVIER / high)
+    parts = over(delta / low > 0, damper, ends[0]), over(HEAVIER / high > 0, heavier, ends[1])
+    positive_ = positive(rate > 0, *([weight, p] for p in parts))
+    bounded = placed(_bound(delay), place)
+    some = claim.at({d: S(delay)})
+    under, above = some.body.at({RATE: rate}).of
+    stable = stable_wall(delay, wall, RANGES)
+    there = passive_at(passive, place)
+
+    found = conjoined(
+        beside(under, stable, wall, lambda w: positive(w, [least_], [weight, more[1]])),
+        beside(
+            above,
+            there,
+            tuple(v.subs(place) for v in best),
+            lambda w: positive(w, [positive_, bounded], [weight, more[0]]),
+        ),
+    )
+    found = witnessed(found, some, {RATE: rate})
+    apart = [not_zero(end) for end in ends]
+    known = [positive(HEAVIER >= 0, [heavier]), positive(delta >= 0, [damper])]
+    low_ = [positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED)]
+    return behind(delay, claim, closed(found, *apart, *known, *low_, *apart))
+
+
+def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
+    """0 < a + b x for 0 < x."""
+    start = number(Relation(S.Zero, "<", line.subs(symbol, 0)))
+    return positive(line > 0, [start], [line.coeff(symbol), above])
+
+
+def passive_at(passive: Theorem, values: Any) -> Theorem:
+    """The stiffest passive wall beside another damper."""
+    found = placed(passive, values)
+    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+
+
+def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:
+    """0 < delta' low(delta) - delta high(delta'), of dampings that are two percent apart."""
+    start, end = low.subs(delta, 0), high.subs(HEAVIER, 0)
+    bend = low.coeff(delta) - high.coeff(HEAVIER)
+    return positive(
+        HEAVIER * low - delta * high > 0,
+        [start, assume(APART * delta <= HEAVIER)],
+        [APART * start - end, damper],
+        [bend, damper, heavier],
+    )
+
+
+def further(claim: Any) -> Theorem:
+    """The claim under SHORT."""
+    return by_cases(assume(SHORT), *(_of_delay(claim, n) for n in (0, 1)))
+
+
+FAR = {gamma: S.Zero, delta: Rational(1, 100), HEAVIER: DAMPED, d: S(200)}
+"""Two dampings behind a long delay."""
+OTHER = symbols("x_1 y_1")
+
+
+def nearer(some: Any) -> Theorem:
+    """Not so behind this delay: with less damping passive walls have the larger share."""
+    late = int(FAR[d])
+    limit, bounded = none_above((FAR[gamma], FAR[delta]), late)
+    (stiffness, damping), held = wall_below(FREE, late)
+    passive, wall = passive_wall(late, FAR[delta])
+    under, above = (assume(p) for p in some.body.of)
+    best, others = (assume(p) for p in under.conclusion.body.of)  # type: ignore[attr-defined]
+    other: Any = Exists(OTHER, above.conclusion.body.at(dict(zip(BEST, OTHER, strict=True))))  # type: ignore[attr-defined]
+    above = part(above, other)
+    tip, rest = (assume(p) for p in other.body.of)
+    here = dict(zip(WALL, BEST, strict=True))
+    softer = at(others, dict(zip(WALL, wall, strict=True)), passive)
+    line = placed(right_of_the_line(), {**here, **FAR})
+    line = closed(line, *(fact(p) for p in line.hypotheses if not p.free), best)
+    pushes = positive(x > 0, [line])
+    number_ = number(Relation(S.Zero, "<", wall[0]))
+    rate = over(RATE > 0, positive(RATE * x > 0, [softer], [number_]), pushes)
+    rate = closed(rate, not_zero(pushes))
+    under_limit = closed(placed(bounded, here), best)
+    most = closed(placed(least(late), dict(zip(WALL, OTHER, strict=True))), tip)
+    over_wall = at(rest, {alpha: stiffness, beta: damping}, held)
+    top = most.conclusion.right  # type: ignore[attr-defined]
+    sum_ = limit * top - stiffness * wall[0]
+    found = positive(
+        Relation(S.Zero, "<", sum_),
+        [stiffness, softer],
+        [stiffness, rate, under_limit],
+        [limit, over_wall],
+        [limit, most],
+    )
+    wrong = absurd(found, number(Relation(sum_, "<=", S.Zero)))
+    wrong = chosen(under, chosen(above, wrong))
+    return reductio(chosen(assume(some), wrong), some)
+
+
+def not_short() -> Theorem:
+    """Nor is it a short delay."""
+    claim: Any = SHORT.at(FAR)
+    return none_of(claim, *(not_all(p, number(negated(p.of[0]))) for p in claim.of))

@@ -1,0 +1,192 @@
+"""The claims of Sec. IV-E on the error (26) of the linear condition, beside the exact boundary.
+
+The error compares stiffnesses at the same damping: a wall is on the boundary where it is not stable
+and all that are softer, down to alpha = -gamma, are.  Said of the delays of Fig. 10, d = 0 and
+d = 1, and for all arms of (23).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+from sympy import Expr, Rational, S, Symbol
+
+from symhaptic.notation import B, K, T, alpha, alpha_lin, b, beta, d, delta, gamma, k, m, t_d, x, y
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Not,
+    Or,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.device import transcribed
+from symhaptic.paper.propositions.linear import LATE
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED, STIFF
+from symhaptic.paper.reading import Printed
+
+ARMS = tuple(map(proposition, transcribed("eq23")))
+"""The ranges of gamma and delta."""
+LATER = sp.symbols("alpha_1 beta_1")
+"""A wall further along the boundary."""
+LEVEL = Rational(2, 100)
+
+
+def on_boundary() -> Proposition:
+    """A wall with alpha > -gamma is not stable, and all that are softer are."""
+    softer = implied([-gamma < x, x < alpha], STABLE.at({alpha: x}))
+    return both([-gamma < alpha, Not((STABLE,)), ForAll((x,), softer)])
+
+
+def on_boundary_at(delay: int) -> Proposition:
+    """The same for a delay of so many periods."""
+    return on_boundary().at({d: S(delay)})
+
+
+@cache
+def error(delay: Expr | int = d) -> Expr:
+    """(alpha_lin - alpha)/(alpha + gamma), whose size is (26); alpha_lin is on the line of (25)."""
+    [line] = transcribed("eq25")
+    [limit] = sp.solve(sp.Eq(*line.args), alpha)
+    signed: Expr = (limit - alpha) / (alpha + gamma)
+    return signed.subs(d, delay)
+
+
+@cache
+def size(delay: Expr | int = d) -> Expr:
+    """(26), as it is printed."""
+    [line], [printed] = transcribed("eq25"), transcribed("eq26")
+    [limit] = sp.solve(sp.Eq(*line.args), alpha)
+    return sp.sympify(printed).xreplace({alpha_lin: limit}).subs(d, delay)
+
+
+def beside(of: Expr) -> Expr:
+    """The same of the other wall."""
+    return of.subs(dict(zip((alpha, beta), LATER, strict=True)), simultaneous=True)
+
+
+def rises() -> Proposition:
+    """Of two walls on the boundary that with more damping has the larger error, and less than 2 %.
+
+    As long as that damping is not positive.
+    """
+    _, damping = LATER
+    given = [*ARMS, beta < damping, damping <= 0]
+    every = []
+    for n in LATE:
+        here = on_boundary_at(n)
+        walls = [here, here.at(dict(zip((alpha, beta), LATER, strict=True)))]
+        ahead = beside(error(n))
+        every.append(implied(walls, both([error(n) < ahead, ahead < LEVEL])))
+    symbols: tuple[Symbol, ...] = (alpha, beta, *LATER, gamma, delta)
+    return ForAll(symbols, implied(given, both(every)))
+
+
+SMALL, NEAR = Rational(3, 100), Rational(1, 10)
+"""Up to this alpha, which no device that the paper names exceeds, and to this beta."""
+CONSTANT = 3
+"""Of the terms of second order."""
+
+
+def second_order(delay: int) -> tuple[Relation, Relation]:
+    """beta + delta - (d + 1/2) alpha lies between products of two small numbers."""
+    [line] = transcribed("eq25")
+    surplus = (line.lhs - line.rhs).subs(d, delay)
+    above, below = CONSTANT * (alpha + gamma) ** 2, CONSTANT * (delta + gamma) * (alpha + 2 * gamma)
+    return Relation(surplus, "<=", above), Relation(-below, "<=", surplus)
+
+
+@claims("s4e-linearised")
+def _line_for_small_numbers(printed: Printed) -> Proposition:
+    """Near the origin, alpha and beta small, the boundary is the line of (25) but for second order.
+
+    What is left is at most 3 (alpha + gamma)^2 above and 3 (delta + gamma) (alpha + 2 gamma) below.
+    For all arms of (23), both delays of Fig. 10 and alpha up to the 0.03 of Sec. IV-E.
+    """
+    every = [implied([on_boundary_at(n)], both(second_order(n))) for n in LATE]
+    given = [*ARMS, alpha <= SMALL, beta <= NEAR]
+    return ForAll((alpha, beta, gamma, delta), implied(given, both(every)))
+
+
+UNITS = {alpha: K * T**2 / m, beta: B * T / m, gamma: k * T**2 / m, delta: b * T / m}
+"""The numbers of Table I."""
+
+
+def left_of_line(delay: int) -> tuple[Relation, Relation]:
+    """b + B - K (t_d + T/2) lies between two numbers of order T, where K T <= y."""
+    [line] = transcribed("eq24")
+    surplus = b + B - K * sp.denom(line.rhs).subs(t_d, delay * T)
+    above = CONSTANT * (y + k * T) ** 2 * T / m
+    below = CONSTANT * (b + k * T) * (y + 2 * k * T) * T / m
+    return Relation(surplus, "<=", above), Relation(-below, "<=", surplus)
+
+
+def short_periods() -> Proposition:
+    """For T to zero, with K T <= y and t_d = d T, the boundary tends to the line of (24).
+
+    What is left is of order T.  Said of d = 0 and d = 1, from a period on at which the loop is near
+    the origin and the arm one of (23).
+    """
+    short = [y * T <= SMALL * m, NEAR * m >= B * T, k * T**2 <= STIFF * m, b * T <= DAMPED * m]
+    given = [T > 0, m > 0, b >= 0, k >= 0, y >= K * T, *short]
+    every = [implied([on_boundary_at(n).at(UNITS)], both(left_of_line(n))) for n in LATE]
+    return ForAll((K, B, m, b, k, T, y), implied(given, both(every)))
+
+
+PUSHING = (alpha >= 0, beta < 0)
+"""Walls that do not pull, with a negative virtual damping."""
+THRESHOLD = Rational(15, 1000)
+"""The damping that the paper names."""
+
+
+def far() -> Exists:
+    """For some such wall on the boundary (26) exceeds 2 per cent."""
+    return Exists((alpha, beta), both([on_boundary(), *PUSHING, size() > LEVEL]))
+
+
+@claims("s4e-two-percent")
+def _far_for_negative_damping(printed: Printed) -> Proposition:
+    """Beyond the damping that is named the error exceeds 2 per cent for some wall with beta < 0.
+
+    For all arms of (23) and both delays of Fig. 10, which shows alpha >= 0: said of such walls.
+    Without this it is true of every arm with spring and damper (linear-error-corner).
+    """
+    late = Or(tuple(proposition(sp.Eq(d, n)) for n in LATE))
+    return ForAll((gamma, delta, d), implied([*ARMS, delta > THRESHOLD, late], far()))
+
+
+def far_in_the_corner() -> Exists:
+    """For some wall on the boundary with beta < 0 (26) exceeds 2 per cent."""
+    return Exists((alpha, beta), both([on_boundary(), beta < 0, size() > LEVEL]))
+
+
+def corner() -> Proposition:
+    """The claim without alpha >= 0, for every arm with spring and damper."""
+    every = both(far_in_the_corner().at({d: S(n)}) for n in LATE)
+    return ForAll((gamma, delta), implied([*ARMS, gamma > 0, delta > 0], every))
+
+
+BETWEEN = {0: (Rational(1743, 10**5), Rational(1744, 10**5))}
+BETWEEN |= {1: (Rational(1480, 10**5), Rational(1481, 10**5))}
+"""Dampings between which the error comes to exceed 2 per cent, gamma = 0.001."""
+
+
+def nowhere() -> Proposition:
+    """For no such wall on the boundary (26) exceeds 2 per cent."""
+    return ForAll((alpha, beta), implied([on_boundary(), *PUSHING], size() <= LEVEL))
+
+
+def threshold() -> Proposition:
+    """With the spring of Fig. 10 it does so from some damping on, for each of its delays."""
+    every = []
+    for n, (low, high) in BETWEEN.items():
+        arm = {gamma: STIFF, d: S(n)}
+        every += [implied([delta <= low], nowhere().at(arm))]
+        every += [implied([delta >= high], far().at(arm))]
+    return ForAll((delta,), implied([delta >= 0, delta <= DAMPED], both(every)))
