@@ -176,7 +176,7 @@ def test_no_tighter_digit_is_accepted(id):
 def test_eta_falls_after_its_peak():
     verdict = settled("s5b_stiffest_wall_peak")["s5b-eta-grows"].verdict
     assert verdict.claimed is Kind.REFUTED
-    assert verdict.counterexample == {"gamma": "0", "delta": "1/50", "d": "1000"}
+    assert verdict.counterexample == {"gamma": "1/1000"}
     with mpmath.workdps(40):
         far = mpmath.findroot(lambda x: mpmath.sin(x) + x * mpmath.cos(x), 2)
         limit = mpmath.pi / 2 / (far * mpmath.sin(far))
@@ -235,13 +235,13 @@ MUTANTS = [
         "FOR_EVER = Rational(59, 10**5)",
         "FOR_EVER = Rational(61, 10**5)",
     ),
-    ("s5b_stiffest_wall_peak", "Rational(134, 10**4)", "Rational(34, 10**4)"),
-    ("s5b_stiffest_wall_peak", "phi: 2})", "phi: 3})"),
-    ("s5b_stiffest_wall_peak", "ETA[1000] - ETA[122] > 0", "ETA[122] - ETA[1000] > 0"),
+    ("s5b_stiffest_wall_peak_free", "phi: 2})", "phi: 3})"),
+    ("s5b_stiffest_wall_peak_free", "ETA[122] - ETA[n]", "ETA[123] - ETA[n]"),
+    ("s5b_stiffest_wall_peak", "point = {gamma: STIFF}", "point = {gamma: 2 * STIFF}"),
     ("s5b_soft_contacts_undelayed", "alpha: S.Zero}", "alpha: S(3)}"),
     ("s5b_soft_contacts_undelayed", "SLOPES[1] - 2 * SLOPES[2]", "SLOPES[1] - SLOPES[2] / 2"),
     ("s5b_weaker_damping", "curve - delta * dash(curve)", "delta * dash(curve) - curve"),
-    ("s5b_weaker_damping", "two - one > 0", "one - two > 0"),
+    ("s5b_weaker_damping", "HEAVIER: Rational(1, 50)", "HEAVIER: Rational(1, 100)"),
     ("s5c_nyquist_numbers", "spring = pi**2 * m / T**2", "spring = 2 * pi**2 * m / T**2"),
     ("s5c_nyquist_numbers", "Rational(102, 10**7)", "Rational(101, 10**7)"),
     ("s5c_nyquist", "turns**2 <= pi**2,)", "turns**2 <= pi,)"),

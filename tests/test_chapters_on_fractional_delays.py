@@ -4,6 +4,16 @@ import pytest
 from chapters import chapter
 
 SETTLED = {
+    "fractional-half-mass-apart": ("s6c_half_a_period", "proved"),
+    "fractional-passivity": ("s6d_fractional_passivity", "proved"),
+    "fractional-low-frequencies": ("s6e_fractional_region", "proved"),
+    "fractional-principal": ("s6h_fractional_readings", "proved"),
+    "fractional-next-whole": ("s6g_next_whole_delay", "proved"),
+    "fractional-passive-is-stable": ("s6e_fractional_passive_is_stable", "proved"),
+    "fractional-boundary": ("s6b_fractional_stability", "proved"),
+    "fractional-polynomial": ("s6b_fractional_stability", "proved"),
+    "fractional-plant": ("s6a_fractional_plant", "proved"),
+    "fractional-limit-points": ("s6e_fractional_region", "proved"),
     "fractional-largest-stiffness": ("s6f_half_a_period_passive", "proved"),
     "fractional-longer-delay": ("s6f_half_a_period_passive", "proved"),
     "fractional-literal": ("s6h_fractional_letter", "proved"),

@@ -16,12 +16,32 @@ from scipy.signal import cont2discrete
 from symhaptic import linear_limit
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.figures import linear as linear_figures
+from symhaptic.book.lemmas import linear_second_order
 from symhaptic.book.lemmas import linear_tangent as tangency
+from symhaptic.book.lemmas.linear_corner import in_the_corner
+from symhaptic.book.lemmas.linear_error import risen
+from symhaptic.book.lemmas.linear_far import beyond
+from symhaptic.book.lemmas.linear_second_order import linearised
+from symhaptic.book.lemmas.linear_short_periods import tends
 from symhaptic.book.lemmas.linear_start import GIVEN, no_bound, unbounded
+from symhaptic.book.lemmas.linear_two_percent import (
+    LATE_OR_DAMPED,
+    SPRINGS,
+    far_for_every_spring,
+    within,
+)
 from symhaptic.bounds.linear_points import Arc, error_without_stiffness, points
 from symhaptic.model import lag, linear
+from symhaptic.notation import delta as damper
+from symhaptic.notation import gamma as spring
+from symhaptic.notation.proposition import proposition
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.linear_error import BETWEEN, corner, rises, short_periods
+from symhaptic.paper.ranges import DAMPED, STIFF
+from symhaptic.proof import sign
 from symhaptic.proof.mutants import wrong
 from symhaptic.proof.roots import NoSuchRoot, between_decimals, real_roots, rounded
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import NotShown
 from symhaptic.proof.theorems.tactics import for_all
 from symhaptic.proof.verdict import Unfounded
@@ -296,6 +316,68 @@ def test_the_start_is_not_shown_without_one_of_its_hypotheses(dropped):
         for_all(unbounded().over, kept, no_bound())
 
 
+@pytest.mark.parametrize("dropped", taken_apart(rises())[1])
+def test_the_error_is_not_shown_to_rise_without_one_of_the_hypotheses(dropped):
+    """linear-error-rises: none of them is idle."""
+    symbols, given, _ = taken_apart(rises())
+    kept = [p for p in given if p != dropped]
+    assert len(kept) == len(given) - 1
+    with pytest.raises(NotShown):
+        for_all(symbols, kept, risen())
+
+
+@pytest.mark.parametrize("damping", [BETWEEN[0][1], BETWEEN[1][1]])
+def test_no_threshold_is_shown_beyond_the_damping_where_it_is_false(damping):
+    """linear-two-percent: a box that has the damping of 2 per cent in it is not shown."""
+    delay = [high for _, high in BETWEEN.values()].index(damping)
+    with pytest.raises(sign.NotShown):
+        within(delay, damping)
+    arms = {spring: (STIFF, STIFF), damper: (BETWEEN[delay][0], DAMPED)}
+    with pytest.raises(sign.NotShown):
+        beyond(delay, SPRINGS[delay], sp.S.Zero, arms)
+
+
+@pytest.mark.parametrize(
+    ("claim", "shown"),
+    [
+        (CLAIMED["s4e-linearised"](()), linearised),
+        (short_periods(), tends),
+        (corner(), in_the_corner),
+    ],
+)
+def test_what_is_said_near_the_origin_is_not_shown_without_one_of_the_hypotheses(claim, shown):
+    """s4e-linearised, linear-short-periods, linear-error-corner: none of them is idle."""
+    symbols, given, _ = taken_apart(claim)
+    assert for_all(symbols, given, shown()).conclusion == claim
+    implied = {proposition(s >= 0) for s in (spring, damper) if proposition(s > 0) in given}
+    for dropped in set(given) - implied:
+        with pytest.raises(NotShown):
+            for_all(symbols, [p for p in given if p != dropped], shown())
+
+
+@pytest.mark.parametrize("delay", [0, 1])
+def test_no_smaller_constant_than_that_of_the_limit_is_shown(monkeypatch, delay):
+    """The surplus is about (3/12) alpha^2 without delay and (30/12) alpha^2 one period late."""
+    too_small = sp.Rational((3, 30)[delay], 12) * sp.Rational(9, 10)
+    monkeypatch.setattr(linear_second_order, "ABOVE", too_small * linear_second_order.A**2)
+    monkeypatch.setattr(linear_second_order, "CONSTANT", too_small)
+    with pytest.raises((NotShown, sign.NotShown)):
+        linear_second_order.positive_above.__wrapped__(delay)
+
+
+NAMED = CLAIMED["s4e-two-percent"](())
+
+
+@pytest.mark.parametrize("dropped", [*taken_apart(NAMED)[1], LATE_OR_DAMPED])
+def test_the_claim_of_the_paper_is_not_shown_without_one_of_its_hypotheses(dropped):
+    """s4e-two-percent, and the condition that it lacks."""
+    symbols, given, _ = taken_apart(NAMED)
+    kept = [p for p in (*given, LATE_OR_DAMPED) if p != dropped]
+    assert len(kept) == len(given)
+    with pytest.raises(NotShown):
+        for_all(symbols, kept, far_for_every_spring())
+
+
 @pytest.mark.parametrize("dropped", tangency.GIVEN)
 def test_the_tangent_is_not_shown_without_one_of_its_hypotheses(dropped):
     """linear-tangent: none of the conditions is idle."""
@@ -402,22 +484,28 @@ CHANGED = [
     ("s4e_line_error", "(s_1 + s_2) * Y - kappa", "(s_1 + s_2) * Y + kappa"),
     ("s4e_line_error", "3 * gamma / 2", "gamma / 2"),
     ("s4e_line_error", "sin((d + HALF) * theta)", "sin((d + 1) * theta)"),
-    ("s4e_line_error_rises", "diff(above, Y) * right -", "diff(above, Y) * right +"),
-    ("s4e_line_error_rises", "1 + Rational(7, 10)", "1 + 0 * Rational(7, 10)"),
+    ("s4e_line_error_rises", "high / ((d + HALF) * far) - 1", "high / ((d + HALF) * far) + 1"),
+    ("s4e_line_error_rises", "n_0 * (1 + n_1 * beta) * far", "n_0 * (1 + n_0 * beta) * far"),
+    ("s4e_line_error_rises", "symbols, given, risen()", "symbols, given[:-1], risen()"),
     ("s4e_line_error_start", "(d + 1) ** 2 * delta + 1 - 2 * nu", "(d + 1) * delta + 1 - 2 * nu"),
     ("s4e_line_error_start", "gamma: S.One, delta", "gamma: S.Zero, delta"),
     ("s4e_line_error_start", "gamma / (6 * s_2", "gamma / (3 * s_2"),
+    ("s4e_line_error_start", "given, in_the_corner()", "given[:-1], in_the_corner()"),
     ("s4e_line_figure", "(1 - 1 / z)", "(1 + 1 / z)"),
     ("s4e_line_free_mass", "24 * (beta - alpha", "12 * (beta - alpha"),
     ("s4e_line_free_mass", "(2 * d + 1) * sin(theta / 2)", "2 * d * sin(theta / 2)"),
     ("s4e_line_passive", "kept.subs(t_d, d * T)", "kept.subs(t_d, d)"),
     ("s4e_line_passive", "b_D: S.Zero", "b_D: S.One"),
+    ("s4e_line_second_order", "given, linearised()", "given[:-1], linearised()"),
+    ("s4e_line_second_order", "given, tends()", "given[1:], tends()"),
+    ("s4e_line_second_order", "(small - A / 2)", "(small + A / 2)"),
     ("s4e_line_tangent", "tangent())\n", "tangent().body)\n"),
     ("s4e_line_trade", "(2 * d + 1) * (2 * d + 3)", "(2 * d + 1) * (2 * d + 1)"),
     ("s4e_line_trade", "delta: S.Zero}", "delta: Rational(1, 50)}"),
-    ("s4e_line_two_percent", "-error, first", "error, first"),
-    ("s4e_line_two_percent", "- by_damping(two)", "+ by_damping(two)"),
-    ("s4e_line_two_percent", "delta: Rational(16, 1000)}", "delta: Rational(18, 1000)}"),
+    ("s4e_line_two_percent", "delta + LEVEL *", "delta - LEVEL *"),
+    ("s4e_line_two_percent", "[*given, LATE_OR_DAMPED]", "[*given]"),
+    ("s4e_line_two_percent", "but=LATE_OR_DAMPED", "but=given[0]"),
+    ("s4e_line_two_percent", "example({delta: DAMPED}", "example({delta: 2 * DAMPED}"),
     ("s4e_line_unstable", "Rational(6, 100)", "Rational(4, 100)"),
     ("s4e_line_unstable", "(n_0 + 3 * n_1)", "(n_0 + 2 * n_1)"),
     ("s4e_line_unstable", "(1 + n_1 * wall)", "(1 + n_0 * wall)"),

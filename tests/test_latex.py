@@ -1,7 +1,7 @@
 """Formulas are set as an engineer would write them."""
 
 import pytest
-from sympy import Rational, cos, exp, pi, sin, sqrt
+from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
@@ -43,3 +43,14 @@ BRACKETED = {cos((d + 1) * theta), sin((d + 1) * omega * T)}
 def test_what_is_written_reads_back_as_the_same(expr):
     (back,) = read(latex(expr).replace(r"\tfrac", r"\frac"))
     assert compare(back, expr).equal
+
+
+def test_in_a_line_the_half_of_an_angle_is_not_the_half_of_its_sine():
+    assert latex(sin(theta / 2), inline=True) == r"\sin(\theta/2)"
+    assert latex(sin(theta) / 2, inline=True) == r"\sin\theta/2"
+
+
+def test_a_prime_stands_behind_the_letter():
+    assert latex(Symbol("delta'")) == r"\delta'"
+    assert latex(Symbol("n_1''")) == "n_1''"
+    assert latex(Symbol("K'")) == "K'"

@@ -17,7 +17,7 @@ from symhaptic.proof import box, checks, settle, sign
 from symhaptic.proof.changes import changes, opposite
 from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, confirmed
 from symhaptic.proof.condition import holds
-from symhaptic.proof.second import alike, says
+from symhaptic.proof.second_opinion import alike, says
 from symhaptic.proof.settle import Unfounded
 
 x, y, z = sp.symbols("x y z")

@@ -97,13 +97,14 @@ def test_no_mass_and_no_period_are_impossible(name):
         Scene(**given)
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf, "1", None])
+@pytest.mark.parametrize("bad", [np.inf, "1", None])
 def test_a_wall_of_no_number_is_named(bad):
     scene = Scene(mass=1.0, sampling_period=1e-3)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; finite numbers are$"):
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; (finite|real) numbers are$"):
         scene.delay_margin(K=bad, B=1.0)
-    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; finite numbers are$"):
+    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; (finite|real) numbers are$"):
         scene.delay_margin(K=1.0, B=bad)
+    assert np.isnan(scene.delay_margin(K=np.nan, B=1.0))
 
 
 def test_decimals_count_as_they_are_written():
@@ -194,7 +195,7 @@ def test_quantities_of_pint_are_converted():
     scene = Scene(mass=100 * unit.g, sampling_period=1 * unit.ms, damping=0.5 * unit("N*s/m"))
     assert scene == Scene(mass=0.1, sampling_period=1e-3, damping=0.5)
     margin = scene.delay_margin(K=1 * unit("N/mm"), B=5 * unit("N*s/m"))
-    assert margin == scene.delay_margin(K=1000.0, B=5.0)
+    assert margin.m_as("s") == scene.delay_margin(K=1000.0, B=5.0)
     with pytest.raises(ValueError, match=r"^mass: .+ is not allowed; what converts to kg is$"):
         Scene(mass=1 * unit.s, sampling_period=1e-3)
     with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):

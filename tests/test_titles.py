@@ -13,9 +13,6 @@ TITLED = {
 }  # fmt: skip
 LEANS = re.compile(r"(And|As before|The same|So does|So is|So are)\b")
 
-BEING_REBUILT = {"s6a_fractional_plant"}
-"""Chapters on their way to theorems, with titles that still lean."""
-
 
 def titles(path):
     """Titles that a chapter writes out."""
@@ -32,6 +29,4 @@ def titles(path):
 
 @pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
 def test_no_title_leans_on_the_step_before(path):
-    if path.stem in BEING_REBUILT:
-        pytest.xfail("the chapter is being rebuilt")
     assert [title for title in titles(path) if LEANS.match(str(title))] == []

@@ -33,12 +33,16 @@ if TYPE_CHECKING:
     from symhaptic.proof.prove import prove
     from symhaptic.proof.recheck import recheck
     from symhaptic.proof.verdict import Verdict
+    from symhaptic.scene.arms import Arm, ArmRange
     from symhaptic.scene.callables import lambdify
     from symhaptic.scene.scene import Scene
+    from symhaptic.sweeps.sweep import sweep
 
 __version__ = "0.1.0"
 
 _HOME = {
+    "Arm": "symhaptic.scene.arms",
+    "ArmRange": "symhaptic.scene.arms",
     "Extremum": "symhaptic.numeric.extremum",
     "Formula": "symhaptic.book.formulas",
     "Region": "symhaptic.numeric.tracing.region",
@@ -65,10 +69,13 @@ _HOME = {
     "show_config": "symhaptic.numeric.compiled",
     "stability_boundary": "symhaptic.numeric.boundary",
     "stable_region": "symhaptic.numeric.tracing.region",
+    "sweep": "symhaptic.sweeps.sweep",
     "unstable_roots": "symhaptic.numeric.stability",
 }
 
 __all__ = [
+    "Arm",
+    "ArmRange",
     "Extremum",
     "Formula",
     "Region",
@@ -95,6 +102,7 @@ __all__ = [
     "show_config",
     "stability_boundary",
     "stable_region",
+    "sweep",
     "unstable_roots",
 ]
 

@@ -63,3 +63,9 @@ def test_the_crossing_is_where_the_boundary_is():
     for alpha in (0.06, 0.18, 0.3, 0.42, 0.54):
         inside = bool(np.all(np.abs(_roots(alpha, 0.4)) < 1))
         assert inside == bool(is_stable(alpha, 0.4, GAMMA, DELTA, DELAY)) == (alpha < 0.4)
+
+
+def test_chapters_that_apply_theorems_of_each_other_stand_in_the_order_of_the_book():
+    found = direct({1: frozenset({2}), 2: frozenset({1, 3}), 4: frozenset({2, 3})})
+    assert found == {1: frozenset(), 2: frozenset({1, 3}), 3: frozenset(), 4: frozenset({2})}
+    assert columns(found) == [[1, 3], [2], [4]]

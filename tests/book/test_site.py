@@ -1,5 +1,6 @@
 """The site in a browser: nothing missing, nothing asked of the network, to be read by everybody."""
 
+import io
 import re
 import shutil
 from collections import defaultdict
@@ -12,6 +13,7 @@ from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import in_parts
 from symhaptic.book.site.build import write
 from symhaptic.book.site.mathml import turned
+from symhaptic.book.site.single import single
 from symhaptic.book.site.words import words
 from symhaptic.book.tex.tex import ReportError
 
@@ -59,7 +61,8 @@ def broken(folder):
             file, _, anchor = link.partition("#")
             there = pages.get(file or name)
             if link != "#" and not link.startswith("http"):
-                lost = there is None or (anchor and anchor not in there.ids)
+                code = file.endswith(".py") and (folder / file).is_file()
+                lost = not code if there is None else anchor and anchor not in there.ids
                 found[name] += [link] if lost else []
         files = [load.partition("?")[0] for load in page.loads if load != "#"]
         found[name] += [file for file in files if not (folder / file).is_file()]
@@ -81,6 +84,15 @@ def test_a_missing_anchor_is_found(some, tmp_path):
 def test_the_largest_stiffness_can_be_copied_as_latex(some):
     text = (some / "s3c_stiffness_maximum.html").read_text(encoding="utf-8")
     assert r"K = \frac{2b\tan\tfrac{\pi}{4(d+1)}}{T}</annotation>" in text
+
+
+def test_a_chapter_is_one_file(some):
+    """Style, script and figures in it; what leads to other pages is words."""
+    page = Links(single(some, "s3c_stiffness_maximum"))
+    assert page.loads == []
+    assert page.leads
+    assert {link.removeprefix("#") for link in page.leads} <= page.ids
+    assert "statement-eq11" in page.ids
 
 
 def test_no_tex_is_left_in_the_words(some):
@@ -197,6 +209,53 @@ def test_the_ledger_is_filtered_and_sorted(whole, opened):
     assert opened.locator(f"{shown} td:nth-child(3)").first.inner_text().strip() == "argued"
 
 
+def test_every_public_name_has_a_place_with_what_its_arguments_are():
+    from symhaptic.book.site.reference import PUBLIC, pages
+
+    text = pages()["reference"]
+    for name in PUBLIC:
+        assert re.search(rf"^\.\. auto(function|class):: {name}$", text, re.MULTILINE), name
+    assert "* - ``delta``\n     - :math:`\\delta`\n     - 1\n     - nonnegative\n" in text
+    assert ":ref:`(11) <statement-eq11>`" in text
+
+
+def test_public_docstrings_can_be_set():
+    """Sphinx would stop at what docutils cannot read; roles are Sphinx's, and are no words here."""
+    from docutils.core import publish_doctree
+
+    from symhaptic.book.site.reference import docstrings
+
+    for text in docstrings():
+        plain = re.sub(r":(class|func|meth|mod):(?=`)", "", text)
+        said = io.StringIO()
+        settings = {"warning_stream": said, "report_level": 1, "halt_level": 6}
+        publish_doctree(plain, settings_overrides=settings)
+        assert said.getvalue() == "", text
+
+
+@pytest.mark.slow
+@browser_needed
+@pytest.mark.parametrize("width", [360, 1280])
+def test_no_page_is_wider_than_the_screen(whole, opened, width):
+    opened.set_viewport_size({"width": width, "height": 700})
+    wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    found = {}
+    for path in sorted(whole.glob("*.html")):
+        opened.goto(path.as_uri())
+        found[path.stem] = opened.evaluate(wide)
+    assert {name: by for name, by in found.items() if by > 0} == {}
+
+
+@pytest.mark.slow
+@browser_needed
+def test_the_errata_are_filtered(whole, opened):
+    opened.goto((whole / "errata.html").as_uri())
+    opened.get_by_label("Verdict").select_option("misprint")
+    opened.get_by_label("Find").fill("eq12")
+    opened.locator("table.ledger tbody tr:not([hidden]) a").click()
+    assert opened.url.endswith("errata.html#erratum-eq12")
+
+
 def test_the_guides_are_pages_with_their_code_and_links():
     from symhaptic.book.site.guides import ORDER, guides
 
@@ -205,3 +264,14 @@ def test_the_guides_are_pages_with_their_code_and_links():
     assert "::\n\n   pip install symhaptic\n" in found["verify"]
     assert ".. code:: python\n\n   >>> " in found["limits"]
     assert not any(".md>`__" in text for text in found.values())
+
+
+def test_the_pictures_of_the_guides_are_there():
+    from symhaptic.book.site.guides import guides, pictures
+
+    shown = pictures()
+    assert shown
+    assert all(picture.is_file() for picture in shown)
+    assert sum(
+        text.count("image:: ") + text.count("figure:: ") for text in guides().values()
+    ) == len(shown)

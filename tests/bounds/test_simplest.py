@@ -11,8 +11,8 @@ from oracles.search import edge, stiffest
 from symhaptic import Scene
 from symhaptic.bounds.simplest.at_damping import at_damping, error_of_line
 from symhaptic.bounds.simplest.cost import Model, cost, error
+from symhaptic.bounds.simplest.max_stiffness import stiffest as largest
 from symhaptic.bounds.simplest.plants import Interval, NotCovered, NotEnclosed, numbers
-from symhaptic.bounds.simplest.stiffest import stiffest as largest
 from symhaptic.model.parts import Parts
 
 ARM = Interval(Fraction(0), Fraction(1, 1000)), Interval(Fraction(0), Fraction(1, 50))

@@ -87,6 +87,81 @@ def test_a_bad_file_is_told_in_one_line(device, old, new, told):
     assert len(run.stderr.splitlines()) == 1
 
 
+RANGED = """device = "Phantom Premium 1.5"
+sampling_period = "1 ms"
+delay_samples = 1.5
+
+[arms]
+mass = ["0.5 kg", "2 kg"]
+damping = "6 Ns/m"
+stiffness = ["0 N/m", "600 N/m"]
+
+[wall]
+K = "2 N/mm"
+B = "14 Ns/m"
+"""
+
+
+def test_a_range_of_arms_is_proved_and_drawn(tmp_path):
+    from symhaptic import Arm, Scene
+
+    path = tmp_path / "device.toml"
+    path.write_text(RANGED, encoding="utf-8")
+    run = symhaptic("limits", path, "--format", "json", "-o", tmp_path / "walls.svg")
+    assert run.returncode == 0, run.stderr
+    safe = json.loads(run.stdout)["safe"]
+    assert safe["wall"] is True
+    assert safe["arms"] == "0.5 to 2 kg, 6 Ns/m, 0 to 600 N/m"
+    (_, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]
+    device = Scene.of("Phantom Premium 1.5", sampling_period=1e-3, delay_samples=1.5)
+    for mass in (0.5, 1, 2):
+        for stiffness in (0, 300, 600):
+            held = device.held_by(Arm(mass=mass, damping=6, stiffness=stiffness))
+            assert held.is_stable(high, [left, right]).all()
+            assert not held.is_stable(4 * safe["stiffest"]["K"], safe["stiffest"]["B"] / 4)
+    assert (tmp_path / "walls.svg").stat().st_size > 10_000
+    words = symhaptic("limits", path).stdout
+    assert "with every arm   of 0.5 to 2 kg, 6 Ns/m, 0 to 600 N/m, proved:" in words
+    assert "the wall is    safe" in words
+    assert "bears the most delay with B = " in words
+
+
+def test_what_a_wall_bears_more_of_delay_begins_at_its_own(tmp_path):
+    path = tmp_path / "device.toml"
+    path.write_text(RANGED.partition("[arms]")[0] + "[wall]" + RANGED.partition("[wall]")[2])
+    wall = json.loads(symhaptic("limits", path, "--format", "json").stdout)["wall"]
+    assert wall["more_delay_s"] == pytest.approx(wall["largest_delay_s"] - 1.5e-3)
+    later = 1.5e-3 + 0.99 * wall["more_delay_s"]
+    loop = {"mass": 0.072, "damping": 0.005, "sampling_period": 1e-3}
+    from symhaptic import Scene
+
+    assert Scene(**loop, delay=later).is_stable(2000.0, 14.0)
+    assert not Scene(**loop, delay=later * 1.02).is_stable(2000.0, 14.0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('"Phantom Premium 1.5"', '"Phantom Premium 2"', "device.toml:1: device: 'Phantom Premi"),
+        ('"Phantom Premium 1.5"', '"Touch"', "device.toml: mass is missing, such as mass = "),
+        ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: (2.0, 0.5) is not"),
+        ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed; one"),
+        ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; a number and"),
+        ('damping = "6', 'dampng = "6', "device.toml:7: dampng is not known; did you mean 'damp"),
+        ("delay_samples = 1.5", "delay_samples = 500", "device.toml: delay: nothing is shown for"),
+    ],
+)
+def test_a_bad_range_is_told_in_one_line(tmp_path, old, new, told):
+    path = tmp_path / "device.toml"
+    assert old in RANGED
+    path.write_text(RANGED.replace(old, new, 1), encoding="utf-8")
+    run = symhaptic("limits", path)
+    assert run.returncode == 2
+    assert not run.stdout
+    assert told in run.stderr
+    assert len(run.stderr.splitlines()) == 1
+
+
 def test_no_file_and_no_picture(device, tmp_path):
     assert "cannot be read" in symhaptic("limits", tmp_path / "none.toml").stderr
     run = symhaptic("limits", device, "-o", tmp_path / "walls.gif")

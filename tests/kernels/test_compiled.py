@@ -127,7 +127,7 @@ def test_public_functions_refuse_by_name(name, given, said, shape):
 
 def test_public_functions_take_names_and_shapes_as_ever():
     a = symhaptic.is_stable(0.003, 0.05, gamma=0.001, delta=0.02, delay=5.0)
-    assert type(a) is np.ndarray
+    assert type(a) is np.bool_
     assert a.shape == ()
     assert a
     with pytest.raises(ValueError, match="shapes of the arguments"):

@@ -15,8 +15,8 @@ from symhaptic.export.vectors import sized
 from symhaptic.forms import products, slopes, stable, values
 from symhaptic.forms.derivatives import derivative, differentiable, with_derivatives
 from symhaptic.forms.entire import Entire, written_out
-from symhaptic.forms.entire_device import Fall, Rise, Together
-from symhaptic.forms.searched import Rated
+from symhaptic.forms.entire_device import NumeratorAtOne, PlantN0, PlantN1
+from symhaptic.forms.implicit import Rated
 from symhaptic.forms.slope_values import BY_MATRIX
 from symhaptic.forms.slopes import SLOPES
 from symhaptic.model.parts import ALL, FULL, Parts
@@ -50,7 +50,7 @@ def test_each_product_that_is_differentiated_as_a_whole_has_that_derivative(whol
     assert not compare(written_out(claimed + whole), exact).equal
 
 
-@pytest.mark.parametrize("cls", [Rise, Fall, Together], ids=lambda c: c.__name__)
+@pytest.mark.parametrize("cls", [PlantN1, PlantN0, NumeratorAtOne], ids=lambda c: c.__name__)
 def test_a_wrong_derivative_is_not_proved(cls):
     for index in (0, 1):
         claimed = cls(gamma, delta).fdiff(index + 1)
@@ -61,7 +61,7 @@ def test_a_wrong_derivative_is_not_proved(cls):
                 assert not compare(mutant, exact).equal, (cls, wrong)
 
 
-IN_NUMBERS = ("discretize_late", "passivity_margin", "max_stable_stiffness")
+IN_NUMBERS = ("discretize_fractional", "passivity_margin", "max_stable_stiffness")
 
 
 @pytest.mark.parametrize("parts", ALL, ids=lambda p: p.name)
@@ -91,7 +91,7 @@ def test_derivatives_of_forms_are_those_of_what_is_derived(parts):
 
 def test_no_derivative_is_taken_factor_by_factor_where_it_would_cancel():
     """1 - a + e, n1 - n0 and 1 - e are differentiated as a whole."""
-    assert derivative(gamma * Together(gamma, delta), gamma) == slopes.Kick(gamma, delta)
+    assert derivative(gamma * NumeratorAtOne(gamma, delta), gamma) == slopes.Kick(gamma, delta)
     assert derivative(delta**2 * values.Decay(delta) ** 2, delta) == (
         2 * delta * values.Decay(delta) * sp.exp(-delta)
     )
@@ -127,9 +127,9 @@ def test_values_of_the_device_beside_derivatives_of_a_closed_form(cls):
         "Coast": (trace, (0, 1), -1),
         "Echo": (response, (0, 1), -1),
         "Ebb": (reversed_, (0, 1), 1),
-        "RiseDrop": (response, (1, 0), -1),
-        "FallDrop": (reversed_, (1, 0), -1),
-        "ApartDrop": (apart, (1, 0), -1),
+        "PlantN1Drop": (response, (1, 0), -1),
+        "PlantN0Drop": (reversed_, (1, 0), -1),
+        "NumeratorGapDrop": (apart, (1, 0), -1),
     }
     function, order, sign = known[cls.__name__]
     for g, dl in itertools.product(("0.3", "5", "80"), ("0.1", "3", "30")):
@@ -142,8 +142,8 @@ def test_values_of_the_device_beside_derivatives_of_a_closed_form(cls):
 @pytest.mark.parametrize("at", [0, 1, 2, 3])
 def test_the_limits_are_the_leading_terms(at):
     """exp over n + 1 nodes at 0 is 1/n!."""
-    expected = {"Kick": 1, "Coast": 1, "Echo": "1/6", "RiseDrop": "1/24", "FallDrop": "1/24",
-                "ApartDrop": "1/120", "Ebb": "-1/3"}  # fmt: skip
+    expected = {"Kick": 1, "Coast": 1, "Echo": "1/6", "PlantN1Drop": "1/24", "PlantN0Drop": "1/24",
+                "NumeratorGapDrop": "1/120", "Ebb": "-1/3"}  # fmt: skip
     step = mpf(10) ** (-100 * at) if at else mpf(0)
     for cls, number in BY_MATRIX.items():
         with mpmath.workdps(40):
@@ -244,10 +244,10 @@ def test_what_is_searched_for_has_one_only_where_it_is_largest(name, by):
 
 def test_a_function_whose_derivative_is_not_known_is_refused():
     """Better than its closed form, which is 0/0 somewhere."""
-    with pytest.raises(stable.NoForm, match="no stable derivative of Apart"):
-        derivative(values.ALL["Apart"](gamma, delta), delta)
+    with pytest.raises(stable.NoForm, match="no stable derivative of NumeratorGap"):
+        derivative(values.ALL["NumeratorGap"](gamma, delta), delta)
     twice = with_derivatives(stable.form("discretize"), ("gamma",))
-    with pytest.raises(stable.NoForm, match="no stable derivative of RiseDrop"):
+    with pytest.raises(stable.NoForm, match="no stable derivative of PlantN1Drop"):
         with_derivatives(twice, ("gamma",))
 
 

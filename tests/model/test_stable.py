@@ -158,12 +158,12 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     a, e = moved[0, 0] + moved[1, 1], moved[0, 0] * moved[1, 1] - moved[0, 1] * moved[1, 0]
     point = {gamma: mpf(at[0]), delta: mpf(at[1])}
     expected = {
-        values.Rise: n1,
-        values.Fall: n0,
-        values.Together: n1 + n0,
-        values.Apart: (n1 - n0) / at[1],
-        values.Swing: a,
-        values.Nyquist: 1 + a + e,
+        values.PlantN1: n1,
+        values.PlantN0: n0,
+        values.NumeratorAtOne: n1 + n0,
+        values.NumeratorGap: (n1 - n0) / at[1],
+        values.PlantTrace: a,
+        values.DenominatorAtMinusOne: 1 + a + e,
     }
     for cls, number in expected.items():
         found = values.value(cls(gamma, delta), point)
@@ -174,18 +174,18 @@ def test_the_device_beside_the_exponential_of_its_matrix(at):
     ("cls", "at", "limit"),
     [
         # the leading term of each power series
-        (values.Rise, (0, 0), "0.5"),
-        (values.Fall, (0, 0), "0.5"),
-        (values.Apart, (0, 0), "1/6"),
-        (values.Together, (0, 0), "1"),
+        (values.PlantN1, (0, 0), "0.5"),
+        (values.PlantN0, (0, 0), "0.5"),
+        (values.NumeratorGap, (0, 0), "1/6"),
+        (values.NumeratorAtOne, (0, 0), "1"),
         (values.Gap, (0,), "1/6"),
         (values.Lag, (0,), "1/6"),
         (values.Creep, (0,), "0.5"),
         # (1 - cos(2))/4 and 1 - 2/e: textbook steps of an undamped and of a critical device
-        (values.Rise, (4, 0), "(1 - cos(2))/4"),
-        (values.Rise, (1, 2), "1 - 2*exp(-1)"),
-        (values.Fall, (1, 2), "exp(-2)"),
-        (values.Rise, (0, 3), "(3 - 1 + exp(-3))/9"),
+        (values.PlantN1, (4, 0), "(1 - cos(2))/4"),
+        (values.PlantN1, (1, 2), "1 - 2*exp(-1)"),
+        (values.PlantN0, (1, 2), "exp(-2)"),
+        (values.PlantN1, (0, 3), "(3 - 1 + exp(-3))/9"),
     ],
 )
 def test_values_where_the_closed_form_is_undefined(cls, at, limit):

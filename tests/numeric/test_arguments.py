@@ -12,7 +12,9 @@ from symhaptic import (
     delay_margin,
     discretize,
     is_stable,
+    linear_limit,
     max_stable_stiffness,
+    passivity_boundary,
     stability_boundary,
     stable_region,
     unstable_roots,
@@ -109,3 +111,17 @@ def test_any_layout_in_memory():
     assert np.array_equal(thin, expected[::3, ::-2])
     rows = unstable_roots(alpha, beta, np.full((130, 1), 0.3), 0.4, np.full(150, 2))
     assert np.array_equal(rows, expected)
+
+
+def test_numbers_give_numbers():
+    """As NumPy's own functions do, whether compiled or not; not arrays without axes."""
+    for found in (
+        linear_limit(0.1, 0.02, 1),
+        is_stable(0.1, 0.4, 0.0, 0.02, 1),
+        delay_margin(0.01, 0.05, 0.0, 0.0),
+        *discretize(0.1, 0.2),
+        *max_stable_stiffness(0.0, 0.02, 1),
+        *passivity_boundary(0.5, 1.0, 1),
+    ):
+        assert isinstance(found, np.generic)
+        assert found.shape == ()

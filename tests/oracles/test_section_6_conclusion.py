@@ -68,6 +68,21 @@ def test_what_faster_sampling_gains_at_the_same_delay():
 
 
 @guards("s6_gains")
+def test_ten_times_as_fast_gains_less_than_a_quarter_at_ten_periods_and_a_lot_at_one():
+    """For a free mass and the arm of the figures, by searches along the first arc."""
+
+    def scaled(gamma, delta, d, q):
+        arm = mpmath.mpf(gamma) / q**2, mpmath.mpf(delta) / q
+        return q**2 * first_arc(*arm, q * d)
+
+    for arm in ((0, 0), ("0.001", "0.02")):
+        now = scaled(*arm, 10, 1)
+        assert all(now < scaled(*arm, 10, q) < 1.25 * now for q in (2, 3, 10))
+    assert 3.7 < scaled(0, 0, 1, 100) / scaled(0, 0, 1, 1) < 3.9
+    assert counterexample("s6_gains", "s6-faster-sampling")["q"] == 100
+
+
+@guards("s6_gains")
 def test_more_mass_with_all_the_rest_moves_as_before():
     one = {"K": 300.0, "B": 0.6, "m": 0.4, "b": 1.0, "k": 50.0}
     two = {name: 2 * number for name, number in one.items()}

@@ -9,6 +9,8 @@ from oracles.guarding import guards
 from oracles.search import edge
 from oracles.subject import number, only, shown, value
 
+from symhaptic.book.lemmas.late_boundary import on_boundary
+from symhaptic.book.lemmas.late_device import KINDS
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import c
@@ -72,9 +74,22 @@ def test_the_coefficients_of_a_late_force_are_its_first_samples():
             for ours, theirs in zip(coefficients, samples, strict=True):
                 assert abs(value(ours, epsilon=late) - theirs) < 1e-45
 
-    only(
-        agrees_free, *(shown("s6a_fractional_plant", f"The free mass, $m_{i}$") for i in (2, 1, 0))
-    )
+    titles = (f"For the free mass $m_{i}$ is quadratic in the fraction" for i in (2, 1, 0))
+    only(agrees_free, *(shown("s6a_fractional_plant", title) for title in titles))
+
+
+@guards("s6a_fractional_plant")
+def test_each_kind_of_device_answers_a_late_force_by_its_matrix_exponential():
+    """The numbers that the theorem names for the four kinds, beside those of the exponential."""
+    tried = ((2.0, 0.5), (0.0625, 0.5), (0.0, 0.7), (0.0, 0.0))
+    for kind, (gamma, delta) in zip(KINDS, tried, strict=True):
+        for late in LATES:
+            at = {"gamma": gamma, "delta": delta, "epsilon": late}
+            for claim in kind.definitions:
+                at[claim.left.name] = value(claim.right, **at)
+            found = [at[name] for name in ("m_2", "m_1", "m_0")]
+            for ours, theirs in zip(found, numerator(gamma, delta, late), strict=True):
+                assert abs(ours - theirs) < 1e-14
 
 
 @guards("s6a_fractional_plant")
@@ -111,7 +126,10 @@ def test_the_polynomial_and_the_wall_that_a_root_needs():
                 found = found / (z * complex(top))
                 assert complex(value(wanted, z=z, **at)) == pytest.approx(found, rel=1e-10)
 
-    titles = ("The characteristic polynomial", "The wall that a root needs")
+    titles = (
+        "The loop has the polynomial of the late device and the wall",
+        "A root asks for one wall",
+    )
     only(agrees, *(shown("s6b_fractional_stability", title) for title in titles))
 
 
@@ -132,8 +150,15 @@ def test_ends_and_sizes_of_the_fractional_polynomial():
                 for ours, theirs in zip((device, late, wall), parts, strict=True):
                     assert abs(value(ours, theta=1.1, **at) - abs(theirs) ** 2) < 1e-40
 
-    titles = ["A root at 1", "A root at $-1$, even $\\ell$"]
-    titles += ["The device", "The late force", "The wall"]
+    titles = [
+        "There is a root at 1 on the left bound only",
+        "For even $\\ell$ a root at $-1$ is another line",
+    ]
+    titles += [
+        "The size of $A$ does not contain the delay",
+        "The size of $M$ does not contain the delay either",
+        "The size of the wall is linear in $\\cos\\theta$",
+    ]
     only(agrees, *(shown("s6b_fractional_stability", title) for title in titles))
 
 
@@ -148,6 +173,14 @@ def test_a_boundary_found_by_halving_fulfils_the_explicit_one():
         bottom, top = z * z - at["a"] * z + at["e"], at["m_2"] * z**2 + at["m_1"] * z + at["m_0"]
         q = complex(-(z ** (int(late) + 1)) * bottom / top)
         damping = q.imag / np.sin(np.angle(z))
+        names = {
+            "l": int(late),
+            "theta": float(np.angle(z)),
+            **{k: float(v) for k, v in at.items()},
+        }
+        found = [float(number(claim.right, **names)) for claim in on_boundary().of]
+        # the theorem's form of the same
+        assert found == pytest.approx([alpha, 0.25], abs=1e-9)
         # a root to 1e-13 from halving, and the slope of Q
         assert damping == pytest.approx(0.25, abs=1e-9)
         assert q.real - damping * (1 - z.real) == pytest.approx(alpha, abs=1e-9)
@@ -187,7 +220,12 @@ def test_exact_and_printed_walls_of_a_root():
             found = mpmath.im(exact / printed) / small**3
             assert abs(value(phase, epsilon=late) - found) < 1e-20
 
-    titles = ("Their size, for every fraction", "Half a period", "The common phase", "Their phase")
+    titles = (
+        "For every fraction $M$ is larger than $N$",
+        "Half a period late the true wall is the smaller one",
+        "Half a period late both have one phase",
+        "Their phases part with the third power of the angle",
+    )
     only(agrees, *(shown(HALF, title) for title in titles))
 
 
@@ -233,7 +271,8 @@ def test_to_the_letter_no_wall_is_stable_beyond_the_spring():
             assert number(at_one, **at) == pytest.approx(np.prod(1 - w).real, abs=1e-12)
             assert number(at_minus_one, **at) == pytest.approx(np.prod(-1 - w).real, abs=1e-12)
 
-    only(agrees, *(shown(LETTER, f"At $\\zeta={sign}1$") for sign in ("", "-")))
+    titles = ("At $\\zeta=1$ the wall adds to the spring", "At $\\zeta=-1$ it is taken from it")
+    only(agrees, *(shown(LETTER, title) for title in titles))
     rng = np.random.default_rng(95)
     inside = 0
     for _ in range(300):
@@ -258,7 +297,11 @@ def test_a_stiff_spring_is_read_wrongly_on_the_principal_sheet():
                 assert ours == pytest.approx(np.polyval(found, z), abs=1e-12)
             assert number(at_minus_one, x=x, y=y) == pytest.approx(np.polyval(found, -1), abs=1e-12)
 
-    only(agrees, shown(READ, "The true polynomial"), shown(READ, "A root at $-1$"))
+    only(
+        agrees,
+        shown(READ, "The true polynomial has four roots"),
+        shown(READ, "The true one has a root at $-1$ on a line"),
+    )
     for x, y, stable in ((-3 / 4, -2 / 4, False), (3 / 8, -5 / 8, True)):
         assert oracle.stable(x * gamma, y * gamma, gamma, 0, 0.5) == stable
         read = oracle.principal(x * gamma, y * gamma, gamma, 0, "1/2").max() < 1

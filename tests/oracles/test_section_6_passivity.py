@@ -82,7 +82,7 @@ def test_low_frequencies_bend_the_lower_part():
             assert energy.left(0.99 * K, B, late=late) > -1e-12
             assert energy.left(1.04 * K, B, late=late) < 0
 
-    low = shown(REGION, "Low frequencies")
+    low = shown(REGION, "At low frequencies it is a condition like (9) with a term more")
     only(agrees, low)
     # half a period late, B = 0: 0.944 b in place of the paper's 1
     at = {"B": 0, "b": 1, "T": 1, "l": 0, "epsilon": 0.5}
@@ -104,7 +104,13 @@ def test_without_stiffness_the_damping_ends_at_minus_b_and_above_b():
             found = energy.determinant(0, 1, late, theta)
             assert number(upper, **at) == pytest.approx(found, abs=1e-13)
 
-    only(agrees, *(shown(REGION, title) for title in ("$K=0$, $B=-b$", "$K=0$, $B=b$")))
+    titles = ("The damping $-b$ is passive", "The damping $b$ is passive, with room to spare")
+    only(agrees, *(shown(REGION, title) for title in titles))
+    # the ends that the theorem names: one that is passive, one beyond which none is
+    for late in LATES:
+        end = 1 + late * (1 - late) * np.sin(np.pi / 8) ** 2 / 2
+        assert energy.left(0.0, end, late=late) > 0
+        assert energy.left(0.0, 1.02 / late, late=late) < 0
 
 
 STIFF = "s6f_half_a_period_passive"
@@ -112,7 +118,7 @@ STIFF = "s6f_half_a_period_passive"
 
 @guards("s6f_half_a_period_passive")
 def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
-    damping, stiffness = (float(n) for n in decimals(STIFF, "Their zeros"))
+    damping, stiffness = (float(n) for n in decimals(STIFF, "Both zeros are enclosed"))
     assert energy.left(0.995 * stiffness, 0.324, late=0.5) > 0
     tried = [energy.left(1.01 * stiffness, B, late=0.5) for B in np.linspace(-0.2, 1, 25)]
     assert max(tried) < 0
@@ -137,7 +143,11 @@ def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
             found = 16 * (fall**2 - 4 * bend * rest)
             assert number(double, K=K, B=B) == pytest.approx(found, abs=1e-10)
 
-    only(agrees, shown(STIFF, "The exact condition, a quadratic"), shown(STIFF, "Its discriminant"))
+    only(
+        agrees,
+        shown(STIFF, "The exact condition is a quadratic"),
+        shown(STIFF, "Its discriminant bounds the upper part"),
+    )
 
 
 @guards("s6g_next_whole_delay")
@@ -170,5 +180,8 @@ def test_walls_that_are_passive_at_the_next_whole_delay_are_passive_before():
                 ours = number(condition, psi=psi, r=r, epsilon=part, chi=chi)
                 assert ours == pytest.approx(found, abs=1e-13)
 
-    titles = ("The next whole delay needs", "The exact condition")
+    titles = (
+        "The next whole delay needs one sine",
+        "The exact condition is between two sines, and a term more",
+    )
     only(agrees, *(shown("s6g_next_whole_delay", title) for title in titles))

@@ -118,6 +118,14 @@ def test_largest_root_with_coefficients_that_are_no_fractions():
     assert largest_root(z**2 - pi).overlaps(arb.pi().sqrt())
 
 
+def test_roots_next_to_the_circle_are_narrow():
+    close = sp.exp(-Rational(1, 10**8))
+    inside = largest_root((z**40 - close) * (z - sp.exp(-1)))
+    assert inside < 1
+    assert inside.rad() < 1e-15
+    assert largest_root((z**3 - 1) * (z - sp.exp(-1))).contains(1)
+
+
 def test_page_does_not_print_a_bound_that_is_too_small():
     page = Page("test")
     page.inside("roots", z**2 - Rational(99951, 100000) ** 2)

@@ -231,6 +231,8 @@ def test_increasing() -> None:
     slope = positive(2 * x > 0, [2, x > 0])
     rises = increases(x**2, x, S.Zero, S.One, slope)
     assert not rises.hypotheses
+    # an end that divides by what may vanish
+    assert increases(x, x, 1 / y, S(2), ONE).hypotheses == {proposition(sp.Ne(y, 0))}
     refused(
         # a slope that is known at one end of the interval only, or of something else
         lambda: increases(x**2, x, -S.One, S.One, slope),

@@ -2,8 +2,9 @@
 
 from dataclasses import replace
 
+import oracle
 import pytest
-from sympy import Rational, Symbol, exp
+from sympy import Rational, Symbol, exp, expand, symbols
 
 from symhaptic.notation import a, alpha, delta, e, gamma, n_0, n_1
 from symhaptic.notation.proposition import Predicate, Relation
@@ -11,7 +12,7 @@ from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.plants import BALLS, NUMBERS, SLOPES, Named, named
 from symhaptic.proof.theorems.kernel import NotShown
-from symhaptic.proof.theorems.leaves import on_plants
+from symhaptic.proof.theorems.leaves import more_damped, on_plants
 
 RANGES = {gamma: (0, Rational(1, 1000)), delta: (0, Rational(1, 10))}
 SOFT = (2 * n_0 - n_1).subs(BALLS)
@@ -89,3 +90,86 @@ def test_meanings_are_put_in():
     assert not found.conclusion.free & {x}
     # e = exp(-delta) is below 1 + alpha wherever delta is not negative
     assert float((1 - exp(-delta) + 2 * alpha).subs({delta: 0, alpha: 1})) > 0
+
+
+# -- two dampers beside one spring -----------------------------------------------------------
+
+LARGER, OTHERS = Symbol("delta'"), symbols("p_1 p_0 b_2 e_2")
+EVERY = {s: s for s in (*NUMBERS, *SLOPES)}
+
+
+def slope_of(expr):
+    """The derivative with respect to delta, by the names of the certificates."""
+    by_balls = expr.subs(BALLS)
+    inner = (by_balls.diff(x) * dx for x, dx in zip(NUMBERS, SLOPES, strict=True))
+    return by_balls.diff(delta) + sum(inner)
+
+
+def rising(expr, ranges=RANGES):
+    return certificate(expand(slope_of(expr)), ranges, EVERY)
+
+
+def test_a_number_that_rises_with_the_damper():
+    """-n_1 does: the held force meets more damping."""
+    found = more_damped(rising(-n_1), -n_1, LARGER, OTHERS)
+    assert found.conclusion == Relation(-n_1, "<", -OTHERS[0])
+    assert Relation(delta, "<", LARGER) in found.hypotheses
+    for damper, numbers in ((delta, (n_1, n_0, a, e)), (LARGER, OTHERS)):
+        assert Predicate("device", (), (gamma, damper, *numbers)) in found.hypotheses
+        assert {Relation(0, "<=", damper), Relation(damper, "<=", Rational(1, 10))} <= (
+            found.hypotheses
+        )
+    one, two = ([float(n) for n in oracle.numbers(5e-4, damper)] for damper in (0.02, 0.09))
+    assert -one[0] < -two[0]
+
+
+def test_what_falls_with_the_damper_is_refused():
+    for wrong in (n_1, e, n_0):
+        with pytest.raises(NotShown):
+            more_damped(rising(-n_1), wrong, LARGER, OTHERS)
+
+
+def test_the_slope_of_something_else_is_refused():
+    """That f is positive says nothing of its slope; nor does part of the slope."""
+    positive = certificate()
+    for expr in (3 * n_0 - (n_1 + n_0), -n_1 - n_0, -n_1 - 2 * delta):
+        with pytest.raises(NotShown):
+            more_damped(positive, expr, LARGER, OTHERS)
+        with pytest.raises(NotShown):
+            more_damped(rising(-n_1), expr, LARGER, OTHERS)
+    with pytest.raises(NotShown):  # the explicit delta counts, too
+        more_damped(rising(-n_1), -n_1 - delta, LARGER, OTHERS)
+
+
+def test_a_certificate_that_does_not_hold_is_refused():
+    wrong = replace(rising(-n_1), expr=expand(slope_of(n_1)))
+    with pytest.raises(NotShown):
+        more_damped(wrong, n_1, LARGER, OTHERS)
+    with pytest.raises(NotShown):
+        more_damped(replace(rising(-n_1), box=RANGES | {delta: (0, 10**4)}), -n_1, LARGER, OTHERS)
+    patched = Named(EVERY)
+    patched._known[()] = {}
+    with pytest.raises(NotShown):
+        more_damped(replace(wrong, given=patched), n_1, LARGER, OTHERS)
+
+
+def test_both_devices_have_names_of_their_own():
+    for larger, numbers in (
+        (delta, OTHERS),
+        (LARGER, (n_1, *OTHERS[1:])),
+        (LARGER, (OTHERS[0],) * 4),
+        (gamma, OTHERS),
+        (LARGER, (LARGER, *OTHERS[1:])),
+        (LARGER, OTHERS[:3]),
+        (Symbol("z"), OTHERS),
+        (LARGER, (SLOPES[0], *OTHERS[1:])),
+    ):
+        with pytest.raises(NotShown):
+            more_damped(rising(-n_1), -n_1, larger, numbers)
+
+
+def test_a_symbol_beside_the_box_is_refused():
+    """It might be another one for the other device."""
+    for expr in (alpha - n_1, -n_1 / (1 + n_1), -n_1 + exp(gamma) - exp(gamma + 0 * n_1) + alpha):
+        with pytest.raises(NotShown):
+            more_damped(rising(-n_1), expr, LARGER, OTHERS)

@@ -106,7 +106,7 @@ def stiffest_stable(gamma: float, delta: float, d: float) -> tuple[Any, ...]:
 
 EXACT: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
-    "discretize_late": late,
+    "discretize_fractional": late,
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
     "passivity_margin_at": margin,

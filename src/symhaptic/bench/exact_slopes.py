@@ -152,7 +152,7 @@ def line(beta: Series, delta: Series, d: Series) -> tuple[Series, ...]:
 
 SERIES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "discretize": device,
-    "discretize_late": lambda gamma, delta, epsilon: late(gamma, delta, epsilon),
+    "discretize_fractional": lambda gamma, delta, epsilon: late(gamma, delta, epsilon),
     "characteristic_polynomial": polynomial,
     "stability_boundary": boundary,
     "passivity_margin_at": margin,

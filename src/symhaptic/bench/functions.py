@@ -26,7 +26,7 @@ from symhaptic.forms.stable import Form
 
 SETS = ("ordinary", "hard")
 
-_LONG = ("discretize_late", "passivity_margin", "max_stable_stiffness")
+_LONG = ("discretize_fractional", "passivity_margin", "max_stable_stiffness")
 """Of fractions of a period, or searched for: in balls they take seconds a point."""
 
 FUNCTIONS = tuple(name for name in EXACT if name not in _LONG)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
-from symhaptic.forms import stiffest
+from symhaptic.forms import max_stiffness_slope
 from symhaptic.forms.stable import Form
 from symhaptic.kernels.haptic import discretize
 
@@ -73,7 +73,10 @@ def leaving_pi(gamma: float) -> float:
 
 @cache
 def _end() -> Callable[..., float]:
-    return cast(Callable[..., float], sp.lambdify(stiffest.EARLY, stiffest.end(), "math"))
+    return cast(
+        Callable[..., float],
+        sp.lambdify(max_stiffness_slope.EARLY, max_stiffness_slope.end(), "math"),
+    )
 
 
 def columns(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any
 
@@ -12,10 +12,27 @@ from sympy import Expr, Symbol
 from symhaptic.book.chapters import run, shipped
 from symhaptic.book.listing import needed
 from symhaptic.forms.stable import STATEMENTS, Form
-from symhaptic.notation import B, K, T, alpha, b, beta, c_1, d, delta, m, omega, theta, z
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    beta,
+    c_1,
+    d,
+    delta,
+    gamma,
+    k,
+    m,
+    omega,
+    t_d,
+    theta,
+    z,
+)
 from symhaptic.paper import STATEMENTS as PRINTED
 
-_UNITS = {K: alpha, B: beta, T: sp.S.One, b: delta, m: sp.S.One, omega: theta}
+_UNITS = {K: alpha, B: beta, k: gamma, T: sp.S.One, b: delta, m: sp.S.One, omega: theta, t_d: d}
 _UNITS[Symbol("omega_hat")] = theta
 """From the paper's symbols to the dimensionless parameters of Table I."""
 
@@ -30,11 +47,24 @@ def expressions(form: Form, kind: str) -> tuple[Expr, ...]:
     ids = STATEMENTS.get(form.name)
     if ids is None:
         return ()
-    lines = [_placed(line) for line in _lines(ids[0], kind)]
-    found = _READ.get(ids[0], _sides)(lines)
-    short = {line.lhs: line.rhs for line in PRINTED["eq15"].printed}
-    root = {c_1: short.pop(c_1)}
-    return tuple(expr.xreplace(short).xreplace(root) for expr in found)
+    return dimensionless(ids[0], _lines(ids[0], kind))
+
+
+def results(found: Sequence[Expr], short: str = "eq15") -> tuple[Expr, ...]:
+    """With the abbreviations filled in."""
+    written = {line.lhs: line.rhs for line in PRINTED[short].printed}
+    root = {c_1: written.pop(c_1)}
+    return tuple(expr.xreplace(written).xreplace(root) for expr in found)
+
+
+def dimensionless(id: str, lines: Sequence[Any]) -> tuple[Expr, ...]:
+    """What these lines of an equation say of each result, in the parameters of Table I."""
+    return results(_READ.get(id, _sides)([placed(line) for line in lines]))
+
+
+def in_units(id: str, lines: Sequence[Any]) -> tuple[Expr, ...]:
+    """The same in SI units."""
+    return results(_transfer(list(lines)) if id == "eq12" else _sides(list(lines)), "eq13")
 
 
 def function(form: Form, kind: str, modules: str) -> Callable[..., list[Any]]:
@@ -60,7 +90,8 @@ def _lines(id: str, kind: str) -> tuple[Any, ...]:
     return tuple(next(found[id] for found in settled if id in found).settlement.derived)
 
 
-def _placed(line: Any) -> Any:
+def placed(line: Any) -> Any:
+    """A line in the parameters of Table I."""
     names = {s: _UNITS.get(s, _UNITS.get(Symbol(s.name), s)) for s in line.free_symbols}
     return line.xreplace(names)
 
@@ -74,7 +105,7 @@ def _gap(lines: list[Any]) -> list[Expr]:
     return [lines[0].gts - lines[0].lts]
 
 
-def _limit(lines: list[Any]) -> list[Expr]:
+def limit(lines: list[Any]) -> list[Expr]:
     """The alpha at which an inequality, linear in it, is an equality."""
     (gap,) = _gap(lines)
     return [-gap.subs(alpha, 0) / sp.diff(gap, alpha)]
@@ -100,4 +131,4 @@ def _polynomial(lines: list[Any]) -> list[Expr]:
     return [c / found[0] for c in found]
 
 
-_READ = {"eq5": _gap, "eq14": _transfer, "eq18": _polynomial, "eq25": _limit}
+_READ = {"eq5": _gap, "eq14": _transfer, "eq18": _polynomial, "eq25": limit}

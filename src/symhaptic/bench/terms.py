@@ -10,13 +10,13 @@ import numpy as np
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.sizes import size as slope_size
+from symhaptic.export.error_scale import size as slope_size
 from symhaptic.export.target import code_name
 from symhaptic.export.vectors import rounded
 from symhaptic.forms.entire import C, Entire, S
-from symhaptic.forms.entire_device import Apart, Fall, Rise, Swing
-from symhaptic.forms.response import Careful, closed
-from symhaptic.forms.searched import Rated, Searched
+from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
+from symhaptic.forms.implicit import ImplicitFunction, Rated
+from symhaptic.forms.response import Compensated, closed
 
 
 def sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
@@ -37,7 +37,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         whole = sized(condition.lhs, at, functions)[0] == 0
         both = sized(yes, at, functions), sized(no, at, functions)
         return tuple(np.where(whole, *pair) for pair in zip(*both, strict=True))
-    if isinstance(expr, Careful):
+    if isinstance(expr, Compensated):
         return sized(closed(expr), at, functions)
     parts = [sized(a, at, functions) for a in expr.args]
     if isinstance(expr, Entire):
@@ -46,7 +46,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         value = function(*args)
         size = np.maximum(np.abs(value), swing(expr, args))
         return value, size + spoiled(function, value, expr, args)
-    if isinstance(expr, Searched):
+    if isinstance(expr, ImplicitFunction):
         given = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v, _ in parts))
         value = getattr(functions, code_name(type(expr).__name__))(np, *given)
         if isinstance(expr, Rated):
@@ -71,7 +71,7 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
     return value, np.abs(value) + spoiled(plain, value, expr, [parts[0][0]])
 
 
-def leans(expr: Searched, value: Any, at: dict[Any, Any], functions: Any) -> Any:
+def leans(expr: ImplicitFunction, value: Any, at: dict[Any, Any], functions: Any) -> Any:
     """What the largest term of a sum that passes through zero counts in what hangs on it."""
     at[expr] = value, np.abs(value)
     if (found := expr.leaning()) is None:
@@ -99,13 +99,18 @@ def swing(expr: Expr, args: list[Any]) -> Any:
     if isinstance(expr, (C, S)):
         w = np.minimum(args[0], -1)
         return np.where(args[0] < -1, 1 if isinstance(expr, C) else 1 / np.sqrt(-w), 0)
-    if not isinstance(expr, (Rise, Fall, Swing, Apart)):
+    if not isinstance(expr, (PlantN1, PlantN0, PlantTrace, NumeratorGap)):
         return slope_size(type(expr), args)
     g, d = args
     swings = (g >= 4) & (d * d < 4 * g)
     decayed, g = np.exp(-d / 2), np.maximum(g, 4)
-    if isinstance(expr, Fall):
+    if isinstance(expr, PlantN0):
         root = np.sqrt(np.where(swings, g - d * d / 4, 1))
         decayed = decayed * np.maximum(1, np.abs(d / 2 * np.sin(root) / root))
-    size = {Swing: 2 * decayed, Apart: 1 / g / np.maximum(d, 1), Rise: 1 / g, Fall: decayed / g}
+    size = {
+        PlantTrace: 2 * decayed,
+        NumeratorGap: 1 / g / np.maximum(d, 1),
+        PlantN1: 1 / g,
+        PlantN0: decayed / g,
+    }
     return np.where(swings, size[type(expr)], 0.0)

@@ -47,13 +47,13 @@ def stable(alpha: float, beta: float, gamma: float, delta: float, delay: int) ->
     bits = _BITS
     while True:
         with flint.ctx.workprec(bits):
-            decided = _table(_polynomial(alpha, beta, gamma, delta, delay))
+            decided = table(polynomial(alpha, beta, gamma, delta, delay))
         if decided is not None:
             return decided
         bits *= 2
 
 
-def _polynomial(
+def polynomial(
     alpha: float, beta: float, gamma: float, delta: float, delay: int
 ) -> list[arb]:  # fmt: skip
     """Coefficients in balls, the highest power first."""
@@ -67,7 +67,7 @@ def _polynomial(
     return row
 
 
-def _table(row: list[arb]) -> bool | None:
+def table(row: list[arb]) -> bool | None:
     """Whether all its zeros lie inside the unit circle; None where the balls are too wide."""
     while len(row) > 1:
         share = row[-1] / row[0]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import sympy as sp
@@ -13,38 +12,9 @@ from symhaptic.model import linear, plant
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
 from symhaptic.proof.ball import ball
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.plants import LATE, LOSS, TOGETHER, named
-from symhaptic.proof.plants import NUMBERS as SAMPLED
-from symhaptic.proof.plants import SLOPES as SAMPLED_SLOPES
 from symhaptic.proof.roots import BITS, NoSuchRoot, real_roots
 
 HALF = sp.Rational(1, 2)
-
-NUMBERS = (nu, s_1, s_2)
-SLOPES = sp.symbols("nu' s_1' s_2'")
-"""Derivatives of the arm's numbers with respect to delta."""
-
-_SHARE, _FIRST = LATE / TOGETHER, (LOSS + gamma * LATE) / TOGETHER
-_MEANT = (_SHARE, _FIRST, 1 / TOGETHER - (1 - _SHARE) * _FIRST)
-
-
-def _slope(expr: Expr, numbers: Sequence[Expr], slopes: Sequence[Expr]) -> Expr:
-    """The derivative with respect to delta, of which the numbers are functions."""
-    inner = (sp.diff(expr, x) * dx for x, dx in zip(numbers, slopes, strict=True))
-    return sp.diff(expr, delta) + sum(inner)
-
-
-SHAPE = named(
-    dict(zip(NUMBERS, _MEANT, strict=True))
-    | {dx: _slope(x, SAMPLED, SAMPLED_SLOPES) for dx, x in zip(SLOPES, _MEANT, strict=True)}
-)
-"""The arm's numbers and slopes in balls, for intervals of gamma and delta."""
-
-
-def by_damping(expr: Expr) -> Expr:
-    """The derivative with respect to delta of an expression in the arm's numbers."""
-    return _slope(expr, NUMBERS, SLOPES)
-
 
 UNDAMPED = {nu: HALF, s_1: gamma / 2, delta: sp.S.Zero}
 UNSPRUNG = {s_1: delta, s_2: sp.S.One, gamma: sp.S.Zero}

@@ -2,11 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from enum import StrEnum
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, refuse
+from symhaptic.cli.shared import app, refuse, writable, write
+
+if TYPE_CHECKING:
+    from symhaptic.check.callers import Caller
+    from symhaptic.check.checked import Checked
+
+
+class CheckFormat(StrEnum):
+    """How `check` prints."""
+
+    text = "text"
+    github = "github"
+    junit = "junit"
+    json = "json"
+    table = "table"
 
 
 @app.command()
@@ -37,59 +54,92 @@ def check(
         str | None,
         typer.Option("--arguments", metavar="X,...", help="The order that your function has."),
     ] = None,
-    github: Annotated[
-        bool, typer.Option("--github", help="Print a failure as an annotation of GitHub's.")
-    ] = False,
-    table: Annotated[
-        bool, typer.Option("--table", help="Print points and exact values as CSV; call nothing.")
-    ] = False,
+    format: Annotated[
+        CheckFormat,
+        typer.Option(
+            "--format",
+            help="text, github (annotation), junit, json or table (CSV; without a function: of "
+            "points and exact values).",
+        ),
+    ] = CheckFormat.text,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
     listing: Annotated[bool, typer.Option("--list", help="Print what can be checked.")] = False,
 ) -> None:
     """Check a function of your own against exact values: 0 agrees, 1 differs, 2 bad usage."""
-    from symhaptic.check import callers
+    from symhaptic.check import callers, told
     from symhaptic.check.compare import compared
     from symhaptic.check.formulas import CHECKED
     from symhaptic.notation.suggest import suggested
 
+    writable(output)
     if listing:
         for name, one in CHECKED.items():
-            typer.echo(f"{name}({', '.join(one.ranges)}) -> {', '.join(one.results)}")
+            typer.echo(f"{name}({', '.join(one.ranges)}) -> {', '.join(one.results)}{_says(one)}")
         return
     if formula not in CHECKED:
-        refuse(f"--formula: {formula!r} is not known; {suggested(str(formula), CHECKED)}")
-    if table:
-        from symhaptic.check.table import csv_text
-
-        typer.echo(csv_text(CHECKED[formula], points), nl=False)
+        every = "`symhaptic check --list` lists all"
+        refuse(f"--formula: {formula!r} is not known; {suggested(str(formula), CHECKED, every)}")
+    checked = CHECKED[formula]
+    given = [way for way in (python, library, command) if way is not None]
+    if format is CheckFormat.table and not given:
+        made = told.exact_table(checked, points)
+        _tell(made, output)
         return
-    if sum(given is not None for given in (python, library, command)) != 1:
+    if len(given) != 1:
         refuse("--python, --library, --command: exactly one of them is needed")
     if not ulp >= 0:
         refuse(f"--ulp: {ulp} is not allowed; numbers >= 0 are")
-    checked = CHECKED[formula]
-    order = [name.strip() for name in (arguments or ",".join(checked.ranges)).split(",")]
-    if sorted(order) != sorted(checked.ranges):
-        known = ", ".join(checked.ranges)
-        refuse(f"--arguments: {arguments!r} is not allowed; an order of {known} is")
-    places = [list(checked.ranges).index(name) for name in order]
+    begin = perf_counter()
     try:
-        if python is not None:
-            call = callers.python(python, len(checked.results))
-        elif library is not None:
-            call = callers.library(library, len(order), len(checked.results))
-        else:
-            call = callers.command(str(command))
-        found = compared(
-            checked, lambda some: call([tuple(p[i] for i in places) for p in some]), ulp, points
-        )
+        call = _caller(checked, python, library, command, arguments)
+        found = compared(checked, call, ulp, points)
     except ValueError as wrong:
         refuse(str(wrong))
-    at = ", ".join(f"{n} = {v.hex()}" for n, v in zip(checked.ranges, found.at, strict=True))
-    said = f"{formula}: {found.points} points, worst error {found.worst:.3g} ulp of {found.result}"
-    if found.worst <= ulp:
-        typer.echo(f"{said}; agrees")
+    place = callers.place(python) if python is not None else None
+    made = told.FORMATS[format](told.Report(found, given[0], perf_counter() - begin, place))
+    _tell(made, output)
+    if not found.agrees:
+        raise typer.Exit(1)
+
+
+def _says(checked: Checked) -> str:
+    """What the paper's equation is."""
+    from symhaptic.paper import STATEMENTS
+
+    return f": {STATEMENTS[checked.printed].says}" if checked.printed else ""
+
+
+def _tell(made: str, output: Path | None) -> None:
+    if output is None:
+        typer.echo(made, nl=False)
         return
-    said += f" at {at}; NaN at {found.missing} points"
-    said += "".join(f"; {name}" for name in found.names)
-    typer.echo(f"::error title=symhaptic check::{said}" if github else f"{said}; differs")
-    raise typer.Exit(1)
+    from symhaptic.book.listing import replace
+
+    write(replace, output, made)
+
+
+def _caller(
+    checked: Checked,
+    python: str | None,
+    library: str | None,
+    command: str | None,
+    arguments: str | None,
+) -> Caller:
+    """Somebody's function, with its arguments in its own order."""
+    from symhaptic.check import callers
+
+    names = list(checked.ranges)
+    order = [name.strip() for name in (arguments or ",".join(names)).split(",")]
+    if sorted(order) != sorted(names):
+        known = ", ".join(names)
+        raise ValueError(f"--arguments: {arguments!r} is not allowed; an order of {known} is")
+    if python is not None:
+        call = callers.python(python, len(checked.results))
+    elif library is not None:
+        call = callers.library(library, len(order), len(checked.results))
+    else:
+        call = callers.command(str(command))
+    places = [names.index(name) for name in order]
+    return lambda some: call([tuple(p[i] for i in places) for p in some])

@@ -104,7 +104,9 @@ def export(
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option("--target", help="numpy, c, cpp, fortran, rust, javascript or octave."),
+        typer.Option(
+            "--target", help="numpy, c, cpp, fortran, rust, javascript, octave or microcontroller."
+        ),
     ] = None,
     output: Annotated[
         Path | None,
@@ -127,8 +129,9 @@ def export(
         bool, typer.Option("--whole-delays", help="Leave out what fractional delays need.")
     ] = False,
     precision: Annotated[
-        str, typer.Option("--precision", help="double, or single where the language has it.")
-    ] = "double",
+        str | None,
+        typer.Option("--precision", help="double, or single where the language has it."),
+    ] = None,
     derivative: Annotated[
         str,
         typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),

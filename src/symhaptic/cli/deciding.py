@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, progress, refuse, writable, write
+from symhaptic.cli.shared import app, folder_allowed, progress, refuse, writable, write
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -108,6 +108,12 @@ def verify(
         bool,
         typer.Option("--list", help="Name the statements, where each stands and what it says."),
     ] = False,
+    rocq: Annotated[
+        Path | None,
+        typer.Option(
+            "--rocq", metavar="DIR", help="Write theorems for Rocq there; have it check them."
+        ),
+    ] = None,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
 
@@ -139,6 +145,13 @@ def verify(
         given = {path.resolve() for path in own}
         needed = listing.needed(wanted, chapters.shipped())
         shipped = [p for p in needed if p.resolve() not in given]
+    if rocq is not None:
+        from symhaptic.cli.foreign import judged
+
+        folder_allowed(rocq, "--rocq")
+        if not judged(own + shipped, wanted, rocq, workers):
+            raise typer.Exit(2)
+        return
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)

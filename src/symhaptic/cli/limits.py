@@ -26,7 +26,7 @@ def limits(
         Path,
         typer.Argument(
             metavar="FILE",
-            help='TOML: mass, damping, sampling_period, delay, such as "72 g"; [arm], [wall].',
+            help="TOML: device, or mass, damping; sampling_period, delay; [arm], [arms], [wall].",
         ),
     ],
     format: Annotated[LimitsFormat, typer.Option("--format", help="How to print.")] = (
@@ -36,7 +36,10 @@ def limits(
         Path | None, typer.Option("-o", metavar="FILE", help="Draw it: .svg, .png or .pdf.")
     ] = None,
 ) -> None:
-    """Say which walls a device bears: stable with the arm that holds it, passive by itself."""
+    """Say which walls a device bears: stable with the arm that holds it, passive by itself.
+
+    With [arms], a range of arms, it also proves which walls are stable for every one of them.
+    """
     from symhaptic.scene.device_file import BadDevice, read
 
     writable(plot)
@@ -47,6 +50,13 @@ def limits(
     except BadDevice as wrong:
         refuse(str(wrong))
     data = answers(found.held, found.alone, found.wall)
+    safe = None
+    if found.arms is not None:
+        try:
+            safe = found.alone.safe_walls(found.arms)
+        except ValueError as wrong:
+            refuse(f"{device}: {wrong}")
+        data["safe"] = proved(safe, found.wall)
     if format is LimitsFormat.json:
         typer.echo(json.dumps(data, indent=1))
     else:
@@ -57,10 +67,13 @@ def limits(
         matplotlib.use("Agg")
         from matplotlib import pyplot
 
-        from symhaptic.scene.picture import draw
+        from symhaptic.scene.picture import draw, draw_safe
 
         figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
-        draw(axes, found.held, found.alone, found.wall)
+        if safe is None:
+            draw(axes, found.held, found.alone, found.wall)
+        else:
+            draw_safe(axes, safe, found.wall)
         try:
             figure.savefig(plot, dpi=150)
         except OSError as wrong:
@@ -82,7 +95,8 @@ def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str
     }
     if wall is not None:
         K, B = wall
-        later = held.delay_margin(K=K, B=B)
+        largest = held.delay_margin(K=K, B=B)
+        later = largest - float(held.periods) * held.sampling_period
         data["wall"] = {
             "K": K,
             "B": B,
@@ -90,9 +104,28 @@ def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str
             "stable_up_to": limit(held.limit_at(B=B)),
             "passive": bool(alone.is_passive(K=K, B=B)),
             "passivity_margin": alone.passivity_margin(K=K, B=B),
-            "delay_margin_s": later if math.isfinite(later) else None,
+            "largest_delay_s": largest if math.isfinite(largest) else None,
+            "more_delay_s": later if math.isfinite(later) else None,
         }
     return data
+
+
+def proved(safe: Any, wall: tuple[float, float] | None) -> dict[str, Any]:
+    """What is safe with every arm of a range, in N/m, Ns/m and s."""
+    K, B = safe.stiffest
+    best = safe.best_damping(wall[0]) if wall and safe.softest <= wall[0] <= K else None
+    return {
+        "arms": str(safe.arms),
+        "stiffest": {"K": K, "B": B},
+        "without_virtual_damping": {"K": safe.limit_at(0.0), "B": 0.0},
+        "rectangle": {"K": list(safe.rectangle.K), "B": list(safe.rectangle.B)},
+        "edges_B": list(safe.certificate.columns.edges),
+        "limits_K": list(safe.certificate.columns.tops),
+        "softest_K": safe.softest,
+        "passive_corners": [{"K": K, "B": B} for K, B in safe.passive_corners],
+        "wall": None if wall is None else bool(safe.contains(*wall)),
+        "best_damping": None if best is None else {"B": best.B, "safe_B": list(best.safe)},
+    }
 
 
 def text(data: dict[str, Any]) -> str:
@@ -110,7 +143,7 @@ def text(data: dict[str, Any]) -> str:
         f"passive up to    {said(data['stiffest_passive'])}",
     ]
     if wall := data.get("wall"):
-        later = wall["delay_margin_s"]
+        later = wall["more_delay_s"]
         more = "any delay" if later is None else f"{1000 * later:.4g} ms more delay"
         lines += [
             f"the wall         {wall['K']:g} N/m with {wall['B']:g} Ns/m is "
@@ -120,4 +153,22 @@ def text(data: dict[str, Any]) -> str:
             f"  its margin     {wall['passivity_margin']:.4g} Ns/m to being passive"
             + (f"; it bears {more}" if wall["stable"] else ""),
         ]
+    if safe := data.get("safe"):
+        (low, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]
+        stiffest, free = safe["stiffest"], safe["without_virtual_damping"]["K"]
+        lines += [
+            f"with every arm   of {safe['arms']}, proved:",
+            f"  stable up to   {stiffest['K']:.5g} N/m with B = {stiffest['B']:.4g} Ns/m",
+            f"  without B      {f'{free:.4g} N/m' if free else 'no stiffness'}",
+            f"  any wall of    {low:.2g} to {high:.5g} N/m with {left:.4g} to {right:.4g} Ns/m",
+        ]
+        if wall:
+            lines.append(f"  the wall is    {'safe' if safe['wall'] else 'NOT PROVED SAFE'}")
+        if best := safe["best_damping"]:
+            low, high = best["safe_B"]
+            stiff = f"{data['wall']['K']:g}"
+            lines.append(
+                f"  {stiff} N/m bears the most delay with B = {best['B']:.3g} Ns/m; "
+                f"safe are {low:.3g} to {high:.3g}"
+            )
     return "\n".join(lines) + "\n"

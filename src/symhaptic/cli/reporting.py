@@ -49,7 +49,11 @@ def report(
         ),
     ] = None,
     standalone: Annotated[
-        bool, typer.Option("--standalone", help="With --chapter: also chapters.tex, to compile.")
+        bool,
+        typer.Option(
+            "--standalone",
+            help="With --chapter: also chapters.tex, to compile; of html one file each.",
+        ),
     ] = False,
     listing: Annotated[bool, typer.Option("--list", help="Print the chapters' names.")] = False,
     derivation: Derivations = None,
@@ -82,19 +86,20 @@ def report(
     pdf = format is ReportFormat.pdf if some else can and format in (None, ReportFormat.pdf)
     html = format is ReportFormat.html or (format is None and not some and site.can())
     only_html = format is ReportFormat.html
-    if only_html and (check or standalone):
-        refuse(
-            f"--format html: is made anew each time; {'--check' if check else '--standalone'} "
-            "is for LaTeX"
-        )
+    if only_html and check:
+        refuse("--format html: is made anew each time; --check is for LaTeX")
+    single = only_html and standalone
     alone = standalone or pdf
     try:
         build.check(paths)
         if not check:
             folder_allowed(output)
             names = build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
-            place.refuse_foreign(output, [] if only_html else names)
-            if html:
+            names = [f"{path.stem}.html" for path in some] if single else names
+            place.refuse_foreign(output, names if single or not only_html else [])
+            if single and not site.can():
+                refuse(f"--format html: {site.NEEDS}")
+            if html and not single:
                 site.allowed(output / "site")
         elif not output.is_dir():
             refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
@@ -112,6 +117,12 @@ def report(
             build.write_excerpt(numbered, output, alone, pdf, say)
         elif not only_html:
             build.write(chapters, output, pdf, say)
+        if single:
+            from symhaptic.book.site.single import write_single
+
+            made = write_single(numbered, output, say)
+            typer.echo("\n".join(f"wrote {path}" for path in made))
+            return
         if html:
             from symhaptic.book.site.build import write as write_site
 

@@ -58,7 +58,7 @@ def unwritable(output: Path, reason: str | None) -> NoReturn:
     refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")
 
 
-def folder_allowed(output: Path) -> None:
+def folder_allowed(output: Path, option: str = "-o") -> None:
     """Say before the work is done that no folder of results can be there.
 
     Only writing shows it, so folders and a file in them are made for a moment.
@@ -72,15 +72,16 @@ def folder_allowed(output: Path) -> None:
         with TemporaryFile(dir=output):
             pass
     except OSError as wrong:
-        no_folder(output, wrong.strerror)
+        no_folder(output, wrong.strerror, option)
     finally:
         for folder in reversed(made):
             folder.rmdir()
 
 
-def no_folder(output: Path, reason: str | None) -> NoReturn:
+def no_folder(output: Path, reason: str | None, option: str = "-o") -> NoReturn:
     """End with one line that says why no folder of results can be there."""
-    refuse(f"-o {output}: cannot write there ({reason}); a folder that can be written is allowed")
+    where = f"{option} {output}"
+    refuse(f"{where}: cannot write there ({reason}); a folder that can be written is allowed")
 
 
 def write(replace: Callable[[Path, str | bytes], None], output: Path, content: str | bytes) -> None:

@@ -43,7 +43,9 @@ class _Writer:
         if isinstance(expr, (tuple, sp.Tuple)):
             return r",\quad ".join(self.write(e) for e in expr)
         if expr.is_Symbol:
-            return SYMBOLS[expr.name].latex if expr.name in SYMBOLS else sp.latex(expr)
+            name = expr.name.rstrip("'")
+            plain = SYMBOLS[name].latex if name in SYMBOLS else sp.latex(sp.Symbol(name))
+            return f"{plain}{expr.name[len(name) :]}"
         if expr.is_Rational:
             if expr.q == 1:
                 return str(expr.p)
@@ -166,6 +168,8 @@ class _Writer:
         shown = _Writer(self.inline).write(argument)
         if not self.inline:
             shown = shown.replace(r"\frac", r"\tfrac")
+        elif "/" in shown:
+            shown = f"({shown})"
         return name + (shown if shown[0] in "\\(" else " " + shown)
 
 

@@ -256,6 +256,12 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "as the paper has it: every zero of the characteristic polynomial lies inside the unit "
         "circle, for a delay of d = p/q periods that of the polynomial in w that z = w^q makes",
     ),
+    "stable_principal": (
+        *(0, 5),
+        r"\mathrm{{stable}}_{{\text{{principal}}}}({0},{1},{2},{3},{4})",
+        "no zero z of z^(d+1) A + N W with |z| >= 1 where z^d is the principal value, "
+        "exp(d ln |z| + j d arg z) with -pi < arg z < pi",
+    ),
     "pole": (
         *(0, 6),
         r"{5}\ \text{{is a pole of}}_{{(18)}}({0},{1},{2},{3},{4})",
@@ -286,6 +292,14 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
         "a = tr Phi, e = det Phi, n1 = Gamma_1 and n0 = Phi_12 Gamma_2 - Phi_22 Gamma_1, where Phi "
         "and Gamma take the state (x, v) and a held force to the state one period later, of "
         "x'' + delta x' + gamma x = F, in units of mass and period",
+    ),
+    "late_device": (
+        *(0, 8),
+        r"\frac{{{3}z^2+{4}z+{5}}}{{z\,(z^2-{6}z+{7})}}\ \text{{samples the device}}\ ({0},{1})"
+        r"\ \text{{late by}}\ {2}",
+        "the same device with the same a and e, each held force beginning and ending u periods "
+        "late, 0 <= u <= 1: with G = Gamma(1-u) and H = Phi(1-u) Gamma(u), m2 = G_1, "
+        "m1 = Phi_12 G_2 - Phi_22 G_1 + H_1 and m0 = Phi_12 H_2 - Phi_22 H_1",
     ),
 }
 """Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning."""

@@ -15,7 +15,7 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
     (``">= 0"``, ``"> 0"`` or nothing), and for units that cannot be converted.
     """
     if getattr(value, "ndim", None) == 0 and not hasattr(value, "units"):
-        value = value[()]
+        value = value.to_numpy()[()] if hasattr(value, "to_numpy") else value[()]
     given = value
     value = in_unit(name, value, unit)
     real = isinstance(value, Real) and not isinstance(value, bool)
@@ -46,10 +46,37 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
 
 
 def in_unit(name: str, values: Any, unit: str) -> Any:
-    """The numbers of a quantity of Pint's in ``unit``; anything else as it is."""
-    if type(values).__module__.split(".")[0] == "pint":
+    """The numbers of a quantity of Pint's in ``unit``, also inside xarray's; others as they are."""
+    if _of_pint(values):
         return _converted(name, values, unit)
+    if _holds_pint(values):
+        return values.copy(data=_converted(name, values.data, unit))
     return values
+
+
+def with_unit(found: Any, unit: str, *given: Any) -> Any:
+    """What was found in ``unit``, as a quantity of Pint's where one of the ``given`` is one.
+
+    So it is inside xarray's arrays; arrays of pandas hold no quantities, and stay as they are.
+    """
+    library = type(found).__module__.partition(".")[0]
+    quantities = [v if _of_pint(v) else v.data for v in given if _of_pint(v) or _holds_pint(v)]
+    if not quantities or library == "pandas":
+        return found
+    quantity = quantities[0]._REGISTRY.Quantity
+    if library == "xarray":
+        return found.copy(data=quantity(found.data, unit))
+    return quantity(found, unit)
+
+
+def _of_pint(value: Any) -> bool:
+    return type(value).__module__.partition(".")[0] == "pint"
+
+
+def _holds_pint(value: Any) -> bool:
+    """Whether an array of xarray's has a quantity inside."""
+    of_xarray = type(value).__module__.partition(".")[0] == "xarray"
+    return of_xarray and _of_pint(getattr(value, "data", None))
 
 
 def dimensionless(name: str, quantity: Any) -> Any:

@@ -128,7 +128,8 @@ def _quantified(claim: ForAll | Exists) -> str:
     else:
         head = ",".join(latex(s) for s in claim.over)
         head += rf"\ \text{{with}}\ {listed(own)}" if own else ""
-    lead = rf"{listed(rest)}\ \Rightarrow\ " if rest else ""
+    joined = r"\Rightarrow" if isinstance(claim, ForAll) else r"\text{and}"
+    lead = rf"{listed(rest)}\ {joined}\ " if rest else ""
     return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else written(body)}"
 
 

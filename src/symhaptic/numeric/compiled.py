@@ -110,9 +110,8 @@ def at_once(
             if not look and not _within(found[0] if several else found, _FINITE):
                 return function(*args, **named)
             if not several:
-                return cast(R, np.asarray(found))
-            arrays = [np.asarray(f) for f in found]
-            return cast(R, tuple(arrays) if into is None else into(*arrays))
+                return cast(R, found)
+            return cast(R, found if into is None else into(*found))
 
         return called
 

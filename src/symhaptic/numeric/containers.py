@@ -10,7 +10,7 @@ import inspect
 import sys
 from collections.abc import Callable, Mapping
 from functools import partial, wraps
-from typing import Any, ParamSpec, TypeVar, cast
+from typing import Any, NoReturn, ParamSpec, TypeVar, cast
 
 import numpy as np
 
@@ -95,7 +95,7 @@ def _by_name(function: Callable[..., Any], names: list[str], words: Any, *values
     return function(**dict(zip(names, values, strict=True)), **words)
 
 
-def _refuse(name: str, value: object, allowed: str) -> None:
+def _refuse(name: str, value: object, allowed: str) -> NoReturn:
     raise ValueError(f"{name}: {shown(value)} is not allowed; {allowed}")
 
 
@@ -197,9 +197,7 @@ def _by_index(
         )
         if not same:
             _refuse(name, type(value), "with labels other than those of the first it is not")
-    plain = (
-        v.to_numpy(dtype=float, na_value=np.nan) if n in labelled else v for n, v in numbers.items()
-    )
+    plain = (_numbers(n, v) if n in labelled else v for n, v in numbers.items())
 
     def labels(name: str, found: Any) -> Any:
         if isinstance(first, pandas.DataFrame):
@@ -207,6 +205,14 @@ def _by_index(
         return pandas.Series(found, index=first.index, name=name)
 
     return _each(labels, work(*plain), kinds)
+
+
+def _numbers(name: str, labelled: Any) -> Any:
+    """The numbers of a Series or frame; what is missing is NaN."""
+    try:
+        return labelled.to_numpy(dtype=float, na_value=np.nan)
+    except (TypeError, ValueError):
+        return _refuse(name, labelled, "real numbers are")
 
 
 def _masked(work: Callable[..., Any], numbers: Mapping[str, Any]) -> Any:

@@ -48,7 +48,7 @@ class Given:
             return kernel(*self.values)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             found = kernel(*self.values)
-        return tuple(map(np.asarray, found)) if isinstance(found, tuple) else np.asarray(found)
+        return tuple(map(single, found)) if isinstance(found, tuple) else single(found)
 
     def kernel(self, kernel: Callable[..., Any]) -> Callable[..., Any]:
         """For NumPy's arrays the compiled one, where there is one."""
@@ -91,9 +91,14 @@ class Given:
         first = self.values[0]
         kind = first.dtype if row.dtype.kind == "f" else None
         if is_numpy_array(first):
-            return np.asarray(row, dtype=kind)
+            return single(np.asarray(row, dtype=kind))
         where = {} if is_lazy_array(first) else {"device": device(first)}
         return self.xp.asarray(row, dtype=kind, **where)
+
+
+def single(values: Any) -> Any:
+    """A number of NumPy's where there are no axes, as its own functions give it."""
+    return np.asarray(values)[()]
 
 
 def to_numpy(values: Any) -> Array:

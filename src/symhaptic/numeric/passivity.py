@@ -45,7 +45,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
     scale = xp.where(size > 0, size, 1.0)  # squares of a tiny wall would vanish
     stiffness, damping = xp.where(alpha > 0, alpha, 0.0) / scale, beta / scale
     psi = haptic.worst_angle(xp, stiffness, damping, steps, part)
-    need = haptic.need(xp, stiffness, damping, steps, part, psi)
+    need = haptic.damping_at(xp, stiffness, damping, steps, part, psi)
     return xp.where(alpha < 0, math.inf, scale * need)
 
 

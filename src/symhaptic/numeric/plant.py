@@ -72,9 +72,10 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     late = np.asarray(0.0 if part is None else part)
     rest, whole = 1 - late, late == 0
     share = np.where(whole, 1.0, late)
-    apart, at_minus_one, together = _by_kernel(haptic.apart_nyquist_together, gamma, delta)
-    n1 = _by_kernel(haptic.rise, gamma * rest**2, delta * rest)
-    n0 = _by_kernel(haptic.fall, gamma * share**2, delta * share)
+    ends = haptic.denominator_at_minus_one_numerator_at_one_numerator_gap
+    at_minus_one, together, apart = _by_kernel(ends, gamma, delta)
+    n1 = _by_kernel(haptic.plant_n1, gamma * rest**2, delta * rest)
+    n0 = _by_kernel(haptic.plant_n0, gamma * share**2, delta * share)
     m2, m0 = rest**2 * n1, np.where(whole, 0.0, late**2 * np.exp(-delta * rest) * n0)
     m1 = np.where(whole, n0, together - (m2 + m0))
     e, loss = np.exp(-delta), 0.0 - np.expm1(-delta)  # never -0.0: an angle of it is taken

@@ -22,6 +22,9 @@ from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
 PRECISIONS = (64, 256, 1024)
 """Bits tried one after the other until a question is decided."""
 
+NARROW = 1e-30
+"""The width of a root's ball next to the circle."""
+
 _POWER = 100_000
 """Larger powers of numbers are not written out."""
 
@@ -131,19 +134,25 @@ def largest_root(
     if all(c.is_Rational for c in coefficients):
         exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
-    before = ctx.prec
+    before, found = ctx.prec, None
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
             values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
             values |= {name: _ball(v, values) for v, name in named.items()}
-            roots = acb_poly([_ball(c, values) for c in reversed(coefficients)]).complex_roots()
-            return _largest([abs(root) for root in roots if keep(root)])
+            isolated = acb_poly([_ball(c, values) for c in reversed(coefficients)])
+            # next to the circle isolated roots are not told from it, narrow ones are
+            roots = isolated.roots(tol=NARROW) if found is not None else isolated.complex_roots()
+            found = _largest([abs(root) for root in roots if keep(root)])
+            if not found.contains(1):
+                return found
         except ValueError:  # not isolated at this precision
             continue
         finally:
             ctx.prec = before
-    raise Unsupported(f"roots not isolated: {polynomial}")
+    if found is None:
+        raise Unsupported(f"roots not isolated: {polynomial}")
+    return found
 
 
 def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:

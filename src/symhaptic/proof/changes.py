@@ -15,7 +15,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.notation import T, d, z
-from symhaptic.proof import second
+from symhaptic.proof import second_opinion
 from symhaptic.proof.change import WIDER, Change, because
 from symhaptic.proof.checks import (
     AllZeros,
@@ -57,7 +57,7 @@ def _forms(
     form: tuple[Expr, ...], made: Callable[[tuple[Expr, ...]], Check], side: str
 ) -> Iterator[Change]:
     def again(other: tuple[Expr, ...]) -> Callable[[], str | None]:
-        return lambda: AGAIN if second.alike(form, other) else None
+        return lambda: AGAIN if second_opinion.alike(form, other) else None
 
     for mutant in few(form, FEW):
         yield Change("formula", f"{side}: {mutant.change}", made(mutant.form), again(mutant.form))
@@ -92,7 +92,7 @@ def _roots(check: Roots) -> Iterator[Change]:
     yield from _negated(check)
 
     def wrong(other: Roots) -> bool:
-        size = second.largest_root(other.polynomial, other.at, other.given, other.half)
+        size = second_opinion.largest_root(other.polynomial, other.at, other.given, other.half)
         return size > 1 if other.inside else size < 1
 
     whole = check.polynomial.subs({s: v for s, v in check.at.items() if v.is_Integer})

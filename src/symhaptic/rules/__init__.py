@@ -1,8 +1,8 @@
 """What do people use?  Limits of the stiffness that are in circulation, as they are used.
 
-A second source beside the paper: each rule with who uses it, and what it claims of a wall.  Nothing
-is computed here and nothing is corrected.  Imports ``notation`` and ``paper``; used by ``book``,
-and never reached from ``model``.
+A second source beside the paper: each rule with who uses it, and what it claims of a wall, and
+devices with what is published of them.  Nothing is computed here and nothing is corrected.  Imports
+``notation`` and ``paper``; used by ``book`` and ``scene``, and never reached from ``model``.
 """
 
 from __future__ import annotations

@@ -20,15 +20,37 @@ LETTERS = 25
 SWEEPS = 12
 
 
+def reached(edges: Edges) -> dict[int, frozenset[int]]:
+    """All chapters below each."""
+    found = {}
+    for node in edges:
+        seen: set[int] = set()
+        ahead = list(edges[node])
+        while ahead:
+            new = ahead.pop()
+            if new not in seen:
+                seen.add(new)
+                ahead += edges.get(new, ())
+        found[node] = frozenset(seen)
+    return found
+
+
+def downwards(edges: Edges) -> Edges:
+    """Of chapters that apply theorems of each other, the one that comes first is below."""
+    below = reached(edges)
+    return {
+        node: frozenset(n for n in under if n < node or node not in below.get(n, ()))
+        for node, under in edges.items()
+    }
+
+
 def direct(edges: Edges) -> dict[int, frozenset[int]]:
     """Without the edges that a longer way says as well."""
-
-    def below(node: int) -> frozenset[int]:
-        return frozenset().union(*(edges.get(n, frozenset()) | below(n) for n in edges[node]))
-
+    edges = downwards(edges)
     edges = {**{n: frozenset() for under in edges.values() for n in under}, **edges}
+    below = reached(edges)
     return {
-        node: frozenset(n for n in under if not any(n in edges[m] | below(m) for m in under))
+        node: frozenset(n for n in under if not any(n in below[m] for m in under))
         for node, under in edges.items()
     }
 

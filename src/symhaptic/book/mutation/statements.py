@@ -17,7 +17,7 @@ from symhaptic.book.mutation.judgements import changes_of_judgement
 from symhaptic.book.record import Settled
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Notation, Printed, Unreadable, read
-from symhaptic.proof import second
+from symhaptic.proof import second_opinion
 from symhaptic.proof.change import Change, because
 from symhaptic.proof.changes import AGAIN, opposite
 from symhaptic.proof.checks import Same, confirmed
@@ -85,10 +85,10 @@ def _excuse(settled: Settled, form: Printed) -> Callable[[], str | None]:
     settlement = settled.settlement
 
     def excuse() -> str | None:
-        if second.alike(settled.statement.printed, form, settlement.given):
+        if second_opinion.alike(settled.statement.printed, form, settlement.given):
             return AGAIN
         wrong = settled.verdict.claimed in WRONG
-        if wrong and second.alike(settlement.derived, form, settlement.given):
+        if wrong and second_opinion.alike(settlement.derived, form, settlement.given):
             return "this is the corrected form"
         return None
 
@@ -109,7 +109,9 @@ def _numbers(settled: Settled) -> Iterator[Change]:
             what = f"{other.how} {other.digits} for {number.how} {number.digits}"
             check = Decided(changed, settled.statement.printed)
             near = ball.str(8, radius=False)
-            yield Change(kind, what, check, _true(number, other, near, second.says(other, ball)))
+            yield Change(
+                kind, what, check, _true(number, other, near, second_opinion.says(other, ball))
+            )
 
 
 def _turned(number: Quoted) -> Iterator[Quoted]:

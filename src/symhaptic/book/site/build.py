@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.figures.passivity import save
-from symhaptic.book.figures.rests import graph
 from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
-from symhaptic.book.site import explorer, mathml, tables
+from symhaptic.book.site import explorer, mathml, reference, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
-from symhaptic.book.site.guides import guides
+from symhaptic.book.site.guides import guides, more, pictures
 from symhaptic.book.site.place import MARK, allowed
 from symhaptic.book.site.words import heading, table, words
 from symhaptic.book.tex.build import MEANINGS
@@ -43,8 +42,13 @@ by named theorems. Nothing rests on sampling.
 
 def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
     """Name and text of every page; of some chapters alone, where they are not the ``whole``."""
-    shown = shown_in(numbered)
-    pages = {c.name: chapter_page(c, Place(number, shown, whole)) for number, c in numbered}
+    shown, edges = shown_in(numbered), between(numbered)
+    places = {number: chapter.name for number, chapter in numbered}
+    settled = frozenset(id for _, chapter in numbered for id in chapter.page.settled)
+    pages = {
+        c.name: chapter_page(c, Place(number, shown, whole, places, edges, settled))
+        for number, c in numbered
+    }
     entries = listed(entry for _, chapter in numbered for entry in of_chapter(chapter))
     if whole:
         names = {chapter.source: (number, chapter.name) for number, chapter in numbered}
@@ -53,6 +57,8 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "errata": tables.errata(entries),
             "ledger": tables.ledger(entries, names),
             **guides(),
+            **more(),
+            **reference.pages(),
         }
     pages["believed"] = tables.believed(entries)
     pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
@@ -60,26 +66,30 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
     return {f"{name}.rst": text for name, text in pages.items()}
 
 
+TASKS = (
+    ("How stiff may my wall be?", ":doc:`limits`, or :ref:`turn a loop by hand <explorer>`"),
+    ("From a device to C in ten minutes", ":doc:`tutorial`"),
+    ("Which formula, and under which condition?", ":ref:`The formulas to use <results>`"),
+    ("What is wrong in the paper?", ":ref:`errata`, and :ref:`every statement <ledger>`"),
+    ("Is my own formula right? Is my code?", ":doc:`verify` and :doc:`check`"),
+    ("A figure, a sweep, a microcontroller, a thesis", ":doc:`howto`"),
+    ("What does a verdict mean, what is believed?", ":doc:`verdicts`"),
+    ("Every name", ":doc:`reference`"),
+)
+"""What somebody comes for, and where it is."""
+
+
 def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -> str:
     out = [*heading(TITLE), OPENING]
     if whole:
+        out += table("tasks", [["you want", "go to"], *map(list, TASKS)])
         told = f"**{len(entries)} statements,** {by_source(entries)}: {counted(entries)}."
         out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
-        out += [
-            "Begin with :ref:`the formulas to use <results>`, :ref:`the errata <errata>`, "
-            ":ref:`every statement with its verdict <ledger>`, or "
-            ":ref:`explore a wall of your own <explorer>`.",
-            "",
-            ".. figure:: figures/graph.svg",
-            "   :alt: Which chapter applies theorems of which",
-            "",
-            "   An arrow leads from a chapter to one that applies a theorem of it.",
-            "",
-        ]
     before = ["results", "errata", "ledger"] if whole else []
     out += _tree("Results", [*before, "believed"])
     out += _tree("Use it", [explorer.NAME, *(guides() if whole else ())])
+    out += _tree("Reference", [*reference.pages(), *more()]) if whole else []
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
         if inside:
@@ -122,7 +132,11 @@ def _sources(
     for name, text in texts.items():
         (source / name).write_text(text, encoding="utf-8")
     say("formulas of the site")
-    found = mathml.turned(mathml.formulas(texts.values()))
+    written = [*texts.values(), *(reference.docstrings() if whole else ())]
+    found = mathml.turned(mathml.formulas(written))
+    (source / "code").mkdir()
+    for _, chapter in numbered:
+        shutil.copy(chapter.path, source / "code")
     (source / mathml.FORMULAS).write_text(json.dumps(found), encoding="utf-8")
     for _, chapter in numbered:
         for block in chapter.page.blocks:
@@ -134,9 +148,8 @@ def _sources(
     for name, text in explorer.files():
         (source / "scripts" / name).write_text(text, encoding="utf-8")
     if whole:
-        titles = {number: chapter.title for number, chapter in numbered}
-        draw = partial(graph, edges=between(numbered), titles=titles)
-        save(draw, source / "figures" / "graph.svg", height=1.32)
+        for picture in pictures():
+            shutil.copy(picture, source)
 
 
 def _sphinx(source: Path, made: Path, trees: Path) -> None:
@@ -155,7 +168,8 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_search_summary": False,
         "html_show_sphinx": False,
         "html_show_copyright": False,
-        "extensions": ["symhaptic.book.site.mathml"],
+        "extensions": ["symhaptic.book.site.mathml", "sphinx.ext.autodoc"],
+        **reference.SETTINGS,
         "rst_prolog": f"{roles}\n\n",
     }
     conf = "".join(f"{name} = {value!r}\n" for name, value in settings.items())

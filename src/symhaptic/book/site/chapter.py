@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from sympy import Basic
 
@@ -13,12 +13,23 @@ from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.record import Block, Settled
 from symhaptic.book.rests import Said, Shown, rests
 from symhaptic.book.rules import called
-from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.site.reference import PUBLIC
+from symhaptic.book.site.words import (
+    breakable,
+    container,
+    display,
+    heading,
+    math,
+    plain,
+    table,
+    words,
+)
 from symhaptic.book.sources import PAPER, source_of
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
 from symhaptic.book.tex.words import anchor
+from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind, Verdict
@@ -31,7 +42,13 @@ class Place:
     number: int
     shown: Mapping[Said, Shown]
     whole: bool = True
-    """Whether there are errata, with all chapters."""
+    """Whether there are errata and the reference, with all chapters."""
+    names: Mapping[int, str] = field(default_factory=dict)
+    """Name of the page of each chapter."""
+    edges: Mapping[int, frozenset[int]] = field(default_factory=dict)
+    """For each chapter those whose theorems it applies."""
+    settled: frozenset[str] = frozenset()
+    """Ids of the statements that have a place on the site."""
 
 
 def chapter_page(chapter: Chapter, place: Place) -> str:
@@ -39,7 +56,8 @@ def chapter_page(chapter: Chapter, place: Place) -> str:
     page = chapter.page
     out = [":hide-toc:", "", f".. _chapter-{chapter.name}:", ""]
     out += heading(f"{place.number}. {words(chapter.title)}")
-    out += container("source", [f"Code: ``{chapter.source}``"])
+    code = f":download:`{chapter.source} <code/{chapter.path.name}>`"
+    out += container("source", [". ".join([f"Code: {code}", *_neighbours(place)]) + "."])
     out += _paragraphs(chapter.introduction)
     out += _answer(chapter, place)
     steps = 0
@@ -64,6 +82,19 @@ def chapter_page(chapter: Chapter, place: Place) -> str:
     return "\n".join(out) + "\n"
 
 
+def _neighbours(place: Place) -> list[str]:
+    """The chapters whose theorems are applied, and those that apply theorems of this one."""
+    below = place.edges.get(place.number, frozenset())
+    above = {number for number, under in place.edges.items() if place.number in under}
+    found = [("Applies theorems of", below), ("Its theorems are applied in", above)]
+    return [f"{words} {_chapters(numbers, place)}" for words, numbers in found if numbers]
+
+
+def _chapters(numbers: Collection[int], place: Place) -> str:
+    links = (f":doc:`{number} <{place.names[number]}>`" for number in sorted(numbers))
+    return f"chapter{'s' * (len(numbers) > 1)} {', '.join(links)}"
+
+
 def _paragraphs(text: str) -> list[str]:
     return [line for part in text.split("\n\n") for line in (words(" ".join(part.split())), "")]
 
@@ -74,7 +105,7 @@ def _title(lead: str, title: str, label: str) -> list[str]:
 
 def _equation(block: Block, lead: str, place: Place) -> list[str]:
     label = f"equation-{place.number}-{block.number}"
-    paper = f" — paper ({block.paper})" if block.paper else ""
+    paper = f" — paper {_paper(block.paper, place)}" if block.paper else ""
     said = _said(block.verdict, f"({place.number}.{block.number})", words(block.method), paper)
     reason = [words(_sentence(block.text)), ""] if block.text else []
     formula = container(
@@ -84,6 +115,12 @@ def _equation(block: Block, lead: str, place: Place) -> list[str]:
         *_title(lead, block.title, label),
         *container("step", [*reason, *formula, *said]),
     ]
+
+
+def _paper(number: str, place: Place) -> str:
+    """The number of an equation of the paper, which leads to where it is settled."""
+    id = f"eq{number}"
+    return f":ref:`({number}) <statement-{id}>`" if id in place.settled else f"({number})"
 
 
 def _theorem(block: Block, lead: str, place: Place) -> list[str]:
@@ -101,8 +138,8 @@ def _theorem(block: Block, lead: str, place: Place) -> list[str]:
 def _claimed(block: Block, place: Place) -> list[str]:
     """A theorem with what it rests on."""
     *given, then = (text for _, _, text in block.lines)
-    let = "\\ , ".join(math(text) for text in given)
-    says = f"Let {let}\\ . Then {math(then)}\\ ." if given else f"{math(then)}\\ ."
+    let = "\\ , ".join(map(breakable, given))
+    says = f"Let {let}\\ . Then {breakable(then)}\\ ." if given else f"{breakable(then)}\\ ."
     method = words(block.method)
     if block.theorem is not None:
         method += by([block.theorem], place.shown)
@@ -174,12 +211,16 @@ def _printed(item: Settled, place: Place) -> list[str]:
     if right:
         out += ["Right is:", "", *right]
     if verdict.proposition:
-        out += container("claim", [f"Claims {math(verdict.proposition)}\\ ."])
+        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     consequence = CONSEQUENCES.get(statement.id)
     if consequence:
         out += [f"*For a device:* {words(consequence)}", ""]
     if place.whole and source_of(statement.id) is PAPER and verdict.claimed in dict(CLASSES):
         out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
+    names = [name for name, ids in STATEMENTS.items() if statement.id in ids]
+    if place.whole and names:
+        functions = ", ".join(f":func:`~symhaptic.{name}`" for name in names if name in PUBLIC)
+        out += [f"Computed by {functions}.", ""] if functions else []
     judged = item.settlement.judged
     ground = "a theorem" + by([judged.theorem], place.shown) if judged else words(verdict.method)
     shows = [words(text) for text in shown_by(verdict)]

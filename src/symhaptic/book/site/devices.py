@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from symhaptic.paper.tables import TABLE_II
+from symhaptic.rules import devices as published
 
 
 class Preset(NamedTuple):
@@ -16,37 +17,30 @@ class Preset(NamedTuple):
     source: str
 
 
-def _driver(name: str, K: str, B: str, file: str) -> Preset:
-    """The largest wall that a driver allows; mass and damping are not published with it."""
-    source = (
-        f"K and B are the largest linear stiffness and damping of CHAI3D, src/devices/{file}; mass "
-        "and damping stay as they are."
-    )
-    return Preset(f"{name}, its driver's largest wall", {"K": K, "B": B}, source)
+_LATE = {"Phantom Premium 1.5": "0.0015"}
+"""Delays in s at which the explorer shows a device; 0 otherwise."""
+
+_SOFT = {"K": "1000", "B": "5"}
+"""The wall at which it shows a device for which none is recommended."""
 
 
-DEVICES = (
-    Preset(
-        "Phantom Premium 1.5",
-        {"m": "0.072", "b": "0.005", "k": "0", "T": "0.001", "t_d": "0.0015", "K": "800", "B": "5"},
-        "Mass and damping as published for its first axis; 800 N/m and 5 Ns/m are the largest that "
-        "CHAI3D allows for it.",
-    ),
-    Preset(
-        "A one-axis device of a course",
-        {"m": "0.04", "b": "0.8", "k": "0", "T": "0.001", "t_d": "0", "K": "1600", "B": "0"},
-        "Course notes on haptic rendering, which name 1600 N/m, twice the damping per millisecond.",
-    ),
-    Preset(
-        "Example 5.1 of the paper",
-        {"m": "0.1", "b": "0", "k": "0", "T": "0.001", "t_d": "0", "K": "1000", "B": "5"},
-        "m = 0.1 kg and T = 1 ms.",
-    ),
-    _driver("Force Dimension omega", "5000", "30", "CDeltaDevices.cpp"),
-    _driver("Force Dimension sigma", "4000", "30", "CDeltaDevices.cpp"),
-    _driver("Novint Falcon", "3000", "20", "CDeltaDevices.cpp"),
-    _driver("Phantom Omni", "700", "5", "CPhantomDevices.cpp"),
-)
+def _preset(device: published.Device) -> Preset:
+    """What is published of a device."""
+    moved = _moved(device) if device.mass else {}
+    known = {k: v for k, v in {**moved, "K": device.K, "B": device.B}.items() if v is not None}
+    if moved:
+        return Preset(device.name, {**_SOFT, **known}, device.source)
+    stays = " In the explorer they stay as they are."
+    return Preset(f"{device.name}, its driver's largest wall", known, device.source + stays)
+
+
+def _moved(device: published.Device) -> dict[str, str | None]:
+    """A device of known mass, at rest at 1 kHz."""
+    late = _LATE.get(device.name, "0")
+    return {"m": device.mass, "b": device.damping or "0", "k": "0", "T": "0.001", "t_d": late}
+
+
+DEVICES = tuple(map(_preset, published.DEVICES))
 
 ARMS = tuple(
     Preset(

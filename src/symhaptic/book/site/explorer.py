@@ -25,7 +25,13 @@ from symhaptic.rules import STATEMENTS as RULES
 
 NAME = "explorer"
 KERNELS = (
-    *("discretize", "discretize_late", "is_stable", "stability_boundary", "max_stable_stiffness"),
+    *(
+        "discretize",
+        "discretize_fractional",
+        "is_stable",
+        "stability_boundary",
+        "max_stable_stiffness",
+    ),
     *("passivity_margin", "passivity_margin_at", "max_passive_stiffness", "linear_limit"),
 )
 """What the page asks of the exporter."""

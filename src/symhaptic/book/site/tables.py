@@ -8,7 +8,16 @@ from symhaptic.book.ledger import Entry
 from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, says
 from symhaptic.book.site.chapter import in_words, kind, statement_link
-from symhaptic.book.site.words import container, display, heading, math, plain, table, words
+from symhaptic.book.site.words import (
+    breakable,
+    container,
+    display,
+    heading,
+    math,
+    plain,
+    table,
+    words,
+)
 from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import shown_by
@@ -48,12 +57,26 @@ def _use(entry: Entry) -> list[str]:
     where = [math(statement.domain)] if statement.domain else []
     where += [f"for {math(verdict.condition)}"] if verdict.condition else []
     out = [*shown, *([", ".join(where), ""] if where else [])]
-    return container("step", [*out, f"{statement_link(statement.id)} {kind(verdict.kind)}", ""])
+    said = container("verdict", [kind(verdict.kind), "", statement_link(statement.id)])
+    return container("step", [*out, *said])
 
 
 def errata(entries: Sequence[Entry]) -> str:
     """What is wrong, and what is right only under a condition."""
     out = [".. _errata:", "", *heading("Errata")]
+    rows = [["statement", "what it says", "verdict", "where"]]
+    for of, _ in CLASSES:
+        rows += [
+            [
+                f":ref:`{e.statement.id} <erratum-{e.statement.id}>`",
+                words(e.statement.says),
+                kind(e.verdict.kind),
+                plain(e.statement.location),
+            ]
+            for e in entries
+            if e.source is PAPER and e.verdict.claimed is of
+        ]
+    out += table("ledger", rows)
     for of, title in CLASSES:
         listed = [e for e in entries if e.source is PAPER and e.verdict.claimed is of]
         if listed:
@@ -97,7 +120,7 @@ def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
                 "own finding" if entry.own else plain(entry.statement.location),
-                f":doc:`chapter {number} <{name}>`" if name else "",
+                f":doc:`{number} <{name}>`" if name else "",
             ]
         )
     out = [".. _ledger:", "", *heading("Every statement and its verdict")]
@@ -114,9 +137,10 @@ def believed(entries: Sequence[Entry]) -> str:
         "",
     ]
     for rule, source in classical().items():
-        told = math(written(AXIOMS[rule].says)) if rule in AXIOMS else plain(says(rule))
+        told = breakable(written(AXIOMS[rule].says)) if rule in AXIOMS else plain(says(rule))
         out += [f".. _rule-{anchor(rule)}:", "", f".. rubric:: {plain(called(rule))}", ""]
-        out += [told, "", f"*Source:* {plain(source)}. Statements: {counts[rule]}.", ""]
+        out += container("claim", [told]) if rule in AXIOMS else [told, ""]
+        out += [f"*Source:* {plain(source)}. Statements: {counts[rule]}.", ""]
     out += heading("Predicates, and what they mean", "-")
     for name, (_, _, _, meaning) in MEANINGS.items():
         out += [f"**{plain(name.replace('_', ' '))}** {plain(meaning.replace('``', ''))}.", ""]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from symhaptic.book.tex.breaking import width
+
 _PLAIN = {
     r"\,": "\u202f",
     r"\%": "%",
@@ -33,6 +35,22 @@ def formula(tex: str) -> str:
 def math(tex: str) -> str:
     """A formula in a line of text."""
     return f":math:`{formula(tex)}`"
+
+
+def breakable(tex: str) -> str:
+    r"""A long formula in a line of text, as several between which the line may break.
+
+    >>> breakable(r"\forall\,x\ \text{with a\ b}\ x<1")
+    ':math:`\\forall\\,x` :math:`\\text{with a\\ b}` :math:`x<1`'
+    """
+    parts, depth = [""], 0
+    for token in re.findall(r"\\.|[^\\]", tex, re.DOTALL):
+        depth += (token == "{") - (token == "}")
+        if token == "\\ " and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += token
+    return " ".join(math(part) for part in parts if part.strip())
 
 
 def plain(text: str) -> str:
@@ -66,9 +84,37 @@ def words(text: str) -> str:
 
 def display(rows: Iterable[str]) -> list[str]:
     """Lines of a formula that stands by itself, one below the other."""
-    lines = [formula(row) for row in rows]
+    lines = [formula(part) for row in rows for part in _folded(row)]
     body = lines[0].replace("&", "") if len(lines) == 1 else _aligned(lines)
     return [".. math::", "", f"   {body}", ""]
+
+
+_WIDE = 30.0
+"""Em, beyond which a line is folded where the print may be."""
+
+
+def _folded(row: str) -> list[str]:
+    r"""A line at the places where print may break it, outside of braces, if it is long.
+
+    Brackets that grow cannot be parted, so they are of one size then.
+
+    >>> _folded(r"&b > \left( K \br + B \right)")
+    ['&b > \\left( K \\br + B \\right)']
+    """
+    if r"\br" not in row or width(row) < _WIDE:
+        return [row]
+    parts, depth = [""], 0
+    for token in re.findall(r"\\br\b|\\.|[^\\]", row, re.DOTALL):
+        depth += (token == "{") - (token == "}")
+        if token == r"\br" and depth == 0:
+            parts.append(r"&\quad ")
+        else:
+            parts[-1] += token
+    even = all(part.count(r"\left") == part.count(r"\right") for part in parts)
+    if even:
+        return parts
+    sized = (re.sub(r"\\left(?=[(\[])", r"\\bigl", part) for part in parts)
+    return [re.sub(r"\\right(?=[)\]])", r"\\bigr", part) for part in sized]
 
 
 def _aligned(lines: list[str]) -> str:

@@ -46,9 +46,24 @@ class Loops(NamedTuple):
         return Loops(Wall(*(a[at] for a in self.v)), self.gamma[at], self.delta[at])
 
     def stable(self, steps: Array, part: Array) -> NDArray[np.bool_]:
-        """Whether no root is outside behind ``steps`` and a fraction of a period."""
-        x = device(self.gamma, self.delta, part)
-        return np.asarray(stability.count(x, self.v, steps, False) == 0)
+        """Whether no root is outside behind ``steps`` and a fraction of a period.
+
+        By the kernel of all delays where the sum is one float64, as it is where parts are cut; the
+        error of a sum whose larger term comes first is that term's part which is not in it.
+        """
+        late = steps + part
+        whole = (late - steps == part) & (late <= arguments.LONGEST)
+        found = np.array(
+            stability.is_stable(
+                self.v.alpha, self.v.beta, self.gamma, self.delta, np.where(whole, late, 0.0)
+            )
+        )
+        left = np.flatnonzero(~whole)
+        if left.size:
+            some = self.take(left)
+            x = device(some.gamma, some.delta, part[left])
+            found[left] = stability.count(x, some.v, steps[left], False) == 0
+        return found
 
 
 class _Parts(NamedTuple):
@@ -136,7 +151,7 @@ def first_loss(loops: Loops, whole: Array) -> Array:
     ``whole`` is the first whole number of periods at which it is, or infinite.
     """
     search, none = _Search(loops, whole), np.zeros(whole.size)
-    stack = [_Parts(np.arange(whole.size), none, none + 1, none)]
+    stack = [_Parts(np.arange(whole.size), none, none + 1, none).cut()]
     while stack:
         parts = stack.pop()
         every = np.arange(parts.at.size)

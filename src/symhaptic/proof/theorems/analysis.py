@@ -57,7 +57,7 @@ def increases(
     variable is that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
-    hypotheses = _rising(expr, variable, lower, upper, slope, defined)
+    hypotheses = _rising(expr, variable, lower, upper, slope, defined) | conditions(lower, upper)
     return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
 
 

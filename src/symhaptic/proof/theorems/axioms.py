@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Abs, Expr, I, Symbol, atan, cos, cosh, exp, pi, sin, sinh, sqrt, symbols
+from sympy import Abs, Expr, I, Rational, Symbol, atan, cos, cosh, exp, pi, sin, sinh, sqrt, symbols
 
 from symhaptic import notation as n
 from symhaptic.notation.proposition import (
@@ -104,6 +104,9 @@ _quarter = [_lt(x, y), _le(-pi / 2, x), _le(y, pi / 2)]
 _believed("sin rises", _R + "5.11", [x, y], _quarter, _lt(sin(x), sin(y)))
 _half = [_lt(x, y), _le(0, x), _le(y, pi)]
 _believed("cos falls", _R + "5.11", [x, y], _half, _lt(cos(y), cos(x)))
+
+_right = And((_lt(0, p), _lt(-pi / 2, q), _lt(q, pi / 2), _eq(x, p * cos(q)), _eq(y, p * sin(q))))
+_believed("polar", _R + "8.7", [x, y], [_lt(0, x)], Exists((p, q), _right))
 
 _believed("not negative", "Peano", [x], [whole(x)], _le(0, x))
 _same = (_eq(g(x + 2 * pi * p), g(x)) for g in (sin, cos))
@@ -201,6 +204,29 @@ _believed(
     [DEVICE, whole(p), whole(q), _eq(d * (q + 1), p)],
     Iff((_named("stable_substituted", *LOOP), _stable(_late))),
 )
+_v = x + I * y
+_believed(
+    "half a period on the principal sheet",
+    "the principal root of z is the one to the right, v with z = v^2, and z^d = v^(2 d)",
+    [alpha, beta, gamma, delta, ell, *NUMBERS],
+    [DEVICE, whole(ell)],
+    Iff(
+        (
+            _named("stable_principal", alpha, beta, gamma, delta, ell + Rational(1, 2)),
+            ForAll(
+                (x, y),
+                implied(
+                    [_lt(0, x), _le(1, x**2 + y**2)],
+                    _ne(
+                        _v ** (2 * ell + 3) * (_v**4 - a * _v**2 + e)
+                        + (n_1 * _v**2 + n_0) * ((alpha + beta) * _v**2 - beta),
+                        0,
+                    ),
+                ),
+            ),
+        )
+    ),
+)
 _believed(
     "held by a pole",
     "as the paper has it, no pole of a stable loop has z^2 >= 1",
@@ -262,6 +288,13 @@ _believed(
     _eq(n_1, n_0),
 )
 _believed(
+    "free mass",
+    "t^2/2 is its way under the force 1",
+    [*NUMBERS],
+    [_named("device", 0, 0, *NUMBERS)],
+    _eq(n_1, Rational(1, 2)),
+)
+_believed(
     "device turns",
     "its poles are exp(-delta/2) times exp c and exp(-c), with c real or c = j w, w < pi",
     _numbers,
@@ -284,6 +317,81 @@ _believed(
     [*_numbers, theta],
     [DEVICE, _sprung, _damped, _lt(0, theta), _le(theta, pi)],
     _lt(delta * _way * _mirror(_way), (_work + _mirror(_work)) / 2),
+)
+
+# -- devices whose force is late by a fraction of a period ------------------------------
+
+m_2, m_1, m_0 = LATE_NUMBERS = n.m_2, n.m_1, n.m_0
+LATE_DEVICE = Predicate("late_device", (), (gamma, delta, epsilon, *LATE_NUMBERS, a, e))
+_M = m_2 * z**2 + m_1 * z + m_0
+_late_numbers = [gamma, delta, epsilon, *LATE_NUMBERS, *NUMBERS]
+_fraction = [_le(0, epsilon), _le(epsilon, 1)]
+
+
+def _equal(*pairs: tuple[Any, Any]) -> And:
+    return And(tuple(_eq(*pair) for pair in pairs))
+
+
+_believed(
+    "late device",
+    "a linear differential equation has one solution from each state",
+    [gamma, delta, epsilon],
+    _fraction,
+    Exists((*LATE_NUMBERS, *NUMBERS), And((LATE_DEVICE, DEVICE))),
+)
+_believed(
+    "late device and device",
+    "a force that does not change moves the device as it does without delay; and a force that "
+    "comes at once, or a whole period late",
+    _late_numbers,
+    [LATE_DEVICE, DEVICE],
+    _eq(m_2 + m_1 + m_0, n_1 + n_0),
+    implied([_eq(epsilon, 0)], _equal((m_2, n_1), (m_1, n_0), (m_0, 0))),
+    implied([_eq(epsilon, 1)], _equal((m_2, 0), (m_1, n_1), (m_0, n_0))),
+)
+_believed(
+    "undamped late device",
+    "1 - cos x t is the motion under the force x^2",
+    [x, epsilon, *LATE_NUMBERS, a, e],
+    [_named("late_device", x**2, 0, epsilon, *LATE_NUMBERS, a, e)],
+    _eq(x**2 * m_2, 1 - cos(x * (1 - epsilon))),
+    _eq(x**2 * (m_1 + (1 + a) * m_2), 1 - cos(x * (2 - epsilon))),
+)
+_believed(
+    "free late mass",
+    "t^2/2 is its way under the force 1",
+    [epsilon, *LATE_NUMBERS, a, e],
+    [_named("late_device", 0, 0, epsilon, *LATE_NUMBERS, a, e)],
+    _eq(m_2, (1 - epsilon) ** 2 / 2),
+    _eq(m_1 + (1 + a) * m_2, (2 - epsilon) ** 2 / 2),
+)
+_believed(
+    "loop of a late device",
+    "z^(l+2) A + M W: the state is that of the device and the forces under way",
+    [alpha, beta, gamma, delta, ell, epsilon, *LATE_NUMBERS, a, e],
+    [LATE_DEVICE, whole(ell), *_fraction],
+    Iff(
+        (
+            _named("stable_loop", alpha, beta, gamma, delta, ell + epsilon),
+            _stable(z ** (ell + 2) * _A + _M * ((alpha + beta) * z - beta)),
+        )
+    ),
+)
+_off_straight = _M.xreplace({z: _turn}) - (epsilon + (1 - epsilon) * _turn) * (n_1 * _turn + n_0)
+_believed(
+    "late held steady state",
+    "as above, of each force from its beginning: p is the way of its whole period, and where its "
+    "sample is taken, after 1 - epsilon, the device is off a straight motion by q; delta p^2 + "
+    "delta q^2/(epsilon (1 - epsilon)) is burnt at constant speeds, and the speed is not constant",
+    [*_late_numbers, theta],
+    [
+        *(LATE_DEVICE, DEVICE, _sprung, _damped),
+        *(_lt(0, epsilon), _lt(epsilon, 1), _lt(0, theta), _le(theta, pi)),
+    ],
+    _lt(
+        delta * (_off * _way * _mirror(_way) + _off_straight * _mirror(_off_straight)),
+        _off * (_work + _mirror(_work)) / 2,
+    ),
 )
 
 # -- what a held force does at the samples ---------------------------------------------

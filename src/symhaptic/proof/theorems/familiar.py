@@ -137,6 +137,11 @@ def with_rest(of: Any, divisor: Any, turns: Symbol) -> Theorem:
     return _renamed(axiom("rest", of, divisor), turns)
 
 
+def polar(along: Any, across: Any, size: Symbol, angle: Symbol) -> Theorem:
+    """For 0 < x there are r and k with x = r cos k, y = r sin k, 0 < r and -pi/2 < k < pi/2."""
+    return _renamed(axiom("polar", along, across), size, angle)
+
+
 def _renamed(existence: Theorem, *names: Symbol) -> Theorem:
     """There is an x, by other names."""
     claim = existence.conclusion

@@ -15,6 +15,9 @@ from sympy import Expr, Symbol
 
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1
 from symhaptic.notation.proposition import (
+    And,
+    ForAll,
+    Implies,
     Not,
     Predicate,
     Proposition,
@@ -26,7 +29,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.proof.ball import largest_root, sign
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.normal import Field, is_zero
-from symhaptic.proof.plants import AT_ONE, LOSS, TOGETHER, Named
+from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHER, Named
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
@@ -214,12 +217,16 @@ def on_certificate(certificate: Positive, expr: Expr) -> Judgement:
     """That the symbols lie in the box, and 0 < expr, where the certificate says so of it."""
     if not real(expr) or not recheck(certificate):
         raise NotShown(f"the certificate does not show that {expr} is positive")
-    ends = [
+    return on_sides(certificate), Relation(_ZERO, "<", expr)
+
+
+def on_sides(certificate: Positive) -> set[Proposition]:
+    """That the symbols lie in the box."""
+    return {
         Relation(x, "<=", y)
         for s, (low, high) in certificate.box.items()
         for x, y in ((term(low), s), (s, term(high)))
-    ]
-    return ends, Relation(_ZERO, "<", expr)
+    }
 
 
 @rule
@@ -245,6 +252,47 @@ def on_plants(certificate: Positive) -> Judgement:
     fresh = replace(certificate, given=Named(dict(given.meanings)))
     ends, claim = on_certificate(fresh, expr)
     return {device, *ends}, claim
+
+
+@rule
+def more_damped(
+    certificate: Positive, expr: Any, larger: Symbol, numbers: Sequence[Symbol]
+) -> Judgement:
+    """f(delta) < f(delta') of two devices with one spring, from 0 < df/ddelta on a box of plants.
+
+    f is a polynomial in the numbers n1, n0, a and e, in gamma, delta and the other sides of the
+    box; ``larger`` is delta', and ``numbers`` those of its device.  The certificate's balls are
+    those of the derivatives, too; mean value theorem, Rudin, 5.10.
+    """
+    given = certificate.given if isinstance(certificate, Positive) else None
+    if type(given) is not Named:
+        raise NotShown("a certificate of a box of plants is wanted")
+    expr, sides, plant = term(expr), set(certificate.box), (n_1, n_0, a, e)
+    names, meant = {*plant, *SLOPES, *NUMBERS}, set(given.meanings)
+    if sides & (names | meant) or not {gamma, delta} <= sides or meant & (set(plant) - {n_0}):
+        raise NotShown("a number of the plant is no side of the box")
+    if not expr.free_symbols <= sides | set(plant) or not expr.is_polynomial(*expr.free_symbols):
+        raise NotShown(f"{expr} is no polynomial in the plant's numbers and the sides of the box")
+    other = (larger, *numbers)
+    named = all(isinstance(s, Symbol) and real(s) for s in other) and len(set(other)) == 5
+    if not named or set(other) & (sides | names | meant) or not real(expr):
+        raise NotShown("the other device has names of its own, of real numbers")
+    by_balls = expr.xreplace(BALLS)
+    slope = sp.diff(by_balls, delta) + sp.Add(
+        *(sp.diff(by_balls, x) * dx for x, dx in zip(NUMBERS, SLOPES, strict=True))
+    )
+    fresh = replace(certificate, given=Named(dict(given.meanings)))
+    claimed = term(certificate.expr).xreplace(dict(given.meanings))
+    if not is_zero(sp.expand(claimed - slope)) or not recheck(fresh):
+        raise NotShown(f"the certificate is not of the slope {slope}")
+    ends = on_sides(certificate)
+    ends |= {p.at({delta: larger}) for p in ends}
+    devices = (
+        Predicate("device", (), (gamma, *some)) for some in ((delta, *plant), (larger, *numbers))
+    )
+    after = expr.xreplace({delta: larger, **dict(zip(plant, numbers, strict=True))})
+    known = {*ends, *devices, *conditions(expr, after), Relation(delta, "<", larger)}
+    return known, Relation(expr, "<", after)
 
 
 @rule
@@ -291,3 +339,37 @@ def root_outside(polynomial: Any, variable: Symbol) -> Judgement:
     if expr.free_symbols != {variable} or not largest_root(expr) > 1:
         raise NotShown("no zero is shown to be outside")
     return (), Not((Predicate("stable", (variable,), (expr,)),))
+
+
+@rule
+def none_right(polynomial: Any, variable: Symbol, along: Symbol, across: Symbol) -> Judgement:
+    """p(x + j y) != 0 for 0 < x and 1 <= x^2 + y^2, of a p with numbers for coefficients: by balls
+    no zero that may lie to the right is as large."""
+    expr, outside, value = _outside_right(polynomial, variable, along, across)
+    if not largest_root(expr, keep=lambda zero: not zero.real < 0) < 1:
+        raise NotShown("a zero may lie outside, to the right")
+    never = Implies((outside, Relation(value, "!=", _ZERO)))
+    return (), ForAll((along, across), never)
+
+
+@rule
+def one_right(polynomial: Any, variable: Symbol, along: Symbol, across: Symbol) -> Judgement:
+    """Not so: by balls a zero lies outside, to the right."""
+    expr, outside, value = _outside_right(polynomial, variable, along, across)
+    if not largest_root(expr, keep=lambda zero: zero.real > 0) > 1:
+        raise NotShown("no zero is shown to lie outside, to the right")
+    never = Implies((outside, Relation(value, "!=", _ZERO)))
+    return (), Not((ForAll((along, across), never),))
+
+
+def _outside_right(
+    polynomial: Any, variable: Symbol, along: Symbol, across: Symbol
+) -> tuple[Expr, Proposition, Expr]:
+    """A polynomial in numbers, 0 < x and 1 <= x^2 + y^2, and its value at x + j y."""
+    expr = term(polynomial)
+    if expr.free_symbols != {variable} or not expr.is_polynomial(variable):
+        raise NotShown(f"{expr} is no polynomial in {variable} with numbers for coefficients")
+    if along == across or not (real(along) and real(across)):
+        raise NotShown(f"{along} and {across} are no two real symbols")
+    outside = And((Relation(_ZERO, "<", along), Relation(sp.S.One, "<=", along**2 + across**2)))
+    return expr, outside, expr.xreplace({variable: along + sp.I * across})

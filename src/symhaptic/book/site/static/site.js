@@ -23,7 +23,7 @@ document.addEventListener("DOMContentLoaded", () => {
 
 // what scrolls can be reached by keyboard
 function focusable() {
-  for (const box of document.querySelectorAll("div.math, .claim p, .answer p, .statement p")) {
+  for (const box of document.querySelectorAll("div.math, .claim p, .answer p, .statement p, .verdict p, pre")) {
     if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
     else box.removeAttribute("tabindex");
   }

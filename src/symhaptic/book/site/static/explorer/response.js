@@ -7,7 +7,7 @@
   explorer.response = (n) => {
     const whole = Math.floor(n.d);
     const [n1, n0, a, e] = haptic.discretize(n.gamma, n.delta);
-    const [m2, m1, m0] = haptic.discretize_late(n.gamma, n.delta, n.d - whole);
+    const [m2, m1, m0] = haptic.discretize_fractional(n.gamma, n.delta, n.d - whole);
     const swing = Math.sqrt(Math.abs(n.alpha + n.gamma)) || 0.05;
     const count = Math.max(60, Math.min(MOST, Math.ceil((8 * Math.PI) / swing + 6 * n.d)));
     const x = [];

@@ -1,0 +1,113 @@
+"""Every public name, from its docstring by autodoc, with what its arguments are and its formula."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterator
+from typing import Any
+
+import symhaptic
+from symhaptic.book.site.words import display, heading, math, plain, table
+from symhaptic.book.tex.words import anchor
+from symhaptic.forms.stable import STATEMENTS
+from symhaptic.notation import SYMBOLS
+from symhaptic.paper import STATEMENTS as PRINTED
+
+PUBLIC = tuple(symhaptic.__all__)
+
+GROUPS = {
+    "A device in SI units": ("Scene",),
+    "Stable walls": (
+        *("is_stable", "max_stable_stiffness", "delay_margin", "stability_boundary"),
+        *("stable_region", "robust_region", "unstable_roots", "characteristic_polynomial"),
+        *("grid_boundary", "linear_limit"),
+    ),
+    "Passive walls": (
+        *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_boundary"),
+    ),
+    "The sampled device": ("discretize",),
+    "Formulas and proofs": (
+        *("formula", "lambdify", "prove", "enclose", "enclose_maximum", "recheck"),
+        *("Formula", "Verdict"),
+    ),
+    "What is given back": ("Extremum", "Region"),
+}
+
+_OTHERS = "More"
+
+_SPELT = {"delay": "d", "omega": "omega_hat"}
+"""Arguments that are not spelt as their symbol."""
+
+SETTINGS = {
+    "autodoc_typehints": "none",
+    "autodoc_member_order": "bysource",
+    "autodoc_inherit_docstrings": False,
+    "nitpick_ignore_regex": [("py:.*", r"(?!symhaptic\.)\w+")],  # of Python itself
+}
+"""Sphinx's."""
+
+
+def pages() -> dict[str, str]:
+    """The page of all names; those that no group has come last."""
+    known = {name for names in GROUPS.values() for name in names}
+    groups = {**GROUPS, _OTHERS: tuple(name for name in PUBLIC if name not in known)}
+    out = [".. _reference:", "", *heading("Every name")]
+    out += [
+        "All are imported from ``symhaptic``. Numbers are dimensionless, in the parameters of "
+        "Table I, where they are Greek: :math:`\\alpha=KT^2/m`, :math:`\\beta=BT/m`, "
+        ":math:`\\gamma=kT^2/m`, :math:`\\delta=bT/m`; a delay is in periods.",
+        "",
+        ".. currentmodule:: symhaptic",
+        "",
+    ]
+    for title, names in groups.items():
+        if names:
+            out += heading(title, "-")
+            out += [line for name in names if name in PUBLIC for line in _entry(name)]
+    return {"reference": "\n".join(out) + "\n"}
+
+
+def _entry(name: str) -> list[str]:
+    thing = getattr(symhaptic, name)
+    if inspect.isclass(thing):
+        return [f".. autoclass:: {name}", "   :members:", ""]
+    return [
+        *heading(f"``{name}``", "~"),
+        f".. autofunction:: {name}",
+        "",
+        *_arguments(thing),
+        *_formula(name),
+    ]
+
+
+def _arguments(function: Any) -> list[str]:
+    """Symbol, unit and domain of each argument that is a symbol of the notation."""
+    rows = []
+    for name in inspect.signature(function).parameters:
+        known = SYMBOLS.get(_SPELT.get(name, name))
+        if known is not None and function.__module__.startswith("symhaptic.numeric"):
+            rows.append(
+                [f"``{name}``", math(known.latex), known.unit, known.domain, plain(known.meaning)]
+            )
+    head = ["argument", "symbol", "unit", "domain", "meaning"]
+    return table("arguments", [head, *rows]) if rows else []
+
+
+def _formula(name: str) -> list[str]:
+    """What the paper prints of it, and where that is settled."""
+    out: list[str] = []
+    for id in STATEMENTS.get(name, ()):
+        place = f":ref:`({id.removeprefix('eq')}) <statement-{anchor(id)}>`"
+        out += [f"In the paper it is {place}, as printed:", ""]
+        out += display(f"&{line}" for line in PRINTED[id].latex)
+    return out
+
+
+def docstrings() -> Iterator[str]:
+    """Whatever autodoc takes over, for its formulas."""
+    for name in PUBLIC:
+        thing = getattr(symhaptic, name)
+        yield inspect.getdoc(thing) or ""
+        for member, of in vars(thing).items() if inspect.isclass(thing) else ():
+            if not member.startswith("_"):
+                yield inspect.getdoc(of) or ""
