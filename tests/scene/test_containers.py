@@ -85,6 +85,23 @@ def test_one_number_in_a_container_is_that_number():
     assert SCENE.limit_at(xarray.DataArray(5.0)) == SCENE.limit_at(5.0)
 
 
+def test_limits_at_many_dampings_keep_labels_units_and_laziness():
+    pandas, xarray, dask = library("pandas"), library("xarray"), library("dask.array")
+    unit = library("pint").UnitRegistry()
+    B = np.array([0.0, 5.0])
+    wanted = SCENE.limit_at(B)
+    rows = SCENE.limit_at(pandas.Series(B, index=["a", "b"]))
+    named = SCENE.limit_at(xarray.DataArray(B, dims="wall"))
+    lazy = SCENE.limit_at(dask.from_array(B))
+    measured = SCENE.limit_at(B / 1000 * unit("N*s/mm"))
+    assert list(rows.K.index) == ["a", "b"]
+    assert named.frequency_hz.dims == ("wall",)
+    for found in (rows, named, [one.compute() for one in lazy]):
+        assert [list(one) for one in found] == [list(one) for one in wanted]
+    for one, expected, name in zip(measured, wanted, ("N/m", "N*s/m", "Hz"), strict=True):
+        assert one.to(name).magnitude == pytest.approx(expected)
+
+
 def test_a_bound_takes_units():
     unit = library("pint").UnitRegistry()
     arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=1e-3, delay=1e-3)
@@ -93,11 +110,11 @@ def test_a_bound_takes_units():
 
 
 def test_what_cannot_be_kept_is_refused_on_one_line():
-    pandas, xarray = library("pandas"), library("xarray")
+    pandas = library("pandas")
     walls, words = pandas.Series(WALLS), pandas.Series(["a", "b"])
     refused = {
         "damping": lambda: Scene(mass=0.1, damping=walls, sampling_period=1e-3),
-        "B": lambda: SCENE.limit_at(xarray.DataArray(WALLS, dims="wall")),
+        "B": lambda: SCENE.limit_at(words),
         "alpha": lambda: SCENE.limit(walls, 1.0, 1.0),
         "K": lambda: SCENE.is_stable(words, 1.0),
         "beta": lambda: is_stable(0.1, words, 0.0, 0.0, 0.0),

@@ -17,11 +17,9 @@ from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
 
-    import numpy as np
     from matplotlib.axes import Axes
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
     from symhaptic.bounds.simplest.choose import Simplest
     from symhaptic.scene.arms import Arm
@@ -360,12 +358,13 @@ class Scene:
         _, delta, delay = self.dimensionless
         return Stiffness(*self._wall(*max_passive_stiffness(delta, delay)))
 
-    def limit_at(self, B: float | Sequence[float] | NDArray[np.float64]) -> Limit:
+    def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
-        Returns K, ``B`` and the frequency in Hz at which the loop swings there, arrays where ``B``
-        is one; K is NaN where no stiffness makes a wall of this damping stable.  It is a supremum,
-        found among the crossings of the explicit boundary; K may also have a lower limit.
+        Returns K, ``B`` and the frequency in Hz at which the loop swings there, arrays like ``B``
+        where it is one, also of xarray, Dask, pandas and Pint; K is NaN where no stiffness makes a
+        wall of this damping stable.  It is a supremum, found among the crossings of the explicit
+        boundary; K may also have a lower limit.
 
         Raises :class:`ValueError` for a ``B`` that is no finite number.
 

@@ -182,18 +182,29 @@ def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
 
 
 def limit_at(scene: Scene, B: Any) -> Limit:
-    """The largest stable stiffness at one damping, or at each of many."""
+    """The largest stable stiffness at each of many dampings."""
     from symhaptic.numeric.tracing.extremes import stiffest_at
 
     gamma, delta, delay = scene.dimensionless
-    damping = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
-    arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
     scale = scene.sampling_period / scene.mass
-    found = [
-        scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in (damping * scale).flat
-    ]
-    K, hz = (np.array([getattr(f, name) for f in found]) for name in ("K", "frequency_hz"))
-    return Limit(K.reshape(damping.shape), damping, hz.reshape(damping.shape))
+
+    def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
+        arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
+        found = [
+            scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in (damping * scale).flat
+        ]
+        table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
+        return table.reshape(2, *damping.shape)
+
+    @kept(K=float, B=float, frequency_hz=float)
+    def answer(B: Any) -> Any:
+        given = Given(B=B)
+        K, hz = given.by_numpy(rows, 2)
+        return K, given.values[0], hz
+
+    K, damping, hz = answer(in_unit("B", B, "N*s/m"))
+    units = ((K, "N/m"), (damping, "N*s/m"), (hz, "Hz"))
+    return Limit(*(with_unit(found, unit, B) for found, unit in units))
 
 
 _STEP = 1e-4
