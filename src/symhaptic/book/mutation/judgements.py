@@ -1,25 +1,42 @@
-"""A statement's theorem held against another claim, or with a part of its case left out."""
+"""A statement's theorem held against another claim, or with a part of its case left out.
+
+A claim is changed everywhere: each quantifier, connective, sign and formula in it, one at a time.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
+    And,
+    Exists,
     ForAll,
+    Iff,
+    Implies,
     Not,
+    NoTerm,
+    Or,
+    Predicate,
     Proposition,
     Relation,
     implied,
 )
 from symhaptic.notation.written import written
 from symhaptic.proof.change import Change
+from symhaptic.proof.mutants import few
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
 from symhaptic.proof.verdict import Kind, Unfounded
 
 CONTRARY = "the contrary"
+
+_TURNED = {"<": "<=", "<=": "<", "=": "!=", "!=": "="}
+
+_FORMULAS = 2
+"""So many changes of the terms of each relation and predicate."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +80,55 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
             yield put("claim", what, said=other)
     if judged.instead is not None:
         yield put("claim", "what holds instead", said=judged.instead)
+    if kind not in WRONG:
+        for how, what, other in _changed(claim):
+            yield put(how, what, said=other)
+    elif judged.instead is not None:
+        for how, what, other in _changed(judged.instead):
+            yield put(how, f"instead: {what}", replace(judged, instead=other))
+
+
+def _changed(
+    claim: Proposition, put: Callable[[Proposition], Proposition] = lambda whole: whole
+) -> Iterator[tuple[str, str, Proposition]]:
+    """Every part of a claim changed at its root: kind, what was done, and the whole."""
+    for kind, other in _here(claim):
+        yield kind, f"{written(other)} for {written(claim)}", put(other)
+    for i, part in enumerate(claim.parts):
+        yield from _changed(part, partial(_replaced, claim, i, put))
+
+
+def _replaced(
+    whole: Proposition, place: int, put: Callable[[Proposition], Proposition], part: Proposition
+) -> Proposition:
+    parts = (*whole.parts[:place], part, *whole.parts[place + 1 :])
+    return put(whole.made(whole.bound, whole.terms, parts))
+
+
+def _here(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
+    """The other quantifier, connective or sign, or another formula on a side."""
+    if isinstance(claim, ForAll | Exists):
+        other = Exists if isinstance(claim, ForAll) else ForAll
+        yield "claim", other(claim.over, claim.body)
+    elif isinstance(claim, Implies | Iff):
+        one, then = claim.of
+        if isinstance(claim, Implies):
+            yield "claim", Implies((then, one))
+        yield "claim", Iff((one, Not((then,))))
+    elif isinstance(claim, And | Or) and len(claim.of) > 1:
+        yield "claim", (Or if isinstance(claim, And) else And)(claim.of)
+    elif isinstance(claim, Not):
+        yield "claim", claim.of[0]
+    elif isinstance(claim, Relation):
+        yield "claim", Relation(claim.left, _TURNED[claim.sign], claim.right)
+        if claim.sign in ("<", "<="):
+            yield "claim", Relation(claim.right, claim.sign, claim.left)
+    if isinstance(claim, Relation | Predicate):
+        for mutant in few(claim.terms, _FORMULAS):
+            try:
+                yield "formula", claim.made(claim.bound, mutant.form, ())
+            except NoTerm:  # 1/0 for 1/x
+                continue
 
 
 def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
