@@ -74,7 +74,7 @@ def test_no_step_says_that_a_thing_is_itself(chapters):
 
 
 def test_the_same_from_run_to_run(some):
-    """Of some chapters; `symhaptic report --check` does the same for all, in another process."""
+    """Of some chapters in one process; the next test does the same for all, across processes."""
     again = [run(path) for path in shipped() if path.stem.startswith("s2")]
     assert build.text_files(again) == build.text_files(some)
 
