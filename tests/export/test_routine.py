@@ -88,21 +88,23 @@ def test_closed_branches_are_the_definition(name):
 
 @cache
 def steps(name):
-    """The steps of a routine as functions of all that is known before, in mpmath."""
+    """The steps of a routine in mpmath: each one's name, what it is made of, and a function."""
     routine = inlined(ROUTINES[name], ROUTINES)
     modules = [{n: partial(run, n) for n in ROUTINES}, {"TwoProdError": lambda *_: 0}, "mpmath"]
-    before, found = list(routine.arguments), []
+    found = []
     for symbol, expr in (*routine.steps, (None, routine.results[0][1])):
-        found.append(sp.lambdify(before, expr, modules))
-        before = [*before, symbol]
-    return found
+        of = sorted(sp.sympify(expr).free_symbols, key=str)
+        found.append((symbol, of, sp.lambdify(of, expr, modules)))
+    return routine.arguments, found
 
 
 def run(name, *values):
     """A routine in as many digits as are asked for, which has nothing to put back then."""
-    for step in steps(name):
-        values = (*values, step(*values))
-    return values[-1]
+    arguments, found = steps(name)
+    known = dict(zip(arguments, values, strict=True))
+    for symbol, of, made in found:
+        known[symbol] = made(*(known[s] for s in of))
+    return known[None]
 
 
 PAIRS = [("0.01", "0.1"), ("3.99", "0.01"), ("3.9", "3.97"), ("4.9", "4.43"), ("3.99", "3"),
