@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
@@ -82,8 +83,9 @@ def direct(block: Block) -> Block:
     last = {s.expr for s in found if isinstance(s, Set)}
     if found and isinstance(found[-1], Return):
         last |= set(found[-1].results)
+    uses = _uses(found)
     once = {s.name: s.expr for s in found if isinstance(s, Assign) and s.name in last
-            and _uses(found, s.name) == 1}  # fmt: skip
+            and uses[s.name] == 1}  # fmt: skip
     return tuple(
         _replaced(s, once) if isinstance(s, (Set, Return)) else s
         for s in found
@@ -91,15 +93,17 @@ def direct(block: Block) -> Block:
     )
 
 
-def _uses(block: Iterable[Statement], name: Symbol) -> int:
-    """How often a name is read, at least; more than once where that is inside of a block."""
-    count = 0
+def _uses(block: Iterable[Statement]) -> Counter[Symbol]:
+    """How often each name is read, at least; more than once where that is inside of something."""
+    count: Counter[Symbol] = Counter()
     for statement in block:
         if isinstance(statement, (Set, Return)):
-            count += sum(e == name for e in expressions(statement))
-            count += sum(2 for e in expressions(statement) if e != name and name in e.free_symbols)
-        elif name in inputs((statement,)):
-            count += 2
+            for expr in expressions(statement):
+                for name in expr.free_symbols:
+                    count[name] += 1 if expr == name else 2
+        else:
+            for name in inputs((statement,)):
+                count[name] += 2
     return count
 
 
