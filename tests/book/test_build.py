@@ -151,6 +151,13 @@ def test_an_overfull_line_is_an_error(tmp_path):
         tex.typeset(tmp_path, say=lambda _: None)
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Without the pictures of what was measured, which other tests look at."""
+    monkeypatch.setattr(build, "_measured", lambda folder, say: None)
+
+
+@pytest.mark.usefixtures("undrawn")
 def test_a_chapter_whose_derivation_is_gone_is_stale_and_goes(some, tmp_path):
     build.write(some, tmp_path, pdf=False, say=lambda _: None)
     gone, kept = tmp_path / "s9_gone.tex", tmp_path / "mine.tex"
@@ -174,6 +181,7 @@ def test_a_file_that_no_report_wrote_is_not_written_over(tmp_path):
         assert (target / name).read_text() == "mine"
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_report_is_written_over_by_the_next(tmp_path):
     for _ in range(2):
         build.write([chapter("s3d_figures")], tmp_path, pdf=False, say=lambda _: None)
