@@ -80,9 +80,25 @@ def is_complex(symbol: Expr) -> bool:
     return symbol.is_complex is not None or (entry is not None and entry.domain == "complex")
 
 
-@lru_cache(maxsize=8192)
+_REWRITTEN = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.re, sp.im)
+
+
 def as_exponentials(expr: Expr) -> Expr:
     """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
+    left, seen = [expr], set[int]()
+    while left:
+        part = left.pop()
+        if part.args and id(part) not in seen:
+            if isinstance(part, _REWRITTEN):
+                return _rewritten(expr)
+            seen.add(id(part))
+            left += part.args
+    return expr
+
+
+@lru_cache(maxsize=8192)
+def _rewritten(expr: Expr) -> Expr:
+    """The same of an expression that holds one of them."""
     j = sp.I
 
     def pair(u: Expr) -> tuple[Expr, Expr]:
@@ -107,7 +123,8 @@ def as_exponentials(expr: Expr) -> Expr:
     if isinstance(expr, sp.exp):
         return sp.exp(as_exponentials(expr.args[0]), evaluate=False)
     if expr.is_Add or expr.is_Mul:
-        return expr.func(*map(as_exponentials, expr.args), evaluate=False)
+        args = tuple(map(as_exponentials, expr.args))
+        return expr if args == expr.args else expr.func(*args, evaluate=False)
     if expr.is_Pow:
         return expr.func(*map(as_exponentials, expr.args))
     return expr
