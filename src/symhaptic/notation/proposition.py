@@ -148,9 +148,9 @@ def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any
 
 
 @cache
-def _own(kind: type[Proposition]) -> tuple[str, ...]:
+def _own(kind: type[Any]) -> tuple[str, ...]:
     """The fields of a proposition that are text: its sign or its name."""
-    return tuple(f.name for f in fields(kind) if f.type == "str")  # type: ignore[arg-type]
+    return tuple(f.name for f in fields(kind) if f.type == "str")
 
 
 @dataclass(frozen=True, eq=False)

@@ -64,9 +64,7 @@ class Field:
 
     # -- what occurs -----------------------------------------------------------------
 
-    def _collect(
-        self, expr: Expr, symbols: set[Expr], outside: set[Expr], seen: set[int]
-    ) -> None:
+    def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr], seen: set[int]) -> None:
         """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
         spend(1)
         if id(expr) in seen or expr.is_Rational or expr is sp.I or expr is sp.pi:
