@@ -140,7 +140,7 @@ def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any
     depth += len(of.bound)
     return (
         type(of).__name__,
-        tuple(getattr(of, name) for name in _own(type(of))),
+        tuple(getattr(of, name) for name in _own(type(of))),  # type: ignore[arg-type]
         tuple(is_complex(s) for s in of.bound),
         tuple(t.xreplace(places) for t in of.terms) if places else of.terms,
         tuple(_key(p, places, depth) for p in of.parts),
