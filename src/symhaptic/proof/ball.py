@@ -155,14 +155,14 @@ def largest_root(
     return found
 
 
-def all_inside(polynomial: Expr, variable: sp.Symbol) -> bool:
+def zeros_inside(polynomial: Expr, variable: sp.Symbol) -> bool:
     """Whether all zeros of a polynomial with numbers for coefficients are shown to lie in |z| < 1.
 
     By Schur's reduction: they do if and only if |c| < 1, c = p(0)/conj p_n, and those of the
     polynomial (p - c p*)/z do, p* = z^n conj p(1/conj z), which has one zero less.
 
     >>> z = sp.Symbol("z")
-    >>> all_inside(2*z**2 - z + 1, z), all_inside(z**2 - z + 1, z)
+    >>> zeros_inside(2*z**2 - z + 1, z), zeros_inside(z**2 - z + 1, z)
     (True, False)
     """
     named: dict[Expr, Expr] = {}

@@ -126,7 +126,8 @@ def _rewritten(expr: Expr) -> Expr:
         args = tuple(map(as_exponentials, expr.args))
         return expr if args == expr.args else expr.func(*args, evaluate=False)
     if expr.is_Pow:
-        return expr.func(*map(as_exponentials, expr.args))
+        base, power = map(as_exponentials, expr.args)
+        return sp.Pow(base, power, evaluate=not power.is_Integer)
     return expr
 
 
