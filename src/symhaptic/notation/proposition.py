@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -127,9 +127,20 @@ class Proposition:
         inner = {**values, **fresh}
         return self.made(
             tuple(fresh.get(s, s) for s in self.bound),
-            tuple(t.xreplace(inner) for t in self.terms),
+            replaced(self.terms, inner),
             tuple(p.at(inner) for p in self.parts),
         )
+
+
+def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
+    """The terms with others in place of symbols."""
+    return _replaced(terms, frozenset((s, sp.sympify(v)) for s, v in values.items()))
+
+
+@lru_cache(maxsize=1 << 10)
+def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -> tuple[Expr, ...]:
+    known = dict(values)
+    return tuple(t.xreplace(known) for t in terms)
 
 
 _PLACES = [sp.Dummy(f"bound_{i}") for i in range(64)]

@@ -109,7 +109,8 @@ def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem
         [signs["u"], stiff],
         [signs["uu"], stiff, stiff],
     )
-    contrary = absurd(positive(4 * bend * value > 0, [4, turn, known]), less)
+    above = Relation(S.Zero, "<", 4 * bend * value)
+    contrary = absurd(positive(above, [4, turn, known]), less)
     wanted = Relation(alpha, "<", limit)
     found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
     return of_every_plant(found)

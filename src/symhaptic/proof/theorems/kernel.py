@@ -40,6 +40,7 @@ from symhaptic.notation.proposition import (
     is_complex,
     negated,
     proposition,
+    replaced,
     term,
     without_value,
 )
@@ -426,9 +427,8 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
     while stack:
         current, inside = stack.pop()
         bound = set(inside) | set(current.bound)
-        here = {s: term(v) for s, v in values.items() if s not in bound}
-        for old in current.terms:
-            new = old.xreplace(here)
+        here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
+        for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
             kept = conditions(new)
