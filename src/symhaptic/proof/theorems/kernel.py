@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
-from functools import wraps
+from functools import cache, wraps
 from importlib import import_module
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
@@ -158,13 +158,18 @@ def _exactly(part: Any) -> Any:
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
-        names = (f.name for f in fields(part))  # type: ignore[arg-type]
+        names = _fields(type(part))  # type: ignore[arg-type]
         return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
     if isinstance(part, (str, int, NoneType)):
         return type(part).__name__, part
     if isinstance(part, Mapping):
         return _exactly(("at", *part.items()))
     return None
+
+
+@cache
+def _fields(kind: type[Any]) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
 
 
 def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
