@@ -11,9 +11,8 @@ from typing import Any
 
 import sympy as sp
 from sympy import Expr, Symbol
-from sympy.polys.matrices import DomainMatrix
 
-from symhaptic.model.jury import half_planes, inner
+from symhaptic.model.jury import determinant, half_planes, inner
 from symhaptic.notation.proposition import (
     And,
     Iff,
@@ -136,19 +135,9 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     if falling[0] != 1 or degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} is not monic and real by its form")
     inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
-    positive = [*half_planes(falling[::-1]), *map(_determinant, inners)]
+    positive = [*half_planes(falling[::-1]), *map(determinant, inners)]
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
     return conditions(*falling), Iff((_zeros(polynomial, variable), wanted))
-
-
-def _determinant(matrix: sp.Matrix) -> Expr:
-    """As polynomials, where the entries are such in symbols, with rational coefficients."""
-    exact = DomainMatrix.from_Matrix(matrix)
-    ring = exact.domain
-    rational = ring.is_PolynomialRing and ring.domain in (sp.ZZ, sp.QQ)
-    if rational and all(symbol.is_Symbol for symbol in ring.symbols):
-        return ring.to_sympy(exact.det())
-    return matrix.det(method="berkowitz")
 
 
 @rule
