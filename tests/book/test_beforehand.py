@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from symhaptic.book.beforehand import prepare
+from symhaptic.book.beforehand import Beforehand, prepare
 from symhaptic.book.lemmas import softer
 
 HEAD = 'r"""A title.\n\nWords.\n"""\n'
@@ -34,3 +34,11 @@ def test_a_lemma_of_two_chapters_is_derived_and_none_of_them_is_run(chapters):
 def test_a_lemma_of_one_chapter_is_its_own_affair(chapters):
     prepare(chapters[1:])
     assert softer.within_the_damper.cache_info().currsize == 0
+
+
+def test_a_chapter_waits_for_the_lemmas_that_it_shares_and_for_no_others(chapters):
+    beforehand = Beforehand(chapters)
+    assert [beforehand.ready(i) for i in range(4)] == [False, False, True, True]
+    while beforehand.derive():
+        pass
+    assert all(map(beforehand.ready, range(4)))

@@ -1,6 +1,7 @@
 """A ball contains the value, is narrow, and never shows more than it contains."""
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, ctx
@@ -8,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Abs, Eq, I, Rational, cos, exp, pi, re, sin, sqrt, tan
 
-from symhaptic.proof.ball import ball, differs_from_zero, sign, value_at
+from symhaptic.proof.ball import ball, differs_from_zero, sign, value_at, zeros_inside
 from symhaptic.proof.rewriting import Unsupported
 
 x, y, d = sp.symbols("x y d")
@@ -144,3 +145,38 @@ def test_equality_at_a_point_is_not_denied_without_a_ball():
     except Unsupported:
         found = None
     assert found is not False
+
+
+z = sp.Symbol("z")
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.integers(-9, 9), min_size=2, max_size=9).filter(lambda c: c[0] != 0))
+def test_zeros_are_inside_where_numpy_finds_them_there(falling):
+    largest = max(abs(np.roots(falling)), default=0.0)
+    shown = zeros_inside(sp.Poly(falling, z).as_expr() + 0 * z, z) if any(falling[1:]) else True
+    if largest > 1 - 1e-9:
+        assert not shown
+    elif largest < 1 - 1e-6:
+        assert shown
+
+
+@pytest.mark.parametrize(
+    "polynomial",
+    [
+        z - 1,
+        z**2 + 1,
+        z - exp(I),
+        (z - Rational(1, 2)) * (z - 2),
+        z**2 - (1 + Rational(1, 10**400)),
+        z**3 / 10**9 + z**2 - Rational(1, 4),
+    ],
+)
+def test_zeros_on_the_circle_or_outside_are_not_inside(polynomial):
+    assert not zeros_inside(sp.expand(polynomial), z)
+
+
+def test_zeros_close_to_the_circle_are_inside():
+    assert zeros_inside(z**2 - (1 - Rational(1, 10**400)), z)
+    assert zeros_inside(z - exp(I) * (1 - Rational(1, 10**40)), z)
+    assert zeros_inside(z**300 - Rational(99, 100) * z**7 + Rational(1, 1000), z)

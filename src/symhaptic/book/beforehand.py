@@ -19,15 +19,37 @@ from typing import Any
 from symhaptic.book import lemmas
 
 
+class Beforehand:
+    """What chapters take from the package: imported at once, and derived lemma by lemma."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        self._wanted = [
+            {below for name in _imported(path) for below in _lemmas_of(name)} for path in paths
+        ]
+        several = Counter(name for names in self._wanted for name in sorted(names))
+        self._left = {
+            name: list(_without_arguments(name)) for name, number in several.items() if number > 1
+        }
+
+    def ready(self, number: int) -> bool:
+        """Whether nothing is left to derive of what this chapter shares with others."""
+        return not any(self._left.get(name) for name in self._wanted[number])
+
+    def derive(self) -> bool:
+        """Derive the next lemma; False where none is left."""
+        name = next((name for name, lemmas in self._left.items() if lemmas), None)
+        if name is None:
+            return False
+        with suppress(ValueError):  # told by the chapters that need it
+            self._left[name].pop(0)()
+        return True
+
+
 def prepare(paths: Sequence[Path]) -> None:
     """Import what the chapters take from the package, and derive the lemmas of several of them."""
-    wanted: Counter[str] = Counter()
-    for path in paths:
-        wanted.update({below for name in _imported(path) for below in _lemmas_of(name)})
-    for name, chapters in wanted.items():
-        for lemma in _without_arguments(name) if chapters > 1 else ():
-            with suppress(ValueError):  # told by the chapters that need it
-                lemma()
+    beforehand = Beforehand(paths)
+    while beforehand.derive():
+        pass
 
 
 def _imported(path: Path) -> list[str]:

@@ -118,7 +118,8 @@ def judged_again(entry: Entry) -> str | None:
     known, claim = STATEMENTS.get(statement.id), entry.claim
     claimed = CLAIMED.get(statement.id) if known else None if claim is None else lambda _: claim
     try:
-        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
+        again = replace(judged, told=False)
+        found = Settlement(judged=again, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
     numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED

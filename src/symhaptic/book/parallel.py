@@ -10,8 +10,10 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
+import pickle
 import signal
 import sys
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import BaseContext
@@ -19,7 +21,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
-from symhaptic.book.beforehand import prepare
+from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, untouched
 from symhaptic.book.ledger import Entry, of_derivation
 
@@ -72,27 +74,40 @@ def each(
     workers: int,
     told: Told = lambda done, path: None,
 ) -> Iterator[tuple[int, Result | BadChapter]]:
-    """What becomes of each derivation, with its number, as they end; they begin in their order."""
+    """What becomes of each derivation, with its number, as they end.
+
+    They begin in their order, but for those that share a lemma which is not derived yet: these
+    wait, while others run.  What arrives is derived anew here once the next is under way.
+    """
     context = _context()
-    if context.get_start_method() == "fork":
-        prepare(paths)
-    gc.freeze()  # what is there stays, and is not looked through again in each process
-    begun, done, running = 0, 0, dict[Connection, tuple[int, BaseProcess]]()
+    lemmas = Beforehand(paths) if context.get_start_method() == "fork" else None
+    waiting, done = list(range(len(paths))), 0
+    running, arrived = dict[Connection, tuple[int, BaseProcess]](), deque[tuple[int, bytes]]()
+    before = gc.get_threshold()
+    gc.set_threshold(SELDOM)
     try:
         while done < len(paths):
-            while begun < len(paths) and len(running) < workers:
-                connection, process = _begin(context, work, paths[begun])
-                running[connection] = begun, process
-                begun += 1
-            told(done, paths[min(number for number, _ in running.values())])
-            for ready in wait(list(running), PAUSE):
-                assert isinstance(ready, Connection)
-                number, process = running[ready]
-                result: Result | BadChapter = _result(ready, process, paths[number])
-                del running[ready]
+            while len(running) < workers:
+                number = next((n for n in waiting if lemmas is None or lemmas.ready(n)), None)
+                if number is None:
+                    break
+                waiting.remove(number)
+                connection, process = _begin(context, work, paths[number])
+                running[connection] = number, process
+            under_way = [number for number, _ in running.values()] or waiting or [len(paths) - 1]
+            told(done, paths[min(under_way)])
+            starving = bool(waiting) and len(running) < workers
+            busy = lemmas is not None and (starving or not arrived) and lemmas.derive()
+            if arrived and not busy:
+                number, sent = arrived.popleft()
                 done += 1
-                yield number, result
+                yield number, pickle.loads(sent)
+            for ready in wait(list(running), 0 if busy or arrived else PAUSE):
+                assert isinstance(ready, Connection)
+                number, process = running.pop(ready)
+                arrived.append((number, _sent(ready, process, paths[number])))
     finally:
+        gc.set_threshold(*before)
         gc.unfreeze()
         for connection, (_, process) in running.items():
             process.kill()
@@ -109,6 +124,7 @@ def _context() -> BaseContext:
 def _begin(
     context: BaseContext, work: Callable[[Path], Result], path: Path
 ) -> tuple[Connection, BaseProcess]:
+    gc.freeze()  # what is there stays, and is not looked through again in the process
     ours, theirs = context.Pipe(duplex=False)
     process = context.Process(target=_child, args=(work, path, theirs), daemon=True)  # type: ignore[attr-defined]
     process.start()
@@ -129,17 +145,17 @@ def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -
     connection.send(result)
 
 
-def _result(connection: Connection, process: BaseProcess, path: Path) -> Result | BadChapter:
-    result: Result | BadChapter
+def _sent(connection: Connection, process: BaseProcess, path: Path) -> bytes:
+    """What the process of a derivation has sent; it ends."""
     try:
-        result = connection.recv()
+        sent = connection.recv_bytes()
     except EOFError:
         process.join()
         what = f"its process ended without a result (exit status {process.exitcode})"
-        result = BadChapter(path, what)
+        sent = pickle.dumps(BadChapter(path, what))
     connection.close()
     process.join(PAUSE)
     if process.is_alive():
         process.kill()
         process.join()
-    return result
+    return sent

@@ -21,6 +21,7 @@ import sympy as sp
 from flint import fmpz_mpoly, fmpz_mpoly_ctx
 from sympy import Expr, Matrix, Symbol
 from sympy.logic.boolalg import Boolean
+from sympy.polys.matrices import DomainMatrix
 
 from symhaptic.model import loop
 from symhaptic.model.plant import Sampled
@@ -193,6 +194,20 @@ def inner(coefficients: Sequence[Expr], order: int) -> Matrix:
         return (rising[n - j + i] if j >= i else 0) - (rising[back] if back >= 0 else 0)
 
     return Matrix(order, order, entry)
+
+
+def determinant(matrix: Matrix) -> Expr:
+    """Of polynomials in symbols, with rational coefficients, as of such; else as of expressions.
+
+    >>> determinant(inner(sp.symbols("a_3 a_2 a_1 a_0"), 2))
+    -a_0**2 + a_0*a_2 - a_1*a_3 + a_3**2
+    """
+    exact = DomainMatrix.from_Matrix(matrix)
+    ring = exact.domain
+    rational = ring.is_PolynomialRing and ring.domain in (sp.ZZ, sp.QQ)
+    if rational and all(symbol.is_Symbol for symbol in ring.symbols):
+        return ring.to_sympy(exact.det())
+    return matrix.det(method="berkowitz")
 
 
 # -- exact polynomials -------------------------------------------------------------------

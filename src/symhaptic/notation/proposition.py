@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from functools import cached_property
+from functools import cache, cached_property, lru_cache
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -43,23 +43,28 @@ def term(of: Any) -> Expr:
     expr = sp.sympify(of)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
-    for part in sp.preorder_traversal(expr):
-        if part.is_Rational or part in (sp.I, sp.pi, sp.E):
-            continue
-        if part.is_Symbol:
-            # an assumption would change what SymPy makes of an expression without saying so
-            if part != (part if isinstance(part, sp.Dummy) else Symbol(part.name)):
-                raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
-            continue
-        if (
-            part.is_Add
-            or part.is_Mul
-            or part.is_Pow
-            or isinstance(part, (*FUNCTIONS, AppliedUndef))
-        ):
-            continue
-        raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
+    left = [expr]
+    while left:
+        part = left.pop()
+        if type(part) not in _ATOMS:
+            if type(part) not in _MADE:
+                _check(part)
+            left += part.args[::-1]
     return expr
+
+
+_ATOMS = frozenset(map(type, (sp.I, sp.pi, sp.E, *map(sp.Rational, (0, 1, -1, "1/2", "2/3", 2)))))
+_MADE = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
+
+
+def _check(part: Expr) -> None:
+    """Raise :class:`NoTerm` of what stands in no term."""
+    if part.is_Symbol:
+        # an assumption would change what SymPy makes of an expression without saying so
+        if part != (part if isinstance(part, sp.Dummy) else Symbol(part.name)):
+            raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
+    elif not isinstance(part, (*FUNCTIONS, AppliedUndef)):
+        raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
 
 
 def without_value(number: Expr) -> bool:
@@ -122,9 +127,20 @@ class Proposition:
         inner = {**values, **fresh}
         return self.made(
             tuple(fresh.get(s, s) for s in self.bound),
-            tuple(t.xreplace(inner) for t in self.terms),
+            replaced(self.terms, inner),
             tuple(p.at(inner) for p in self.parts),
         )
+
+
+def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
+    """The terms with others in place of symbols."""
+    return _replaced(terms, frozenset((s, sp.sympify(v)) for s, v in values.items()))
+
+
+@lru_cache(maxsize=1 << 10)
+def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -> tuple[Expr, ...]:
+    known = dict(values)
+    return tuple(t.xreplace(known) for t in terms)
 
 
 _PLACES = [sp.Dummy(f"bound_{i}") for i in range(64)]
@@ -133,14 +149,19 @@ _PLACES = [sp.Dummy(f"bound_{i}") for i in range(64)]
 def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any, ...]:
     places = places | {s: _PLACES[depth + i] for i, s in enumerate(of.bound)}
     depth += len(of.bound)
-    own = tuple(getattr(of, f.name) for f in fields(of) if f.type == "str")  # type: ignore[arg-type]
     return (
         type(of).__name__,
-        own,
+        tuple(getattr(of, name) for name in _own(type(of))),  # type: ignore[arg-type]
         tuple(is_complex(s) for s in of.bound),
-        tuple(t.xreplace(places) for t in of.terms),
+        tuple(t.xreplace(places) for t in of.terms) if places else of.terms,
         tuple(_key(p, places, depth) for p in of.parts),
     )
+
+
+@cache
+def _own(kind: type[Any]) -> tuple[str, ...]:
+    """The fields of a proposition that are text: its sign or its name."""
+    return tuple(f.name for f in fields(kind) if f.type == "str")
 
 
 @dataclass(frozen=True, eq=False)

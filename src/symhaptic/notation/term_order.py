@@ -25,6 +25,7 @@ NAMED = {
 }
 """Functions with a name of their own in LaTeX."""
 
+_Z = sp.Symbol("z")
 _ANGLES = {"omega", "omega_hat", "t", "T", "theta", "phi", "psi", "s"}
 
 
@@ -111,8 +112,8 @@ def _term_key(expr: Expr) -> tuple[float, bool, bool, float, tuple[int, ...]]:
         if base.is_Symbol and base.name in ("z", "s"):
             sized = {s: sp.Rational(27, 10) for s in exponent.free_symbols}
             degree += float(exponent.subs(sized))
-        elif base.is_Add and exponent == 1 and base.is_polynomial(sp.Symbol("z")):
-            degree += float(sp.degree(base, sp.Symbol("z")))
+        elif base.is_Add and exponent == 1 and base.has(_Z) and base.is_polynomial(_Z):
+            degree += float(sp.degree(base, _Z))
     quotient = any(exponent.could_extract_minus_sign() for _, exponent in pairs)
     functions = expr.atoms(*NAMED, sp.exp)
     if functions:

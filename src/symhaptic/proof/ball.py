@@ -155,6 +155,40 @@ def largest_root(
     return found
 
 
+def zeros_inside(polynomial: Expr, variable: sp.Symbol) -> bool:
+    """Whether all zeros of a polynomial with numbers for coefficients are shown to lie in |z| < 1.
+
+    By Schur's reduction: they do if and only if |c| < 1, c = p(0)/conj p_n, and those of the
+    polynomial (p - c p*)/z do, p* = z^n conj p(1/conj z), which has one zero less.
+
+    >>> z = sp.Symbol("z")
+    >>> zeros_inside(2*z**2 - z + 1, z), zeros_inside(z**2 - z + 1, z)
+    (True, False)
+    """
+    named: dict[Expr, Expr] = {}
+    coefficients = sp.Poly(_by_name(polynomial, {variable}, named), variable).all_coeffs()
+    for bits in (*PRECISIONS, 4 * PRECISIONS[-1]):  # each step of a high degree loses some
+        with ctx.workprec(bits):
+            values: dict[Expr, Expr | acb | arb] = {
+                name: _ball(value, {}) for value, name in named.items()
+            }
+            balls = [_ball(c, values) for c in reversed(coefficients)]
+            if _reduced_inside(balls):
+                return True
+    return False
+
+
+def _reduced_inside(rising: list[acb]) -> bool:
+    """Schur's reduction in balls, down to a constant."""
+    while len(rising) > 1:
+        mirrored = [c.conjugate() for c in reversed(rising)]
+        share = rising[0] / mirrored[0]
+        if not abs(share) < 1:
+            return False
+        rising = [p - share * q for p, q in zip(rising[1:], mirrored[1:], strict=True)]
+    return True
+
+
 def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:
     """A polynomial with a name for each of its constants, so that none of them is expanded."""
     if expr.is_Rational or expr in variable:

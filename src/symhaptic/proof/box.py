@@ -19,6 +19,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.seal import KEY
@@ -240,7 +241,7 @@ def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[
 
     @cache
     def slopes() -> list[Value]:
-        return [_values(sp.diff(expr, s), box, None, work) for s in box]
+        return [_values(derivative(expr, s), box, None, work) for s in box]
 
     return (lambda: []) if given or expr.has(*_NOT_ANALYTIC) else slopes
 

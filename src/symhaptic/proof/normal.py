@@ -29,6 +29,9 @@ from symhaptic.proof.ring import Fractional, Ring
 
 Exponents = dict[tuple[int, ...], Fraction]
 
+_TURN = sp.I * sp.pi
+"""The exponent modulo which all are counted."""
+
 
 class Field:
     """The field that a set of expressions lives in, and their images there.
@@ -49,9 +52,11 @@ class Field:
         everywhere: set[Expr] = set()
         outside: set[Expr] = set()
         for e in self._exprs.values():
-            self._collect(e, everywhere, outside)
+            self._collect(e, everywhere, outside, set())
         self._symbols = sorted(everywhere, key=str)
         self._outside = sorted(outside, key=str)
+        self._images: dict[Expr, Fractional] = {}
+        """Images of sums, which an expression may hold several times."""
         self._basis: list[tuple[Expr, Exponents]] = []
         self._coordinates: dict[Expr, dict[int, Fraction]] = {}
         self._span()
@@ -59,11 +64,12 @@ class Field:
 
     # -- what occurs -----------------------------------------------------------------
 
-    def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr]) -> None:
+    def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr], seen: set[int]) -> None:
         """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
         spend(1)
-        if expr.is_Rational or expr in (sp.I, sp.pi):
+        if id(expr) in seen or expr.is_Rational or expr is sp.I or expr is sp.pi:
             return
+        seen.add(id(expr))
         if not expr.is_commutative:
             raise Unsupported(f"no normal form for {expr}, which does not commute")
         if expr.is_Symbol:
@@ -71,20 +77,20 @@ class Field:
             outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
             for arg in expr.args:
-                self._collect(arg, symbols, outside)
+                self._collect(arg, symbols, outside, seen)
         elif isinstance(expr, sp.exp) or expr is sp.E:
             exponent = expr.args[0] if expr.args else sp.S.One
             self._exponents.append(exponent)
-            self._collect(exponent, symbols, set())
+            self._collect(exponent, symbols, set(), set())
         elif expr.is_Pow:
             base, power = expr.args
-            self._collect(base, symbols, outside)
+            self._collect(base, symbols, outside, seen)
             if power.is_Integer:
                 return
             if power.is_Rational:
                 self._radicals.setdefault((base, int(power.q)), sp.Dummy("r"))
                 return
-            self._collect(power, symbols, set())
+            self._collect(power, symbols, set(), set())
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
         elif isinstance(expr, Application):
@@ -95,6 +101,10 @@ class Field:
     # -- a basis of the exponents over the rationals, modulo j pi ---------------------
 
     def _span(self) -> None:
+        if not (self._exponents or self._logs):
+            self._basis = [(_TURN, {})]
+            self._coordinates = {_TURN: {0: Fraction(1)}}
+            return
         names = [
             sp.I,
             sp.pi,
@@ -106,7 +116,7 @@ class Field:
         ring = Ring(names)
         ring.relate(sp.I, {0: ring.one, 2: ring.one})
         images: dict[Expr, Fractional] = {}
-        seeds = [sp.I * sp.pi, *self._logs.values()]
+        seeds = [_TURN, *self._logs.values()]
         common = ring.one
         for exponent in [*seeds, *self._exponents]:
             image = self._image(exponent, ring, None)
@@ -186,6 +196,7 @@ class Field:
             if i in self._generator:
                 image = self._image(base, ring, self._exponential)
                 self._relate_root(self._generator[i], image, denominators[i])
+        self._images.clear()  # a divisor may vanish now that all relations are known
 
     def _vanishes(self, image: Fractional) -> bool:
         return bool(self._ring.reduce(image.num).is_zero())
@@ -225,10 +236,13 @@ class Field:
         if expr in self._opaque:
             return Fractional(ring.gen[self._opaque[expr]], ring.one)
         if expr.is_Add:
-            total = self._image(expr.args[0], ring, exponential)
-            for arg in expr.args[1:]:
-                total = ring.sum(total, self._image(arg, ring, exponential))
-            return total
+            known = self._images if exponential is not None else {}
+            if expr not in known:
+                plain, others = ring.polynomial(expr.args)
+                known[expr] = Fractional(plain, ring.one)
+                for arg in others:
+                    known[expr] = ring.sum(known[expr], self._image(arg, ring, exponential))
+            return known[expr]
         if expr.is_Mul:
             product = self._image(expr.args[0], ring, exponential)
             for arg in expr.args[1:]:

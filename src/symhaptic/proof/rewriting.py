@@ -80,24 +80,40 @@ def is_complex(symbol: Expr) -> bool:
     return symbol.is_complex is not None or (entry is not None and entry.domain == "complex")
 
 
-@lru_cache(maxsize=8192)
+_REWRITTEN = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.re, sp.im)
+
+
 def as_exponentials(expr: Expr) -> Expr:
     """Sines, cosines, tangents and real parts rewritten with exponentials, nothing else touched."""
+    left, seen = [expr], set[int]()
+    while left:
+        part = left.pop()
+        if part.args and id(part) not in seen:
+            if isinstance(part, _REWRITTEN):
+                return _rewritten(expr)
+            seen.add(id(part))
+            left += part.args
+    return expr
+
+
+@lru_cache(maxsize=8192)
+def _rewritten(expr: Expr) -> Expr:
+    """The same of an expression that holds one of them; nothing is evaluated on the way."""
     j = sp.I
-
-    def pair(u: Expr) -> tuple[Expr, Expr]:
-        return sp.exp(u, evaluate=False), sp.exp(-u, evaluate=False)
-
     if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot)):
-        up, down = pair(j * as_exponentials(expr.args[0]))
-        sine, cosine = (up - down) / (2 * j), (up + down) / 2
-        return {sp.sin: sine, sp.cos: cosine, sp.tan: sine / cosine, sp.cot: cosine / sine}[
-            expr.func
-        ]
-    if isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
-        up, down = pair(as_exponentials(expr.args[0]))
-        sine, cosine = (up - down) / 2, (up + down) / 2
-        return {sp.sinh: sine, sp.cosh: cosine, sp.tanh: sine / cosine}[expr.func]
+        exponent, unit = j * as_exponentials(expr.args[0]), 2 * j
+    elif isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
+        exponent, unit = as_exponentials(expr.args[0]), sp.S(2)
+    if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh)):
+        up, down = sp.exp(exponent, evaluate=False), sp.exp(-exponent, evaluate=False)
+        sine = _product(1 / unit, sp.Add(up, _product(sp.S.NegativeOne, down), evaluate=False))
+        cosine = _product(sp.S.Half, sp.Add(up, down, evaluate=False))
+        if isinstance(expr, (sp.sin, sp.sinh)):
+            return sine
+        if isinstance(expr, (sp.cos, sp.cosh)):
+            return cosine
+        top, bottom = (cosine, sine) if isinstance(expr, sp.cot) else (sine, cosine)
+        return _product(top, sp.Pow(bottom, -1, evaluate=False))
     if isinstance(expr, sp.re):
         inside = expr.args[0]
         return (as_exponentials(inside) + as_exponentials(conjugated(inside))) / 2
@@ -107,7 +123,13 @@ def as_exponentials(expr: Expr) -> Expr:
     if isinstance(expr, sp.exp):
         return sp.exp(as_exponentials(expr.args[0]), evaluate=False)
     if expr.is_Add or expr.is_Mul:
-        return expr.func(*map(as_exponentials, expr.args), evaluate=False)
+        args = tuple(map(as_exponentials, expr.args))
+        return expr if args == expr.args else expr.func(*args, evaluate=False)
     if expr.is_Pow:
-        return expr.func(*map(as_exponentials, expr.args))
+        base, power = map(as_exponentials, expr.args)
+        return sp.Pow(base, power, evaluate=not power.is_Integer)
     return expr
+
+
+def _product(left: Expr, right: Expr) -> Expr:
+    return sp.Mul(left, right, evaluate=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import comb
 
@@ -21,7 +22,8 @@ class Fractional:
 
     def __mul__(self, other: Fractional) -> Fractional:
         spend(len(self.num) * len(other.num) + len(self.den) * len(other.den))
-        return Fractional(self.num * other.num, self.den * other.den)
+        den = self.den if other.den.is_one() else self.den * other.den
+        return Fractional(self.num * other.num, den)
 
     def __pow__(self, n: int) -> Fractional:
         for poly in (self.num, self.den):
@@ -44,6 +46,7 @@ class Ring:
         labels = [f"g{i}" for i in range(max(1, len(names)))]
         self.ctx = fmpq_mpoly_ctx.get(labels, "degrevlex")
         self.gen = dict(zip(names, self.ctx.gens(), strict=False))
+        self._index = {name: i for i, name in enumerate(names)}
         self.one = self.ctx.constant(1)
         self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
         self.moduli: dict[int, fmpq_mpoly] = {}
@@ -67,6 +70,35 @@ class Ring:
     def constant(self, value: sp.Rational) -> Fractional:
         """A rational number as an element."""
         return Fractional(self.ctx.constant(fmpq(int(value.p), int(value.q))), self.one)
+
+    def polynomial(self, terms: Iterable[Expr]) -> tuple[fmpq_mpoly, list[Expr]]:
+        """The sum of those that are a number times powers of generators, and the other terms."""
+        found: dict[tuple[int, ...], fmpq] = {}
+        others = []
+        for term in terms:
+            monomial = self._monomial(term)
+            if monomial is None:
+                others.append(term)
+            else:
+                powers, coefficient = monomial
+                found[powers] = found[powers] + coefficient if powers in found else coefficient
+        spend(len(found))
+        return self.ctx.from_dict(found), others
+
+    def _monomial(self, term: Expr) -> tuple[tuple[int, ...], fmpq] | None:
+        powers = [0] * max(1, len(self.names))
+        coefficient = fmpq(1)
+        for part in term.args if term.is_Mul else (term,):
+            if part.is_Rational:
+                coefficient *= fmpq(int(part.p), int(part.q))
+                continue
+            base, power = part, 1
+            if part.is_Pow and part.args[1].is_Integer and part.args[1] > 0:
+                base, power = part.args[0], int(part.args[1])
+            if base not in self._index:
+                return None
+            powers[self._index[base]] += power
+        return tuple(powers), coefficient
 
     def relate(self, name: Expr, coefficients: dict[int, fmpq_mpoly]) -> None:
         """Impose sum of coefficient times name**power = 0."""

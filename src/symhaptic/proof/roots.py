@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import sympy as sp
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
@@ -16,6 +15,7 @@ from sympy import Expr
 
 from symhaptic.proof.ball import At, ball
 from symhaptic.proof.certificate import Zero
+from symhaptic.proof.derivative import derivative
 
 BITS = 256
 """Precision of the balls that are found here."""
@@ -90,7 +90,7 @@ def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | Non
     >>> print(zero(sp.cos(x), x, sp.S.One, sp.Integer(2)).ball.str(20))
     [1.5707963267948966192 +/- 3.14e-20]
     """
-    slope, known = _slope(expr, variable), dict(at or {})
+    slope, known = derivative(expr, variable), dict(at or {})
 
     def newton(wide: arb) -> arb:
         middle = wide.mid()
@@ -111,12 +111,6 @@ def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | Non
         least = arb(2) ** (8 - BITS) * (1 + abs(wide.mid()))
         found = arb(wide.mid(), arb.max(2 * wide.rad(), least))
     return Zero(expr, variable, (lower, upper), found, BITS, known)
-
-
-@lru_cache(maxsize=64)
-def _slope(expr: Expr, variable: sp.Symbol) -> Expr:
-    """The derivative, found once for all values of further symbols."""
-    return sp.diff(expr, variable)
 
 
 def algebraic(

@@ -13,6 +13,7 @@ from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.bounds.linear_points import Arc, points
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
+from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
@@ -73,7 +74,8 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         difference = meant.right - meant.left
         rest = difference.subs(dict.fromkeys(BESIDE, S.Zero))
         scaled = (difference - rest).expand().subs(top) + rest * below
-        strict = over(shown.right - shown.left > 0, on_curve(scaled), bottom)
+        above = Relation(S.Zero, "<", shown.right - shown.left)
+        strict = over(above, on_curve(scaled), bottom)
         parts.append(positive(shown, [strict]))
     found = witnessed(conjoined(*parts), some, wall)
     apart = not_zero(bottom), not_zero(on_curve(size))

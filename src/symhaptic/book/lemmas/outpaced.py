@@ -65,10 +65,24 @@ def room() -> Theorem:
     return closed(found, *steps)
 
 
+@cache
+def beyond() -> dict[str, Expr]:
+    """-ROOM at alpha + u and beta: its coefficients of powers of u, and of v for beta."""
+    plain = {c: sp.Dummy() for c in ROOM.atoms(cos)}
+    form = sp.Poly(-ROOM.xreplace(plain), alpha, beta)
+    back = {c: f for f, c in plain.items()}
+    one, u, v, uu, uv, vv = (
+        form.coeff_monomial(m).xreplace(back)
+        for m in (1, alpha, beta, alpha**2, alpha * beta, beta**2)
+    )
+    raised = {"": one + u * alpha + uu * alpha**2, "u": u + 2 * uu * alpha, "v": v + uv * alpha}
+    return {**raised, "uu": uu, "uv": uv, "vv": vv}
+
+
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a small box, by balls."""
     names = {s: s for s in (LOSS, TOGETHER, LATE, AT_ONE)}
-    found = box.positive(sp.sympify(expr).subs(BALLS), ranges, named(names))
+    found = box.positive(sp.sympify(expr).xreplace(BALLS), ranges, named(names))
     certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
 
@@ -79,13 +93,7 @@ def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem
     known = placed(room(), there)
     known = closed(known, fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
-    more = sp.Symbol("u")
-    form = sp.Poly(-value.subs(alpha, limit + more), more, beta)
-    names = ("", "u", "v", "uu", "uv", "vv")
-    powers = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-    of = {
-        n: form.coeff_monomial(more**i * beta**j) for n, (i, j) in zip(names, powers, strict=True)
-    }
+    of = {n: c.xreplace({**there, alpha: limit}) for n, c in beyond().items()}
     bend, stiff = of["vv"], assume(alpha >= limit)
     rest = {
         "": 4 * bend * of[""] - of["v"] ** 2,
@@ -101,7 +109,8 @@ def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem
         [signs["u"], stiff],
         [signs["uu"], stiff, stiff],
     )
-    contrary = absurd(positive(4 * bend * value > 0, [4, turn, known]), less)
+    above = Relation(S.Zero, "<", 4 * bend * value)
+    contrary = absurd(positive(above, [4, turn, known]), less)
     wanted = Relation(alpha, "<", limit)
     found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
     return of_every_plant(found)

@@ -53,7 +53,7 @@ FREE = {TOGETHER: 1 - P, LATE: S.Half - M}
 
 def on_box(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a box, by balls."""
-    small = _expanded(sp.sympify(expr).subs(BALLS).subs(FREE))
+    small = _expanded(sp.sympify(expr).xreplace(BALLS).xreplace(FREE))
     found = box.positive(small, ranges, named(SMALL))
     certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])

@@ -6,7 +6,8 @@ become hypotheses of a theorem until they are shown.  Roots and powers are princ
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -30,13 +31,30 @@ def conditions(*exprs: Expr, at: Mapping[Symbol, Expr] | None = None) -> frozens
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
     True
     """
-    found: set[Proposition] = set()
-    for expr in exprs:
-        for part in sp.preorder_traversal(expr):
-            for divisor in _divisors(part, at or {}):
+    if at:
+        return frozenset(c for expr in exprs for c in _conditions(expr, at))
+    return frozenset().union(*map(_anywhere, exprs))
+
+
+@lru_cache(maxsize=1 << 14)
+def _anywhere(expr: Expr) -> frozenset[Proposition]:
+    """The conditions where nothing is known of the symbols."""
+    return frozenset(_conditions(expr, {}))
+
+
+def _conditions(expr: Expr, at: Mapping[Symbol, Expr]) -> Iterator[Proposition]:
+    """A condition for each divisor that is not shown to differ from zero."""
+    left, seen = [expr], set[int]()
+    while left:
+        part = left.pop()
+        if not part.args or id(part) in seen:
+            continue
+        seen.add(id(part))
+        left += part.args
+        if not (part.is_Add or part.is_Mul):
+            for divisor in _divisors(part, at):
                 if not differs(divisor):
-                    found.add(Relation(divisor, "!=", sp.S.Zero))
-    return frozenset(found)
+                    yield Relation(divisor, "!=", sp.S.Zero)
 
 
 def _divisors(part: Expr, at: Mapping[Symbol, Expr]) -> Iterable[Expr]:

@@ -110,6 +110,8 @@ class Judged:
     enclosed: bool = False
     shows: str | None = None
     note: str | None = None
+    told: bool = True
+    """Whether the verdict says in LaTeX what is claimed."""
 
     def decide(self, claim: Proposition, right: Proposition | None = None) -> Verdict:
         """The verdict on a claim; ``right`` is the claim with the corrected print."""
@@ -162,7 +164,7 @@ class Judged:
             "a theorem of the kernel",
             shows=self.shows,
             note=self.note,
-            proposition=written(claim),
+            proposition=written(claim) if self.told else None,
             rests=tuple(sorted(rests)),
         )
 

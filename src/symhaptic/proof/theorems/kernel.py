@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
-from functools import wraps
+from functools import cache, wraps
 from importlib import import_module
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
@@ -40,6 +40,7 @@ from symhaptic.notation.proposition import (
     is_complex,
     negated,
     proposition,
+    replaced,
     term,
     without_value,
 )
@@ -157,13 +158,18 @@ def _exactly(part: Any) -> Any:
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
-        names = (f.name for f in fields(part))  # type: ignore[arg-type]
+        names = _fields(type(part))  # type: ignore[arg-type]
         return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
     if isinstance(part, (str, int, NoneType)):
         return type(part).__name__, part
     if isinstance(part, Mapping):
         return _exactly(("at", *part.items()))
     return None
+
+
+@cache
+def _fields(kind: type[Any]) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
 
 
 def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
@@ -426,16 +432,16 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
     while stack:
         current, inside = stack.pop()
         bound = set(inside) | set(current.bound)
-        here = {s: term(v) for s, v in values.items() if s not in bound}
-        for old in current.terms:
-            new = old.xreplace(here)
+        here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
+        for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
+            kept = conditions(new)
             for condition in conditions(old, at=here):
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there
-                elif not _kept(moved.left, conditions(new)):
+                elif not _kept(moved.left, kept):
                     if moved.free & bound:
                         raise NotShown(f"a divisor of {old} is lost under its quantifier")
                     found.add(moved)

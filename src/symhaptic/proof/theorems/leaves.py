@@ -26,7 +26,7 @@ from symhaptic.notation.proposition import (
     term,
     whole,
 )
-from symhaptic.proof.ball import largest_root, sign
+from symhaptic.proof.ball import largest_root, sign, zeros_inside
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHER, Named
@@ -327,7 +327,7 @@ def _not_nearby(divisor: Expr, variable: Symbol, at: Expr) -> set[Proposition]:
 def roots_inside(polynomial: Any, variable: Symbol, given: Mapping[Expr, Expr]) -> Judgement:
     """All zeros of a polynomial with numbers for coefficients lie inside the circle, by balls."""
     expr = term(polynomial).xreplace(dict(given))
-    if expr.free_symbols != {variable} or not largest_root(expr) < 1:
+    if expr.free_symbols != {variable} or not zeros_inside(expr, variable):
         raise NotShown("a zero is not shown to be inside")
     return (), Predicate("stable", (variable,), (expr,))
 

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.model.jury import half_planes, inner
+from symhaptic.model.jury import determinant, half_planes, inner
 from symhaptic.notation.proposition import (
     And,
     Iff,
@@ -135,7 +135,7 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     if falling[0] != 1 or degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} is not monic and real by its form")
     inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
-    positive = [*half_planes(falling[::-1]), *(m.det(method="berkowitz") for m in inners)]
+    positive = [*half_planes(falling[::-1]), *map(determinant, inners)]
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
     return conditions(*falling), Iff((_zeros(polynomial, variable), wanted))
 

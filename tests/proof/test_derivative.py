@@ -1,0 +1,27 @@
+"""The derivatives of searches are SymPy's."""
+
+import pytest
+import sympy as sp
+from sympy import cos, exp, sin, sqrt, tan
+
+from symhaptic.proof.derivative import derivative
+
+x, y = sp.symbols("x y")
+
+
+@pytest.mark.parametrize(
+    "expr",
+    [
+        sp.S(3),
+        y,
+        x,
+        (x + y) ** 3 / (x - y) ** 2,
+        x**2 * sin(x * y) * cos(x) / tan(x / 7),
+        exp(-x * y) * sqrt(1 + x**2),
+        x**y + y**x,
+        sp.log(x) * sp.atan(x * y),
+        sp.Function("f")(x) * x,
+    ],
+)
+def test_it_is_that_of_sympy(expr):
+    assert derivative(expr, x) == sp.diff(expr, x)
