@@ -227,8 +227,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "passive": (
         *(1, 2),
-        r"\text{{no motion }}x=p/({s}-1)\text{{ gains energy from }}{0}\,x"
-        r"\text{{ beside a loss of }}{1}\,p^2",
+        r"\text{{no motion gains energy from }}H({s})={0}"
+        r"\text{{ beside a loss of }}{1}\text{{ per squared displacement}}",
         "the sum over k of c p_k^2 + p_k (H x)_k is not negative for any finite sequence p_k = "
         "x_(k+1) - x_k of displacements from rest at 0, of which a damper burns c p_k^2",
     ),
@@ -240,7 +240,7 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "passive_device": (
         *(1, 6),
-        r"\mathrm{{passive}}_{{E=}}{{}}_{{{0}}}({1},{2},{3},{4},{5})",
+        r"\mathrm{{passive}}({1},{2},{3},{4},{5};\ E={0})",
         "the hand that moves a device from rest, v = 0, does no negative work against its store "
         "E(v) of the speed v at the end, its damping b and the wall of passive_wall",
     ),
@@ -264,7 +264,7 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "pole": (
         *(0, 6),
-        r"{5}\ \text{{is a pole of}}_{{(18)}}({0},{1},{2},{3},{4})",
+        r"{5}\ \text{{is a pole of}}\ p_{{(18)}}({0},{1},{2},{3},{4})",
         "as the paper has it: a zero of the characteristic polynomial, for a delay of d = p/q "
         "periods w^q for a zero w of the polynomial in w that z = w^q makes",
     ),
