@@ -9,6 +9,7 @@ from typing import Any
 from sympy import Expr
 
 from symhaptic.book.chapters import Chapter
+from symhaptic.book.evidence import evidence
 from symhaptic.book.record import Block, Record, Settled
 from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
@@ -125,7 +126,9 @@ def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown])
     method = prose(block.method)
     if block.theorem is not None:
         method = _by(method, [block.theorem], shown)
-    return f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+    claim = f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+    numbers = evidence(block.theorem, shown) if block.theorem is not None else ""
+    return f"{claim}\n\\numbers{{{_sentence(prose(numbers))}}}" if numbers else claim
 
 
 def _by(lead: str, theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
