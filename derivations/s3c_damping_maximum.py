@@ -88,8 +88,8 @@ def _ends(page, *derived):
     claim = CLAIMED["s3c-limit-points"](printed)
     symbols, given, then = taken_apart(claim)
     above, below = between(given[-1])
-    page.lemma("The damping ends above", above)
-    page.lemma("The damping ends below", below)
+    page.lemma("No wall that meets (5) has more damping than $b$", above)
+    page.lemma("No wall that meets (5) has less damping than $-b$", below)
     more = [*given, K >= 0]
     beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero, x: S.Zero, y: S.One}
     soft = beyond | {K: S.Zero, B: S.Half}

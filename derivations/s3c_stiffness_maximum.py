@@ -57,7 +57,7 @@ def derive(page):
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,
         paper="11",
-        because="and by the chapter before, the stiffness of the envelope rises up to this "
+        because="and by \\chapter{s3b_rise} the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))

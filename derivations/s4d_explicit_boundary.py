@@ -113,12 +113,12 @@ def _settled(page):
         "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
     )
     exact = page.lemma(
-        "Both roads of it: a zero at $e^{j\\theta}$ and this wall are the same",
+        "A zero at $e^{j\\theta}$ means this wall, and this wall a zero there",
         zero_on_circle_is_explicit(),
         because="for the numbers of any device whose $N$ does not vanish there",
     )
     page.lemma(
-        "For a damped device it does not",
+        "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
         because="a held force that turns by $z$ does work, so that it moves the device",
     )

@@ -41,14 +41,19 @@ def derive(page):
         delta: S.Zero,
         d: S.Zero,
     }
-    free = page.lemma("Without a spring the wall is stable", stable_at(wall))
+    free = page.lemma(
+        "Without a spring $\\alpha=\\frac{269}{400}$, $\\beta=\\frac{97}{100}$ is stable",
+        stable_at(wall),
+    )
     page.say(
         "The stiffest spring that (23) gives to an arm, $\\gamma=0.001$, makes it unstable. The "
         "right end of the region moves to the left by about half of $\\gamma$, while the left "
         "bound moves by $\\gamma$."
     )
     sprung = {**wall, gamma: Rational(1, 1000)}
-    witness = page.lemma("With the spring it is not", unstable_at(sprung))
+    witness = page.lemma(
+        "With the spring $\\gamma=0.001$ the same wall is not stable", unstable_at(sprung)
+    )
     page.say(
         "\\emph{The mass.} With everything else unchanged, $\\alpha$, $\\beta$ and $\\delta$ are "
         "inversely proportional to $m$. One period of delay, $\\delta=0.02$, "
@@ -62,12 +67,15 @@ def derive(page):
         d: S.One,
     }
     heavy = {symbol: value if symbol == d else value / 2 for symbol, value in light.items()}
-    steady = page.lemma("With the mass $m$ the wall is stable", stable_at(light))
-    falls = page.lemma("With twice the mass it is not", unstable_at(heavy))
+    steady = page.lemma(
+        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable",
+        stable_at(light),
+    )
+    falls = page.lemma("With twice the mass the same wall is not stable", unstable_at(heavy))
     page.say(
         "With more mass a wall comes closer to the line of the linear condition (25), which lies "
-        "inside the exact region at this place. For the damper see the chapter on "
-        "damping."
+        "inside the exact region at this place. For the damper see "
+        "\\chapter{s4d_parts_damping}."
     )
     claim = CLAIMED["s4d-all-stabilising"](())
     passive = [EVERY_MARGIN, gamma >= 0, delta > 0, alpha > 0, whole(d)]
@@ -77,7 +85,7 @@ def derive(page):
         "s4d-all-stabilising",
         for_all(LOOP, passive, robust),
         instead=every(LOOP, passive, STABLE),
-        corrected=[r"\text{no spring destabilises a passive wall (chapter s5a)}"],
+        corrected=[r"\text{no spring destabilises a passive wall}"],
         example=_passive_wall(passive),
         misprint=False,
         unless=[

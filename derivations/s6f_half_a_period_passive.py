@@ -96,6 +96,6 @@ def derive(page):
     page.figure(
         "stiffness-fractional",
         "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next whole "
-        "delay, which is always on the safe side (next chapter).",
+        "delay, which is always on the safe side (\\chapter{s6g_next_whole_delay}).",
         largest_stiffness,
     )
