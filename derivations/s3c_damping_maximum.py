@@ -33,6 +33,12 @@ from symhaptic.proof.theorems.tactics import closed, counterexample, example, fo
 
 def derive(page):
     need = passivity.dirichlet_form()
+    page.say(
+        "By \\chapter{s3a_passivity_condition} a wall needs at the angle $\\theta=\\omega T$ a "
+        "device that is damped by "
+        "$b>\\frac{KT\\sin(d+\\frac12)\\theta}{2\\sin\\frac\\theta2}-B\\cos(d+1)\\theta$; call "
+        "the right side its need."
+    )
     top = page.step(
         "At $\\theta=\\pi/(d+1)$ the damping alone has to be borne",
         need.subs(theta, pi / (d + 1)),

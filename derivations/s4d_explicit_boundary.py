@@ -24,7 +24,11 @@ from symhaptic.proof.theorems.tactics import counterexample, every, example, fac
 def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
-    page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
+    page.say(
+        "Let $A=z^2-az+e$ and $N=n_1z+n_0$ be those of the sampled device, and "
+        "$p_1=z^{d+1}A+N((\\alpha+\\beta)z-\\beta)$ the characteristic polynomial, made monic "
+        "(\\chapter{s4b_polynomial}). A root of it is a point where"
+    )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
         "A root needs this wall",

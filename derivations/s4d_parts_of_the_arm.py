@@ -1,8 +1,10 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
 The paper concludes that each of them enlarges the stable region. A single wall that is stable
-without the part and unstable with it is enough to deny this. Zeros are isolated by certified
-balls, the coefficients being exact expressions.
+without the part and unstable with it is enough to deny this. Below each
+wall stands its polynomial, $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers
+of the device, and the zero that certified balls isolate. Without delay it can be done by hand: of
+$z^3+a_2z^2+a_1z+a_0$ it is Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
 """
 
 from sympy import Rational, S, cos

@@ -231,8 +231,9 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "passive": (
         *(1, 2),
-        r"\text{{no motion gains energy from }}H({s})={0}"
-        r"\text{{ beside a loss of }}{1}\text{{ per squared displacement}}",
+        r"\text{{no motion gains energy from}}\allowbreak\ H({s})={0}"
+        r"\allowbreak\ \text{{beside a loss of}}\ {1}\allowbreak\ "
+        r"\text{{per squared displacement}}",
         "$\\sum_k(cp_k^2+p_k(Hx)_k)\\ge0$ for any finite sequence of displacements "
         "$p_k=x_{k+1}-x_k$ from rest at $x=0$, of which a damper burns $cp_k^2$ and which work "
         "against the force $(Hx)_k=h_0x_k+h_1x_{k-1}+\\ldots$",

@@ -12,6 +12,7 @@ from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.tex.forms import running
 from symhaptic.book.tex.words import anchor, escaped, prose
+from symhaptic.notation import SYMBOLS
 from symhaptic.notation.proposition import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
@@ -44,6 +45,10 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
             for rule, source in classical().items()
         ],
         "lists": list(lists.items()),
+        "symbols": [
+            (one.latex, f" in {one.unit}" if one.unit != "1" else "", plain(one.meaning))
+            for one in SYMBOLS.values()
+        ],
         "predicates": [(shown, prose(meaning)) for shown, meaning in map(defined, MEANINGS)],
     }
 
