@@ -126,7 +126,7 @@ def _complex(zero: acb) -> str:
 def _size(zero: acb) -> str:
     """Its modulus, with digits enough to tell it from 1."""
     size = abs(zero)
-    for digits in range(6, 60, 2):
+    for digits in range(8, 60, 2):
         text = _decimal(size, digits)
         if text != "1":
             return text

@@ -18,7 +18,7 @@ _SIGNS = {
     "|": "|",
 }
 
-_GREEK = ("alpha", "beta", "gamma", "delta", "epsilon", "theta", "pi", "Phi", "Gamma")
+_GREEK = ("alpha", "beta", "gamma", "delta", "epsilon", "theta", "omega", "pi", "Phi", "Gamma")
 
 _SCRIPTED = (
     r"(?P<base>(?<![A-Za-z'])[A-Za-z]|[)|]|\b(?:Phi|Gamma)(?=_))(?P<primes>'*)"

@@ -45,12 +45,16 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
             for rule, source in classical().items()
         ],
         "lists": list(lists.items()),
-        "symbols": [
-            (one.latex, f" in {one.unit}" if one.unit != "1" else "", plain(one.meaning))
-            for one in SYMBOLS.values()
-        ],
         "predicates": [(shown, prose(meaning)) for shown, meaning in map(defined, MEANINGS)],
     }
+
+
+def symbols() -> list[tuple[str, str, str]]:
+    """Every symbol of the notation with its unit and what it means."""
+    return [
+        (one.latex, f" in {one.unit}" if one.unit != "1" else "", plain(one.meaning))
+        for one in SYMBOLS.values()
+    ]
 
 
 def _row(name: str, text: str, counts: Counter[str]) -> tuple[str, str, int]:
