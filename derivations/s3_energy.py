@@ -10,9 +10,10 @@ from sympy import I, S, cos, exp, re
 from symhaptic.book.lemmas.answers import PUSHES, holds, no_motion_gains
 from symhaptic.book.lemmas.answers import pulled as gives_energy
 from symhaptic.model import passivity
-from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, y, z
+from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, z
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.passivity import TAPS
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened
@@ -91,11 +92,16 @@ def _settle(page, condition):
     claim = CLAIMED["eq4"](printed)
     symbols, given, _ = taken_apart(claim)
     theorem = for_all(symbols, [*given, PUSHES], weakened(no_motion_gains(given[-1]), *given))
+    page.say(
+        "A wall that is computed from the last three positions has $H=h_0+h_1/z+h_2/z^2$; that of "
+        "(1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$ without delay, and $H(1)=h_0+h_1+h_2$ is its "
+        "stiffness."
+    )
     pulls = [S.One], [S.Half, square(1 + 2 * cos(omega))]
-    soft = {x: S.One, y: S.Zero, v: S.Zero, b: S.One, T: S.One}
-    pulled = soft | dict.fromkeys((x, y, v), -S.One)
+    soft = dict(zip(TAPS, (S.One, S.Zero, S.Zero), strict=True)) | {b: S.One, T: S.One}
+    pulled = soft | dict.fromkeys(TAPS, -S.One)
     page.lemma(
-        "A wall $x+y/z+v/z^2$ that meets (4) and does not pull gives no energy away",
+        "A wall $h_0+h_1/z+h_2/z^2$ that meets (4) and does not pull gives no energy away",
         theorem,
         because="the energy of a motion is the integral of the margin over the spectrum of its "
         "displacements, and what is stored at the end",

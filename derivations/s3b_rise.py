@@ -27,7 +27,7 @@ from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 def derive(page):
     page.lemma("The sine of the larger angle is flatter", flatter())
-    page.lemma("The sine of twice the larger angle is flatter, too", width())
+    page.lemma("The sine of twice the larger angle is flatter", width())
     page.lemma("The chord before the angle is positive", chord_before())
     page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
@@ -53,8 +53,8 @@ def derive(page):
         name=r"\partial U/\partial\psi",
         because="its sign is that of $\\cos N\\psi$",
     )
-    page.lemma("Up to there a larger angle has the larger stiffness", rises(LOWER))
-    page.lemma("Beyond, a larger angle has the smaller stiffness", rises(UPPER))
+    page.lemma("Up to $N\\psi=\\pi/2$ a larger angle has the larger stiffness", rises(LOWER))
+    page.lemma("From $N\\psi=\\pi/2$ on a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
         "For a given stiffness the border moves towards the angle with $U=u$",
         diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),

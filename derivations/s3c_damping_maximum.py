@@ -33,6 +33,12 @@ from symhaptic.proof.theorems.tactics import closed, counterexample, example, fo
 
 def derive(page):
     need = passivity.dirichlet_form()
+    page.say(
+        "By \\chapter{s3a_passivity_condition} a wall needs at the angle $\\theta=\\omega T$ a "
+        "device that is damped by "
+        "$b>\\frac{KT\\sin(d+\\frac12)\\theta}{2\\sin\\frac\\theta2}-B\\cos(d+1)\\theta$; call "
+        "the right side its need."
+    )
     top = page.step(
         "At $\\theta=\\pi/(d+1)$ the damping alone has to be borne",
         need.subs(theta, pi / (d + 1)),
@@ -88,8 +94,8 @@ def _ends(page, *derived):
     claim = CLAIMED["s3c-limit-points"](printed)
     symbols, given, then = taken_apart(claim)
     above, below = between(given[-1])
-    page.lemma("The damping ends above", above)
-    page.lemma("The damping ends below", below)
+    page.lemma("No wall that meets (5) has more damping than $b$", above)
+    page.lemma("No wall that meets (5) has less damping than $-b$", below)
     more = [*given, K >= 0]
     beyond = {K: -S.One, T: S.One, b: S.One, B: Rational(5, 4), d: S.Zero, x: S.Zero, y: S.One}
     soft = beyond | {K: S.Zero, B: S.Half}

@@ -56,7 +56,7 @@ def derive(page):
         name=B,
     )
     page.say(
-        "By the previous chapters no other frequency cuts into the line between $(0,-b)$ and this "
+        "By \\chapter{s3b_rise} no other frequency cuts into the line between $(0,-b)$ and this "
         "end: it bounds the passive walls for every real $d\\ge0$, with $y$ from 0 to 1 along it."
     )
     on_line = {K: end_stiffness * y, B: (end_damping + b) * y - b}

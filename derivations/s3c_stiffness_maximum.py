@@ -22,6 +22,12 @@ from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 def derive(page):
     need = passivity.dirichlet_form()
+    page.say(
+        "By \\chapter{s3a_passivity_condition} a wall needs at the angle $\\theta=\\omega T$ a "
+        "device that is damped by "
+        "$b>\\frac{KT\\sin(d+\\frac12)\\theta}{2\\sin\\frac\\theta2}-B\\cos(d+1)\\theta$; call "
+        "the right side its need."
+    )
     page.step(
         "The damping has this coefficient",
         diff(need, B),
@@ -57,7 +63,7 @@ def derive(page):
         b * (cos(angle) - d / (d + 1)) / sin(angle),
         name=B,
         paper="11",
-        because="and by the chapter before, the stiffness of the envelope rises up to this "
+        because="and by \\chapter{s3b_rise} the stiffness of the envelope rises up to this "
         "frequency and falls after it, for every real $d>0$",
     )
     _stiffest(page, Eq(K, stiffness), Eq(B, damping))
@@ -104,15 +110,20 @@ def _stiffest(page, *derived):
     page.lemma(
         "No passive wall is stiffer",
         bound(),
-        because="at this angle only the stiffness counts",
+        because="by \\chapter{s3a_passivity_condition} its margin is not negative at "
+        "$\\theta=\\pi/(2(d+1))$, where $\\cos(d+1)\\theta=0$ and "
+        "$\\sin(d+\\frac12)\\theta=\\cos\\frac\\theta2$: that is "
+        "$b\\ge\\frac12KT\\cot\\frac\\theta2$",
     )
     claim = CLAIMED["eq11"](PRINTED)
     symbols, given, then = taken_apart(claim)
     found = page.lemma(
         "The wall of (11) is passive, and the stiffest",
         stiffest_wall(*map(assume, given[-2:])),
-        because="on either side of this angle the envelope is softer, so that its margin over "
-        "the cosine falls there, through zero",
+        because="by \\chapter{s3b_rise} the envelope is softer on either side of this angle, so "
+        "that the margin of this wall, divided by $\\cos(d+1)\\theta$, falls there from plus to "
+        "minus through zero, and the margin itself is not negative. At larger angles "
+        "\\chapter{s3b_extent} says so. With the step before no passive wall is stiffer",
         boxed=True,
     )
     more = [*given, whole(d)]

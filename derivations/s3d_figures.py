@@ -1,7 +1,7 @@
 r"""What do the plots of the passive walls show?
 
-Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. The
-chapters before tell what it looks like. For which delays are these the passive walls?
+Fig. 4 of the paper draws the boundary for seven delays, two of them fractions of a period. What it
+looks like is told in \chapter{s3b_rise}. For which delays are these the passive walls?
 """
 
 from sympy import Rational, S, cos, pi, sin, tan
@@ -97,7 +97,8 @@ def fractions(page):
     """On the straight part, a fractional delay leaves the passive walls."""
     page.say(
         "For whole delays the walls inside are the passive ones. A fraction of a period, "
-        "$d=\\ell+\\varepsilon$, has another condition, $D\\ge0$ (chapters on fractional delays)."
+        "$d=\\ell+\\varepsilon$, has another condition, $D\\ge0$ "
+        "(\\chapter{s6d_fractional_passivity})."
     )
     line = {B: K * T * (l + epsilon + Rational(1, 2)) - b}
     page.limit(

@@ -108,7 +108,8 @@ def derive(page):
         corrected=(WHOLE,),
         example=shown_at(corrected, SWINGING, *apart),
         unless=[fails(claim, swing)],
-        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$",
+        shows=r"differs at $T=1$, $m=2$, $b=4$, $k=\tfrac32$ ($c_1=1$), $z=2$: "
+        "0.1882 as printed, 0.1366 of the device",
         note="$0/0$ for $k=0$ and for $b^2=4km$",
     )
     _delay(page)

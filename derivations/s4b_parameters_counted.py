@@ -64,8 +64,10 @@ def _settle(page):
     """A loop of seven parameters answers as that of five, in units of its mass and period."""
     claim = CLAIMED["s4b-seven-to-five"](())
     symbols, given, then = taken_apart(claim)
-    device = page.lemma("The device in its own units", in_own_units())
-    wall = page.lemma("The wall in units of the device", scaled_wall(then.of[1]))
+    device = page.lemma(
+        "In units of its mass and of the period a device has two numbers", in_own_units()
+    )
+    wall = page.lemma("In the same units a wall has two numbers", scaled_wall(then.of[1]))
     page.settle(
         "s4b-seven-to-five",
         for_all(symbols, given, weakened(conjoined(device, wall), *given)),

@@ -86,7 +86,9 @@ def series(page):
         both = [assume(k > 0), assume(own > 0), soft]
         found.append(combined(wanted, both, [assume(given[-1]), -k * own]))
     apart = [positive(Ne(part, 0), part > 0) for part in symbols]
-    theorem = page.lemma("The limit is softer than each arm", closed(conjoined(*found), *apart))
+    theorem = page.lemma(
+        "Two joints in series are softer than each of them", closed(conjoined(*found), *apart)
+    )
     half = {k: S.Half, k_1: S.One, k_2: S.One}
     page.settle(
         "s4c-series",

@@ -93,7 +93,7 @@ def limits(page, spring, damper):
     for name, meaning in held.items():
         page.define("(19) gives the numbers per mass", name, meaning)
     inside = page.lemma(
-        "Arm and device within their limits",
+        "Arm and device within their limits are together within (22)",
         conjoined(*within(spring, damper, DEVICE)),
         because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
     )
@@ -102,7 +102,7 @@ def limits(page, spring, damper):
     page.settle_external(
         "eq22",
         "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",
-        r"follows from both; the mean of the chapter on arm and device gives $14.6\,T$ already",
+        r"follows from both; the weighted mean of both gives $14.6\,T$ already",
         *forms,
         given=held,
     )

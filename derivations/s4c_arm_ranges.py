@@ -109,10 +109,10 @@ def periods(page):
         [STIFFNESS, short, period],
         [STIFFNESS, LONGEST, short],
     )
-    page.lemma("The stiffness is covered", inside)
+    page.lemma("The range (23) covers the stiffness of (22)", inside)
     spare = 20 * LONGEST - DAMPING * LONGEST
     page.lemma(
-        "The damping is covered, too",
+        "The range (23) covers the damping of (22)",
         positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]),
     )
     page.enclosed(

@@ -24,7 +24,11 @@ from symhaptic.proof.theorems.tactics import counterexample, every, example, fac
 def derive(page):
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     polynomial = bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)
-    page.say("With $A=z^2-az+e$ and $N=n_1z+n_0$, a root of the polynomial is a point where")
+    page.say(
+        "Let $A=z^2-az+e$ and $N=n_1z+n_0$ be those of the sampled device, and "
+        "$p_1=z^{d+1}A+N((\\alpha+\\beta)z-\\beta)$ the characteristic polynomial, made monic "
+        "(\\chapter{s4b_polynomial}). A root of it is a point where"
+    )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
         "A root needs this wall",
@@ -113,12 +117,12 @@ def _settled(page):
         "as Q", boundary.wall(plant.Sampled(n_1, n_0, a, e)), [p.right for p in on_boundary().parts]
     )
     exact = page.lemma(
-        "Both roads of it: a zero at $e^{j\\theta}$ and this wall are the same",
+        "A zero at $e^{j\\theta}$ means this wall, and this wall a zero there",
         zero_on_circle_is_explicit(),
         because="for the numbers of any device whose $N$ does not vanish there",
     )
     page.lemma(
-        "For a damped device it does not",
+        "For a damped device $N$ does not vanish on the circle",
         numerator_on_circle(),
         because="a held force that turns by $z$ does work, so that it moves the device",
     )

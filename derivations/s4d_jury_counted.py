@@ -1,6 +1,6 @@
 r"""How do the inequalities grow with the delay?
 
-The criterion of the last chapter is applied to the loop, with the device's numbers $n_1$, $n_0$,
+The criterion of \chapter{s4d_jury} is applied to the loop, with the device's numbers $n_1$, $n_0$,
 $a$ and $e$ left as symbols. Which of its inequalities form the boundary of the stable region, is
 any of them idle, and how large do they become?
 """
@@ -37,7 +37,7 @@ def derive(page):
         equal_to=jury.inequalities(0),
     )  # fmt: skip
     page.lemma(
-        "As a theorem",
+        "Without delay four inequalities say which walls are stable",
         by_inequalities(0),
         because="for the numbers of any device; so it is with each whole delay",
     )

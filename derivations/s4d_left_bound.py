@@ -90,6 +90,7 @@ def derive(page):
         because="on the line $\\alpha=0$; the quadratic has both roots inside for $0<\\beta<2$",
     )
     page.say(
-        "So without delay the region touches the line: there the left bound is $\\alpha=-\\gamma$, "
-        "but for whole half swings without damping. The next chapter asks what a delay changes."
+        "So without delay the region touches the line: there the left bound is "
+        "$\\alpha=-\\gamma$, but for whole half swings without damping. What a delay changes is "
+        "asked in \\chapter{s4d_left_bound_delayed}."
     )

@@ -71,7 +71,7 @@ def _settled(page):
     page.say(
         "A damped arm needs none of these estimates. A wall that pulls, without virtual "
         "damping, is passive without delay, and for $\\gamma\\le2\\delta$ one period late, so that "
-        "it is stable (chapter s5a):"
+        "it is stable (\\chapter{s5a_passive_is_stable}):"
     )
     found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)
     claim = CLAIMED["s4d-left-bound"]([Eq(alpha, -gamma)])
@@ -133,10 +133,10 @@ def soft_spring(page):
         because="for a motion that starts with a unit displacement or with a unit speed",
     )
     page.say(
-        "By the energy of the chapter before, a unit speed carries the mass no further than $t$, "
-        "so integrating over a period, $e-r\\le\\gamma/2$; a unit displacement stays below 1, so "
-        "$y\\ge1-\\gamma/2$. For $\\gamma\\le1$ therefore $e-r<1$ and $a+e-r=y+e>0$, and "
-        "$2-a+e-r=(1-a+e)+(1-r)>0$ as $1-a+e=\\gamma(n_1+n_0)\\ge0$ and $r<1$, unless "
+        "By the energy of \\chapter{s4d_left_bound}, a unit speed carries the mass no further "
+        "than $t$, so integrating over a period, $e-r\\le\\gamma/2$; a unit displacement stays "
+        "below 1, so $y\\ge1-\\gamma/2$. For $\\gamma\\le1$ therefore $e-r<1$ and $a+e-r=y+e>0$, "
+        "and $2-a+e-r=(1-a+e)+(1-r)>0$ as $1-a+e=\\gamma(n_1+n_0)\\ge0$ and $r<1$, unless "
         "$\\gamma=\\delta=0$. There take $\\beta=\\tfrac12$ instead:"
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})

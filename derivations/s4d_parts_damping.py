@@ -104,7 +104,10 @@ def derive(page):
         because="the devices' numbers are $n_1$ to $e$ and $n_1''$ to $e''$; the slope is "
         "positive, in balls from the exponential of the plant's matrix and its derivative",
     )
-    page.lemma("So a stable wall without delay stays stable", more_damped_is_stable())
+    page.lemma(
+        "Inside (23) and without delay a stable wall stays stable with more damping",
+        more_damped_is_stable(),
+    )
     page.say(
         "For stiffer springs it is false: $\\gamma=5$, $\\alpha=-4$, $\\beta=5.9$ and no delay. "
         "With $\\delta=1.2$ this wall is stable, and with $1.5$ a root lies outside."

@@ -26,9 +26,9 @@ def derive(page):
     )
     page.define("The boundary begins at", r"\beta_0", CORNER)
     here, later = begins_there(), begins_there(d + 1, gamma)
-    page.lemma("The boundary begins there with a delay of $d$ periods", here)
+    page.lemma("The boundary begins at $(-\\gamma,\\beta_0)$ with a delay of $d$ periods", here)
     page.lemma(
-        "One more period of delay",
+        "With one more period of delay it begins at $(-\\gamma,\\beta_0-\\gamma)$",
         later,
         because="downwards by the spring's stiffness, for every damped plant",
         boxed=True,
@@ -45,8 +45,11 @@ def derive(page):
         "that of $d=1$ is below that of $d=0$. Inside the "
         "paper's ranges (23), $\\gamma=0.001$, $\\delta=0.01$, $\\alpha=-0.0009$, $\\beta=-0.011$:"
     )
-    page.lemma("With one period of delay the wall is stable", stable_at({**wall, d: S.One}))
-    page.lemma("Without delay it is not stable", unstable_at(wall))
+    page.lemma(
+        "One period late $\\alpha=-0.0009$, $\\beta=-0.011$ is stable",
+        stable_at({**wall, d: S.One}),
+    )
+    page.lemma("Without delay $\\alpha=-0.0009$, $\\beta=-0.011$ is not stable", unstable_at(wall))
     page.say(
         "Stiffnesses above zero are met too, once the delay is long enough to turn the spring's "
         "own oscillation: at $\\gamma=0.001$, $\\delta=0.02$ the wall $\\alpha=0.0001$, "

@@ -1,8 +1,10 @@
 r"""Do the mass, the spring and the damper of an arm all stabilise the wall?
 
 The paper concludes that each of them enlarges the stable region. A single wall that is stable
-without the part and unstable with it is enough to deny this. Zeros are isolated by certified
-balls, the coefficients being exact expressions.
+without the part and unstable with it is enough to deny this. Below each
+wall stands its polynomial, $z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)$ with the numbers
+of the device, and the zero that certified balls isolate. Without delay it can be done by hand: of
+$z^3+a_2z^2+a_1z+a_0$ it is Jury's inequality $1-a_0^2>|a_1-a_0a_2|$ that decides.
 """
 
 from sympy import Rational, S, cos
@@ -41,14 +43,19 @@ def derive(page):
         delta: S.Zero,
         d: S.Zero,
     }
-    free = page.lemma("Without a spring the wall is stable", stable_at(wall))
+    free = page.lemma(
+        "Without a spring $\\alpha=\\frac{269}{400}$, $\\beta=\\frac{97}{100}$ is stable",
+        stable_at(wall),
+    )
     page.say(
         "The stiffest spring that (23) gives to an arm, $\\gamma=0.001$, makes it unstable. The "
         "right end of the region moves to the left by about half of $\\gamma$, while the left "
         "bound moves by $\\gamma$."
     )
     sprung = {**wall, gamma: Rational(1, 1000)}
-    witness = page.lemma("With the spring it is not", unstable_at(sprung))
+    witness = page.lemma(
+        "With the spring $\\gamma=0.001$ the same wall is not stable", unstable_at(sprung)
+    )
     page.say(
         "\\emph{The mass.} With everything else unchanged, $\\alpha$, $\\beta$ and $\\delta$ are "
         "inversely proportional to $m$. One period of delay, $\\delta=0.02$, "
@@ -62,12 +69,15 @@ def derive(page):
         d: S.One,
     }
     heavy = {symbol: value if symbol == d else value / 2 for symbol, value in light.items()}
-    steady = page.lemma("With the mass $m$ the wall is stable", stable_at(light))
-    falls = page.lemma("With twice the mass it is not", unstable_at(heavy))
+    steady = page.lemma(
+        "With the mass $m$ the wall $\\frac9{800}$, $-\\frac{13}{4000}$ is stable",
+        stable_at(light),
+    )
+    falls = page.lemma("With twice the mass the same wall is not stable", unstable_at(heavy))
     page.say(
         "With more mass a wall comes closer to the line of the linear condition (25), which lies "
-        "inside the exact region at this place. For the damper see the chapter on "
-        "damping."
+        "inside the exact region at this place. For the damper see "
+        "\\chapter{s4d_parts_damping}."
     )
     claim = CLAIMED["s4d-all-stabilising"](())
     passive = [EVERY_MARGIN, gamma >= 0, delta > 0, alpha > 0, whole(d)]
@@ -77,7 +87,7 @@ def derive(page):
         "s4d-all-stabilising",
         for_all(LOOP, passive, robust),
         instead=every(LOOP, passive, STABLE),
-        corrected=[r"\text{no spring destabilises a passive wall (chapter s5a)}"],
+        corrected=[r"\text{no spring destabilises a passive wall}"],
         example=_passive_wall(passive),
         misprint=False,
         unless=[

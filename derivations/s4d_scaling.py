@@ -3,7 +3,7 @@ r"""Does twice the sampling rate give four times the stiffness?
 The paper reads from Table I how the stable walls change with the period $T$ and the mass $m$, for
 a constant delay factor $d$. What happens to the operator's $b$ and $k$ meanwhile? If they change
 as well, the loop stays the same. If they are kept it does not, and a damped mass without spring
-and delay, $\gamma=0$ and $d=0$, shows by how much. The next chapter has the theorems.
+and delay, $\gamma=0$ and $d=0$, shows by how much. The theorems are in \chapter{s4d_scaling_kept}.
 """
 
 from sympy import Rational

@@ -47,7 +47,10 @@ def stiffness(page):
     """Four times the stiffness at half the period, beside some damping."""
     claim = CLAIMED["s4d-quadratic-in-period"](())
     symbols, given, _ = taken_apart(claim)
-    same = page.lemma("With $bT/m$ and $kT^2/m$ kept, half the period", at_twice_the_rate())
+    same = page.lemma(
+        "With $bT/m$ and $kT^2/m$ kept, half the period allows four times the stiffness",
+        at_twice_the_rate(),
+    )
     loop_ = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero, DAMPER: S.Zero, SPRING: S.Zero}
     kept = loop_ | {K: STIFF[alpha], b: BEFORE, DAMPER: BEFORE}
     swung = loop_ | {K: LITTLE[alpha], SPRING: 16 * pi**2}
@@ -69,7 +72,10 @@ def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
     claim = CLAIMED["s4d-damping-bound"](())
     symbols, given, _ = taken_apart(claim)
-    same = page.lemma("It holds for any other period and mass, too", for_another_mass_and_rate())
+    same = page.lemma(
+        "With $bT/m$ and $kT^2/m$ kept, $BT/m$ has the same bound for every period and mass",
+        for_another_mass_and_rate(),
+    )
     loop_ = dict.fromkeys((b, k, d, DAMPER, SPRING), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One}
     kept = loop_ | {B: BRAKED[beta], b: BEFORE, SOON: Rational(1, 2), DAMPER: BEFORE}
     swung = loop_ | {B: LITTLE[beta], SOON: S.One, SPRING: 4 * pi**2}

@@ -40,7 +40,11 @@ def derive(page):
         "$z^{1/q}$. Where $n_0=0$, with springs far stiffer than an arm, the next coefficient "
         "bounds $n_1\\beta$; and where $n_1=0$ too, no wall is stable."
     )
-    bounded = page.lemma("One bound of $\\beta$ for all walls", bounded_damping(), boxed=True)
+    bounded = page.lemma(
+        "Beside each device and delay one bound of $\\beta$ holds for all stable walls",
+        bounded_damping(),
+        boxed=True,
+    )
     page.say(
         "For the largest spring and damper of (23), $\\gamma=0.001$ and $\\delta=0.02$, and the "
         "stiffness $\\alpha=0.05$:"

@@ -29,7 +29,7 @@ def derive(page):
         because="device times lag, plus wall",
     )
     page.lemma(
-        "Which walls are stable in the loop with the lag",
+        "In the loop with the lag two inequalities say which walls are stable",
         stable_with_lag(),
         because="of the three minors of a cubic, $a_2=m+bt_e$ is positive, and the third is "
         "$a_0=k+K$ times the second, $a_2a_1-a_3a_0$",
@@ -81,7 +81,7 @@ def settle(page, derived):
         unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(b, 0))],
         shows=r"$m=b=T=1$, $t_d=\tfrac12$, $k=B=0$: Routh allows $K<2$, (24) only $K<1$",
         note="as Routh's condition for the lag, which else has $\\frac{bt_e}m(b+B+kt_e)$ more. "
-        "For the sampled loop it is neither necessary nor sufficient (chapters s4e\\_line)",
+        "For the sampled loop it is neither necessary nor sufficient",
     )
 
 

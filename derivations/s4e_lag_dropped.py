@@ -45,7 +45,7 @@ def derive(page):
 def never(page):
     """For the lag (24) errs on the safe side."""
     page.lemma(
-        "Where (24) and $K>-k$ hold",
+        "Where (24) and $K>-k$ hold, the loop with the lag is stable",
         safe(),
         because="for the lag (24) errs on the safe side, whatever $b$ and $k$ are: the dropped "
         "term is not negative, and the other conditions hold, too",

@@ -34,7 +34,7 @@ def derive(page):
         "what a stable wall needs near $z=1$, however many periods it is late:"
     )
     page.lemma(
-        "What the first three of Hurwitz' determinants say of a free mass",
+        "A stable wall of a free mass satisfies three inequalities of Hurwitz",
         conjoined(*minors()),
         because="from the lowest power of $s$ on",
     )
@@ -47,10 +47,10 @@ def derive(page):
         name=r"3\,(c_1c_2-c_0c_3)",
         because="with $\\alpha>0$ and $2\\beta>d\\alpha$ by the other two",
     )
-    page.lemma("So every stable wall satisfies (25)", above_the_line(), boxed=True)
+    page.lemma("Every stable wall of a free mass satisfies (25)", above_the_line(), boxed=True)
     page.say(
-        "It is necessary, but no part of its border is safe. With damping part of it is (next "
-        "chapters)."
+        "It is necessary, but no part of its border is safe. With damping part of it is "
+        "(\\chapter{s4e_line_passive})."
     )
     page.state(
         "linear-free-mass",

@@ -68,8 +68,9 @@ def derive(page):
         r"\tfrac TmF|_{\theta\to0}",
         linear.surplus(),
         plane,
-        because="with $\\delta=b_DT/m$; by the chapter on (9) the low frequencies are the "
-        "strictest for whole $d$, $\\alpha\\ge0$ and $-\\delta\\le\\beta\\le\\frac d{2d+3}\\delta$",
+        because="with $\\delta=b_DT/m$; by \\chapter{s3c_linear_part_condition} the low "
+        "frequencies are the strictest for whole $d$, $\\alpha\\ge0$ and "
+        "$-\\delta\\le\\beta\\le\\frac d{2d+3}\\delta$",
     )
     in_its_range(page)
     page.settle_external(

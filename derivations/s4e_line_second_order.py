@@ -41,8 +41,14 @@ def derive(page):
         name=r"\Delta_2",
         because="products of two small numbers; one period late it is the same with others",
     )
-    page.lemma("A device that burns little answers alike", nearly_even(), because="bounds $w$")
-    page.lemma("The gap is narrow", narrow(), because="bounds $G$, for all arms up to (30)")
+    page.lemma(
+        "$n_1$ exceeds $n_0$ by at most $\\frac16\\delta$", nearly_even(), because="bounds $w$"
+    )
+    page.lemma(
+        "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
+        narrow(),
+        because="bounds $G$, for all arms up to (30)",
+    )
     page.say(
         "Neither $w$ nor $G$ is negative. The minor rises with the surplus "
         "$\\Delta=\\beta+\\delta-(d+\\frac12)\\alpha$ over the line, nearly by as much. So the "

@@ -34,7 +34,7 @@ HALF, LEVEL = Rational(1, 2), Rational(2, 100)
 def derive(page):
     page.say(
         "While $\\beta\\le0$ the error rises along the boundary, and is less than $2\\,\\%$ "
-        "(chapter s4e_line_error_rises). Among the walls with $\\alpha\\ge0$ there it is beyond "
+        "(\\chapter{s4e_line_error_rises}). Among the walls with $\\alpha\\ge0$ there it is beyond "
         "$-2\\,\\%$ for some if and only if it is so at $\\alpha=0$. There the wall of this error "
         "has"
     )
@@ -46,14 +46,18 @@ def derive(page):
         because="zero for $\\beta=-\\delta-0.02\\,(d+\\frac12)\\gamma$",
     )
     page.say(
-        "In the coordinates of that chapter it lies on the ray $b=0.98\\,(d+\\frac12)A$, at "
-        "$A=\\gamma$. On a ray Jury's minor is bent downwards. At its start it is not negative, "
-        "and hardly more than the gap. Where the minor is negative at $A=\\gamma$, so it is for "
-        "all stiffer walls of the ray, and the boundary lies on the other side: the error is "
-        "smaller. Where it is positive, a wall of the boundary with $\\alpha$ just above zero has "
-        "the larger error."
+        "In the coordinates of \\chapter{s4e_line_error_rises} it lies on the ray "
+        "$b=0.98\\,(d+\\frac12)A$, at $A=\\gamma$. On a ray Jury's minor is bent downwards. At "
+        "its start it is not negative, and hardly more than the gap. Where the minor is negative "
+        "at $A=\\gamma$, so it is for all stiffer walls of the ray, and the boundary lies on the "
+        "other side: the error is smaller. Where it is positive, a wall of the boundary with "
+        "$\\alpha$ just above zero has the larger error."
     )
-    page.lemma("The gap is narrow", narrow(), because="$g\\,(n_1+n_0)$, for all arms up to (30)")
+    page.lemma(
+        "The gap $G$ is at most $\\frac1{32}\\gamma^2\\delta$",
+        narrow(),
+        because="$g\\,(n_1+n_0)$, for all arms up to (30)",
+    )
     found = [
         (rf"\delta\quad(d={delay},\ \gamma={name})", edge(spring, delay))
         for delay in (0, 1)

@@ -17,10 +17,10 @@ from symhaptic.proof.theorems.tactics import example, for_all
 
 def derive(page):
     page.say(
-        "A wall is stable where Jury's inequalities hold (earlier chapter). On the line, "
-        "$\\beta=(d+\\frac12)\\alpha-\\delta$, each of them is a polynomial in $\\alpha$. The last "
-        "one, of the largest minor, is the one that fails first. With $g=s_1-\\delta-\\frac\\gamma2"
-        "\\ge0$, the gap of the arm's numbers, it is without delay"
+        "A wall is stable where Jury's inequalities hold (\\chapter{s4d_jury_counted}). On the "
+        "line, $\\beta=(d+\\frac12)\\alpha-\\delta$, each of them is a polynomial in $\\alpha$. "
+        "The last one, of the largest minor, is the one that fails first. With "
+        "$g=s_1-\\delta-\\frac\\gamma2\\ge0$, the gap of the arm's numbers, it is without delay"
     )
     total = n_1 + n_0
     *_, minor = jury.criterion(jury.coefficients(0)).expressions

@@ -50,7 +50,7 @@ def derive(page):
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     wall = {alpha: Rational(1, 100), beta: -Rational(5, 1000), x: Rational(1, 100)}
     late = {**arm, alpha: wall[x], beta: Rational(3, 2) * wall[x] - arm[delta], d: S.One}
-    page.lemma("A wall on the line below the crossing, $d=1$", stable_at(late))
+    page.lemma("On the line, one period late, $\\alpha=0.01$ is stable", stable_at(late))
     page.settle(
         "linear-safe",
         theorem,

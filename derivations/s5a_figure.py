@@ -2,7 +2,7 @@ r"""Do the drawn stability boundaries keep clear of the passive walls?
 
 Fig. 11 of the paper draws both kinds of boundary in one plane, for $\gamma=0.001$, $\delta=0.02$
 and seven delays, two of them fractions of a period. For whole delays passive walls are stable, by
-the chapter before. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
+\chapter{s5a_passive_is_stable}. What do the curves for $d=\tfrac14$ and $d=\tfrac12$ say?
 """
 
 from sympy import S, cos
@@ -47,18 +47,18 @@ def derive(page):
         "is read as $e^{jd\\theta}$",
     )
     page.say(
-        "By the energy of the chapter before the right side is larger than $\\delta$ for "
-        "$0<\\theta\\le\\pi$. The curve therefore never enters the passive walls, for any "
-        "stiffness, any damping and any delay so read: whole ones, and the fractions that the "
-        "paper draws by (27) and by $z^{-d}=e^{-jd\\theta}$. This is what Fig. 11 shows."
+        "By the energy of \\chapter{s5a_passive_is_stable} the right side is larger than "
+        "$\\delta$ for $0<\\theta\\le\\pi$. The curve therefore never enters the passive walls, "
+        "for any stiffness, any damping and any delay so read: whole ones, and the fractions that "
+        "the paper draws by (27) and by $z^{-d}=e^{-jd\\theta}$. This is what Fig. 11 shows."
     )
     page.say(
         "A force that is really held back by a fraction of a period has other boundaries, the "
         "solid ones here. They leave the paper's by 1.6 % of the largest stiffness for "
         "$d=\\tfrac14$ and by 0.3 % for $d=\\tfrac12$. All walls of (27) seem to lie inside: of "
         "$4\\cdot10^5$ on its border none was found unstable. That is no proof; such a count could "
-        "only have refuted it. The walls of (27) for the next whole delay do lie inside, by the "
-        "chapters on fractional delays."
+        "only have refuted it. The walls of (27) for the next whole delay do lie inside, by "
+        "\\chapter{s6g_next_whole_delay} and \\chapter{s6e_fractional_passive_is_stable}."
     )
     page.figure(
         "fig11",
@@ -86,7 +86,7 @@ def _settled(page):
     page.lemma(
         "Passive walls with $\\alpha>0$ are stable",
         inside(),
-        because="by the energy of the chapter before, with every spring",
+        because="by the energy of \\chapter{s5a_passive_is_stable}, with every spring",
     )
     page.say(
         "For a fraction of a period this is true of neither region. Fig. 4's dashed curves for "

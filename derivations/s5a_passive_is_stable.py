@@ -29,11 +29,12 @@ from symhaptic.proof.theorems.tactics import (
 
 def derive(page):
     page.say(
-        "In units of mass and period let $P=N/A$ be the sampled device and $W(z)$ the wall with "
-        "its delay. A root of the loop has $1+PW=0$, so there the wall is $W=-1/P$, and the margin "
-        "of passivity, $\\delta+\\Re\\{W/(z-1)\\}$, becomes $\\delta-\\Re\\{1/((z-1)P)\\}$: delay, "
-        "$\\alpha$ and $\\beta$ have dropped out. Let a held force $F$ drive the device in a "
-        "steady state that turns by $z=e^{j\\theta}$ per period."
+        "In units of mass and period let $P=N/A$ be the sampled device, $A=z^2-az+e$ and "
+        "$N=n_1z+n_0$, and $W(z)=(\\alpha+\\beta(1-1/z))z^{-d}$ the wall with its delay. A root "
+        "of the loop has $1+PW=0$, so there the wall is $W=-1/P$, and the margin of passivity, "
+        "$\\delta+\\Re\\{W/(z-1)\\}$, becomes $\\delta-\\Re\\{1/((z-1)P)\\}$: delay, $\\alpha$ "
+        "and $\\beta$ have dropped out. Let a held force $F$ drive the device in a steady state "
+        "that turns by $z=e^{j\\theta}$ per period."
     )
     page.step(
         "Work is stored or burnt",
@@ -55,9 +56,10 @@ def derive(page):
         "where $z\\ne1$",
     )
     page.say(
-        "Now take a wall that meets (5) and turn it up from nothing to $yW$, $0<y\\le1$. A root "
-        "of the loop at $e^{j\\theta}$ would make the sum of the surplus above and of the margin, "
-        "both not negative and one of them positive, equal to zero."
+        "Divided by $|(z-1)N|^2$ this is $\\delta<\\Re\\{1/((z-1)P)\\}$. Now take a wall that "
+        "meets (5) and turn it up from nothing to $yW$, $0<y\\le1$. A root of the loop at "
+        "$e^{j\\theta}$ has $1/P=-yW$, so that $\\delta+y\\Re\\{W/(z-1)\\}<0$. But that is "
+        "$(1-y)\\delta$ and $y$ times the margin, and neither is negative."
     )
     page.lemma("No root crosses the circle while the wall is turned up", no_crossing())
     page.figure(

@@ -117,7 +117,7 @@ def derive(page):
     )
     for spring, delays in PEAKS.items():
         page.lemma(
-            f"All stable walls are softer for $d={delays[-1]}$, with this spring",
+            f"All stable walls are softer for $d={delays[-1]}$, $\\gamma={float(spring):g}$",
             none_above((spring, DAMPED), delays[-1])[1],
         )
     page.settle(

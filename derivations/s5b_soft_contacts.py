@@ -53,9 +53,10 @@ def derive(page):
     page.same("softer", softer, margin.subs(K, y * K))
     page.same("ends", without, margin.subs(K, 0))
     page.say(
-        "So with $0\\le y\\le1$ the softer wall is passive too, and by the chapter on passive "
-        "walls stable, for $\\delta>0$ and whole delays as long as $\\alpha+\\gamma>0$. (Without "
-        "any stiffness, $\\alpha=\\gamma=0$, a root lies at 1: nothing holds the mass.)"
+        "So with $0\\le y\\le1$ the softer wall is passive too, and by "
+        "\\chapter{s5a_passive_is_stable} stable, for $\\delta>0$ and whole delays as long as "
+        "$\\alpha+\\gamma>0$. (Without any stiffness, $\\alpha=\\gamma=0$, a root lies at 1: "
+        "nothing holds the mass.)"
     )
     page.lemma(
         "With less stiffness the margin stays at every angle",
@@ -70,12 +71,12 @@ def derive(page):
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50), beta: Rational("0.0252"), d: S(150)}
     soft = {**arm, alpha: Rational(1, 5000), y: S.Zero}
     page.lemma("The wall with $\\alpha=0.0002$ is stable", stands(soft))
-    page.lemma("Without its stiffness it is not", falls(soft))
+    page.lemma("Without the stiffness $\\alpha=0.0002$ it is not stable", falls(soft))
     page.say("With stiff springs, as in Fig. 13, two periods are enough:")
     spring = {gamma: S(3), delta: Rational(1, 50), beta: Rational("0.47"), d: S(2)}
     spring |= {alpha: Rational(3, 10), y: S.Zero}
     page.lemma("Beside the spring the wall with $\\alpha=0.3$ is stable", stands(spring))
-    page.lemma("Without its stiffness it is not, beside the same spring", falls(spring))
+    page.lemma("Without the stiffness $\\alpha=0.3$ it is not stable", falls(spring))
     claim = CLAIMED["s5b-soft-contacts"](())
     symbols, given, _ = taken_apart(claim)
     held, below = proposition(y * alpha + gamma > 0), passive()
@@ -105,7 +106,7 @@ def derive(page):
         ],
         shows=r"$\beta=0.0252$ and 150 periods of delay: stable with $\alpha=0.0002$, not with 0",
         note=r"a passive wall that does not pull has $\delta>0$; for whole delays; without delay "
-        "it need not be passive (next chapter); inside (23) no such wall was found for delays up "
+        "it need not be passive; inside (23) no such wall was found for delays up "
         "to 75 periods",
     )
 

@@ -1,7 +1,7 @@
 r"""Can the stiffness of a stable wall be turned down without delay?
 
 With delay a stable wall can become unstable when its stiffness falls while its damping is kept, as
-the chapter before shows. We ask for which arms that cannot happen without delay.
+\chapter{s5b_soft_contacts} shows. We ask for which arms that cannot happen without delay.
 """
 
 from sympy import Rational, S, diff
@@ -23,8 +23,8 @@ IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
 def derive(page):
     page.say(
         "Without delay Jury's inequalities say it. Again $1-a+e=\\gamma(n_1+n_0)$ and "
-        "$(n_1+n_0)s_1=1-e+\\gamma n_0$; a stable wall has $1+n_1\\beta>0$ by the chapter on "
-        "walls without delay, and $|n_0\\beta|<1$ as the product of its roots:"
+        "$(n_1+n_0)s_1=1-e+\\gamma n_0$; a stable wall has $1+n_1\\beta>0$ by "
+        "\\chapter{s4d_jury_explicit}, and $|n_0\\beta|<1$ as the product of its roots:"
     )
     arm = {a: 1 + e - gamma * RISE}
     loss = {e: 1 - RISE * s_1 + gamma * n_0}

@@ -30,7 +30,7 @@ def derive(page):
     arm = {a: 1 + e - gamma * RISE}
     page.say(
         "Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\\Delta_2>0$ "
-        "(earlier chapter). With $1-a+e=\\gamma(n_1+n_0)$ and the damping "
+        "(\\chapter{s4d_jury_counted}). With $1-a+e=\\gamma(n_1+n_0)$ and the damping "
         "$s_1=(1-e+\\gamma n_0)/(n_1+n_0)$ of the arm near $z=1$:"
     )
     loss = RISE * s_1 - gamma * n_0

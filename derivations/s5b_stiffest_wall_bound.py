@@ -1,8 +1,8 @@
 r"""Is the stiffest wall on the first arc of the boundary?
 
-With the angles of the chapter before we show, for every whole delay $d\ge1$, that no stable wall is
-stiffer than the first arc of the explicit boundary: the largest stable stiffness is a maximum of
-one explicit function. Springs are as soft as an arm's, $\gamma\le0.001$, and
+With the angles of \chapter{s5b_stiffest_wall} we show, for every whole delay $d\ge1$, that no
+stable wall is stiffer than the first arc of the explicit boundary: the largest stable stiffness is
+a maximum of one explicit function. Springs are as soft as an arm's, $\gamma\le0.001$, and
 $0<\delta\le0.1$.
 """
 

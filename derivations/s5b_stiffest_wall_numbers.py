@@ -1,8 +1,8 @@
 r"""How much stiffer than a passive wall can a stable one be?
 
 The paper gives the ratio of the largest stable to the largest passive stiffness for $d=1$ and
-draws its inverse $\eta$ in Fig. 12. With the chapter before, each value is the maximum of an
-explicit function, and balls enclose it.
+draws its inverse $\eta$ in Fig. 12. With \chapter{s5b_stiffest_wall_bound} each value is the
+maximum of an explicit function, and balls enclose it.
 """
 
 from sympy import Poly, Rational, S, pi, symbols, tan

@@ -38,7 +38,7 @@ def derive(page):
         "walls:"
     )
     page.lemma(
-        "Behind 40 periods the stable walls have less than this stiffness",
+        "Behind 40 periods the stable walls have $\\alpha<0.000766483$",
         none_above(SPRUNG, PEAK)[1],
     )
     page.lemma(
@@ -65,5 +65,5 @@ def derive(page):
         r"all passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         r"$d=122$ to less than 0.91 at $d=1000$",
         note="read as one in print, which 0.9998 is, it is reached; up to there $\\eta$ grows "
-        "between the delays of the chapter on Fig. 12",
+        "between the delays of Fig. 12",
     )

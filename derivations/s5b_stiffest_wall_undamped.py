@@ -1,7 +1,8 @@
 r"""Is the stiffest wall also on the first arc without damping?
 
-The chapter on the first arc asks for $\delta>0$, as an undamped plant has its own roots on the
-circle. To know what a damper is worth we need the loop without one.
+That no wall is stiffer than the first arc, \chapter{s5b_stiffest_wall_bound}, asks for $\delta>0$,
+as an undamped plant has its own roots on the circle. To know what a damper is worth we need the
+loop without one.
 """
 
 from sympy import I, Rational, cos, exp, sin, tan
@@ -18,10 +19,11 @@ SWING = Sampled(n_0, n_0, a, 1)
 def derive(page):
     page.say(
         "\\emph{No stable wall is stiffer.} A wall that is stable without damping stays so with a "
-        "little of it, as roots move with the coefficients. The inequalities of that chapter hold "
-        "strictly, so for little damping too, and its largest stiffness is a maximum of a function "
-        "that is continuous in $\\delta$, $|N|$ being positive up to $\\theta=\\frac{2\\pi}3$. So "
-        "with $\\delta\\to0$ no wall is stiffer than the arc without damping."
+        "little of it, as roots move with the coefficients. The inequalities of "
+        "\\chapter{s5b_stiffest_wall_bound} hold strictly, so for little damping too, and its "
+        "largest stiffness is a maximum of a function that is continuous in $\\delta$, $|N|$ "
+        "being positive up to $\\theta=\\frac{2\\pi}3$. So with $\\delta\\to0$ no wall is stiffer "
+        "than the arc without damping."
     )
     page.say(
         "\\emph{The curve is reached.} Without damping $n_1=n_0$ and $e=1$. As before let "
@@ -84,6 +86,6 @@ def derive(page):
     page.state(
         "stiffest-wall-undamped",
         r"without damping too the largest stable stiffness for $d\ge1$ is that of the boundary up "
-        r"to $\theta=\pi/(d+\frac12)$, where the inequalities of the chapter on the first arc hold",
+        r"to $\theta=\pi/(d+\frac12)$, where the inequalities on the first arc hold",
     )
     page.settle("stiffest-wall-undamped", curve, damping)

@@ -41,10 +41,11 @@ def derive(page):
         )
     ]
     page.say(
-        "With a delay it is the maximum of the explicit function (chapters before), over "
-        "$\\varphi=(d+1)\\theta$ up to $\\frac{4\\pi}3$. For the whole delays of Fig. 11 the "
-        "maximum lies between $\\varphi=\\frac12$ and $\\frac32$, as outside the curve is below "
-        "its value at $1.1$; and between, $\\alpha/\\delta$ falls at each angle:"
+        "With a delay it is the maximum of the explicit function "
+        "(\\chapter{s5b_stiffest_wall_bound}), over $\\varphi=(d+1)\\theta$ up to "
+        "$\\frac{4\\pi}3$. For the whole delays of Fig. 11 the maximum lies between "
+        "$\\varphi=\\frac12$ and $\\frac32$, as outside the curve is below its value at $1.1$; "
+        "and between, $\\alpha/\\delta$ falls at each angle:"
     )
     for delay in (1, 2, 4, 8):
         curve = STIFFNESS.subs(t, tan(phi / (2 * (delay + 1)))).subs(BALLS)
@@ -78,7 +79,7 @@ def derive(page):
         [(r"\eta|_{\delta=0.01}", known[one]), (r"\eta|_{\delta=0.02}", known[two])],
     )
     page.lemma(
-        "At $d=200$, $\\delta=0.01$ the stable walls have less than this stiffness",
+        "At $d=200$, $\\delta=0.01$ the stable walls have $\\alpha<0.00007843$",
         none_above((FAR[gamma], FAR[delta]), 200)[1],
         because="by one point of the circle, as before",
     )

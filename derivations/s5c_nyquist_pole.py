@@ -33,7 +33,7 @@ def derive(page):
         because="the root at $-1$ is there for every wall and every delay",
     )
     pole = page.lemma(
-        "A pole at $-1$ that no wall moves",
+        "Without damping a pole lies at $-1$, and no wall moves it",
         mirrored_pole(S.Zero),
         because="for a delay of $\\ell/q$ periods $w=e^{j\\pi/q}$ is a zero of the polynomial in "
         "$w$, and $w^q=-1$",
@@ -49,7 +49,7 @@ def derive(page):
         "it unstable",
     )
     damped = page.lemma(
-        "With damping it lies at $-e^{-\\delta/2}$",
+        "With damping a pole lies at $-e^{-\\delta/2}$, and no wall moves it",
         mirrored_pole(delta),
         because="for $\\gamma=\\pi^2+\\delta^2/4$, the Nyquist frequency of a damped device",
     )

@@ -81,7 +81,7 @@ def derive(page):
     most = AT[gamma] * (3 - LEFT) / (1 + LEFT)
     page.same("corner", edge + 2 / force, most)
     page.lemma(
-        "The stable walls are this triangle",
+        "At the Nyquist frequency and without delay the stable walls fill a triangle",
         is_triangle(),
         because="of Jury's inequalities for the cubic polynomial each is made of the three",
         boxed=True,

@@ -74,13 +74,13 @@ def derive(page):
         because="with $d=p/(q+1)$, $M=q+1$ and $N=p+q+1$, and $\\Omega=M\\psi$",
     )
     page.lemma(
-        "Beside this spring no wall that does not pull is stable",
+        "Read in $w$, no wall that does not pull is stable beside this spring",
         outpaced(),
         because="neither term is positive; the delay is any fraction, with $z=w^{q+1}$ as the "
         "paper has it",
     )
     page.lemma(
-        "So no loop of a wall that does not pull is stable beside the spring with "
+        "No loop of a wall that does not pull is stable beside the spring with "
         "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
         excluded(),
     )

@@ -1,8 +1,8 @@
 r"""Which walls does no spring destabilise?
 
 A wall is robustly stable if it is stable with every spring, $0\le\gamma\le\pi^2+\delta^2/4$.
-Passive walls are, for whole delays, by an earlier chapter; without damping none is, by the chapter
-before. We ask what a little damping leaves.
+Passive walls are, for whole delays, by \chapter{s5a_passive_is_robust}; without damping none is, by
+\chapter{s5c_robust}. We ask what a little damping leaves.
 """
 
 from sympy import I, S, cos, exp, sin
@@ -35,7 +35,7 @@ def derive(page):
     need = passivity.dirichlet_form().subs({K: alpha, B: beta, T: S.One})
     pull = -2 * n_1 * cos(theta / 2) * turned / (2 * I * sin(theta))
     page.say(
-        "In the notation of the chapter before, a little damping moves the plant's roots "
+        "In the notation of \\chapter{s5c_robust}, a little damping moves the plant's roots "
         "$e^{\\pm j\\Omega}$ inside by $\\delta/2$. A weak wall moves them by its part of the "
         "polynomial over the slope of the plant's. At the plant's own angle, $\\theta=\\Omega$:"
     )

@@ -41,10 +41,11 @@ PARTS = (
 
 def derive(page):
     page.say(
-        "Let $\\alpha_{\\max}(\\gamma,\\delta)$ be the largest stable stiffness, as found in the "
-        "chapters before: a closed form for $d=0$, else the largest value of the boundary up to "
-        "$\\theta=\\pi/(d+\\frac12)$. Without a spring it is $\\alpha_{\\max}(0,\\delta)$, without "
-        "a damper $\\alpha_{\\max}(\\gamma,0)$. What a part costs is the largest "
+        "Let $\\alpha_{\\max}(\\gamma,\\delta)$ be the largest stable stiffness, as found in "
+        "\\chapter{s5b_stiffest_undelayed} and \\chapter{s5b_stiffest_wall_bound}: a closed form "
+        "for $d=0$, else the largest value of the boundary up to $\\theta=\\pi/(d+\\frac12)$. "
+        "Without a spring it is $\\alpha_{\\max}(0,\\delta)$, without a damper "
+        "$\\alpha_{\\max}(\\gamma,0)$. What a part costs is the largest "
         "$|\\alpha_{\\max}'/\\alpha_{\\max}-1|$ on the range, with $\\alpha_{\\max}'$ for the "
         "smaller model."
     )

@@ -42,7 +42,10 @@ def settled(page):
         "ten times is asked, by a wall next to the tip now and a bound next to the tip then, for a "
         "free mass and for the arm of Figs. 11 and 12:"
     )
-    page.lemma("A hundred periods late the stable walls of a free mass are softer", farthest())
+    page.lemma(
+        "A hundred periods late the stable walls of a free mass have $\\alpha<0.000053896$",
+        farthest(),
+    )
     claim = CLAIMED["s6-faster-sampling"](())
     symbols, ranges, then = taken_apart(claim)
     point = {gamma: S.Zero, delta: S.Zero, d: S(10), FASTER: S.One}
@@ -87,7 +90,7 @@ def passive(page):
 def stable(page):
     """The stable stiffness of a free mass, likewise."""
     page.say(
-        "For a free mass $Kt_d^2/m=d^2\\alpha_{\\max}$. In the chapter on long delays "
+        "For a free mass $Kt_d^2/m=d^2\\alpha_{\\max}$. In \\chapter{s4d_free_mass_long_delay} "
         "$(d+1)^2\\alpha_{\\max}$ falls with the delay, to $\\varphi_*^2\\cos\\varphi_*$, which is "
         "what endlessly fast sampling gives. So the gain is at most $(1+\\frac1d)^2$: 21 % for "
         "$d=10$, and 10 % for the passive stiffness. With little delay it is more:"

@@ -74,7 +74,7 @@ def damping(page):
         "Without a damper no wall that does not pull is stable beside the spring with "
         "$(d+1)\\sqrt\\gamma=\\frac\\pi2$",
         excluded(),
-        because="as in the chapter on robust walls; $\\gamma=(\\frac\\pi{100})^2<0.001$ is this "
+        because="as in \\chapter{s5c_robust}; $\\gamma=(\\frac\\pi{100})^2<0.001$ is this "
         "spring for $d=49$",
     )
     claim = CLAIMED["s6-damping-marginal"](())

@@ -1,8 +1,8 @@
 r"""Where is the stability boundary when the delay is no whole number of periods?
 
-The sampled device of the chapter before has one more coefficient. Everything else that was said
-of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and the boundary as an
-explicit curve.
+The sampled device of \chapter{s6a_fractional_plant} has one more coefficient. Everything else that
+was said of whole delays can be asked again: the polynomial, its roots at 1 and $-1$, and the
+boundary as an explicit curve.
 """
 
 from sympy import I, Rational, S, cos, exp, sin, symbols

@@ -74,15 +74,16 @@ def derive(page):
         "The damper burns this at least",
         ((1 - epsilon) * p_k + q_k) ** 2 / (1 - epsilon) + (epsilon * p_k - q_k) ** 2 / epsilon,
         p_k**2 + q_k**2 / (epsilon * (1 - epsilon)),
-        because="in the time in which one force is held, as in the chapter before; and more, "
-        "unless the speed is constant in both parts",
+        because="in the time in which one force is held, as in "
+        "\\chapter{s6d_fractional_passivity}; and more, unless the speed is constant in "
+        "both parts",
     )
     page.say(
-        "So the energy left to damper and wall, the form in $p$ and $q$ of the chapter before, is "
-        "negative for this motion: equality would need a constant speed at all times, and that is "
-        "$z=1$. (If neither $p$ nor $q$ is there, the device rests.) But of a passive wall "
-        "the form is nowhere negative, and the condition is concave in the share $y$ of "
-        "a weaker wall $yW$:"
+        "So the energy left to damper and wall, the form in $p$ and $q$ of "
+        "\\chapter{s6d_fractional_passivity}, is negative for this motion: equality would need a "
+        "constant speed at all times, and that is $z=1$. (If neither $p$ nor $q$ is there, the "
+        "device rests.) But of a passive wall the form is nowhere negative, and the condition is "
+        "concave in the share $y$ of a weaker wall $yW$:"
     )
     margin, whole, part = delta**2 - delta * x - w / 4, x, y
     page.step(

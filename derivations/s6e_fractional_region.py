@@ -95,5 +95,5 @@ def without_stiffness(page, share):
         found,
         example=example(POINT, GIVEN),
         note="the paper gives $(0,-b)$ and $(0,b)$ for every delay; half a period late the end is "
-        "$1.296\\,b$ (next chapter)",
+        "$1.296\\,b$",
     )

@@ -28,7 +28,9 @@ def derive(page):
         "f(x)",
         value,
         page.same("in x", fractional.margin().subs(HALF), value.subs(x, cos(theta / 2) ** 2)),
-        because="not negative for all $x=\\cos^2\\frac\\theta2$ between 0 and 1",
+        because="the condition of \\chapter{s6d_fractional_passivity} with $b=T=1$; the wall is "
+        "passive if and only if $K\\ge0$ and this is not negative for all "
+        "$x=\\cos^2\\frac\\theta2$ between 0 and 1. Let $f_2$, $f_1$, $f_0$ be its coefficients",
     )
     page.step(
         "At low frequencies it bounds the lower part",
@@ -56,8 +58,9 @@ def derive(page):
         "It is farthest to the right at a zero of another polynomial",
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
-        name=r"\text{discriminant in }B",
-        because="zero where two values of $B$ fall together",
+        name=r"-2^{-22}\,\mathrm{disc}_B\,\bigl(16\,(f_1^2-4f_0f_2)\bigr)",
+        because="the discriminant in $B$ of the one before: zero where two values of $B$ fall "
+        "together",
     )
     one, two = S.One, Rational(2)
     zeros = ((B, root(end, one, two)), (K, root(tip, one, two)))
@@ -67,8 +70,11 @@ def derive(page):
     found = page.lemma(
         "No passive wall is stiffer than $1.175870\\,b/T$",
         stiffest_half_late(),
-        because="the first is a sum of squares; of stiffer walls the quadratic is "
-        "negative at $\\tan\\frac\\theta2=0.5283$",
+        because="of the first wall $f_2=4B>0$ and $f_1^2-4f_0f_2<0$ by the formula of the third "
+        "step, so that $f$ is a sum of squares. Of a wall with $K\\ge1.17587$ it is negative at "
+        "$\\tan\\frac\\theta2=0.5283$, $x=0.781799$: for the best $B$ it is "
+        "$1-Kx-\\frac1{16}K^2+(4x^2-3x-\\frac14K(1-x))^2/(1-x)$, which falls with $K$ and is "
+        "$-8.8\\cdot10^{-7}$ at the first",
         boxed=True,
     )
     page.say(
@@ -96,6 +102,6 @@ def derive(page):
     page.figure(
         "stiffness-fractional",
         "Largest passive stiffness over the delay: exact, by (11), and by (11) for the next whole "
-        "delay, which is always on the safe side (next chapter).",
+        "delay, which is always on the safe side (\\chapter{s6g_next_whole_delay}).",
         largest_stiffness,
     )

@@ -20,7 +20,7 @@ def derive(page):
     claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
-        "Without delay such a wall is stable with every mass and every spring",
+        "Without delay a wall $K\\le2b/T$, $B=0$ is stable with every mass and every spring",
         twice_the_damping(given[-1]),
         because="the margin of passivity is $b-\\frac12KT$ at every angle, and a passive wall is "
         "stable",
@@ -32,7 +32,9 @@ def derive(page):
     )
     still = {B: S.Zero, k: S.Zero, T: S.One, m: S.One, K: S.One, b: S.Half}
     late = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.Half, d: S.One}
-    page.lemma("One period late that wall has a root outside the unit circle", outside(late))
+    page.lemma(
+        "One period late the wall $K=1$ of $b=\\frac12$, $m=T=1$ is not stable", outside(late)
+    )
     page.settle(
         RULE,
         for_all(symbols, [*given, Eq(d, 0)], weakened(found, *given)),

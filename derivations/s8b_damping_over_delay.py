@@ -22,7 +22,7 @@ def derive(page):
     claim = CLAIMED[RULE](STATEMENTS[RULE].printed)
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
-        "With little virtual damping such a wall is stable with every mass and every spring",
+        "With little virtual damping a wall below the rule is stable beside every spring",
         damping_over_delay(given[-1]),
         because="low frequencies are then the strictest for a passive wall, and leave a margin",
         boxed=True,
@@ -33,7 +33,7 @@ def derive(page):
     )
     wall = {K: S.One, T: S.One, m: S.One, b: S.One, k: S.Zero, d: S.Zero}
     braked = {alpha: S.One, beta: S(3), gamma: S.Zero, delta: S.One, d: S.Zero}
-    page.lemma("That wall has a root outside the unit circle", outside(braked))
+    page.lemma("Without delay the wall $K=1$, $B=3$ of $m=T=b=1$ is not stable", outside(braked))
     page.settle(
         RULE,
         for_all(symbols, [*given, RANGE], weakened(found, *given)),

@@ -27,7 +27,7 @@ def derive(page):
         because="the force of a spring is half a period late on average, and a late spring drives",
         boxed=True,
     )
-    page.lemma("So has the wall $K=1$ of $m=T=1$ a root outside the circle", outside(ROOTS))
+    page.lemma("The wall $K=1$ of $m=T=1$ has a root outside the circle", outside(ROOTS))
     given = [*given, *NOTHING]
     page.settle(
         RULE,

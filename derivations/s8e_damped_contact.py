@@ -25,7 +25,7 @@ def derive(page):
     symbols, given, _ = taken_apart(CLAIMED[RULE]((right,)))
     page.lemma("A wall of a free mass without delay is stable by four inequalities", free_mass())
     found = page.lemma(
-        "Below this stiffness a free mass is stable beside a virtual damper",
+        "Below a stiffness that the virtual damper sets a free mass is stable",
         damped_contact(right),
         because="the last inequality is the rule, and the others follow",
         boxed=True,
@@ -42,7 +42,7 @@ def derive(page):
         because="positive wherever it allows anything, $BT<4m$",
     )
     driven = {alpha: S.One, beta: S.One, gamma: S.Zero, delta: S.Zero, d: S.Zero}
-    page.lemma("With $m=T=B=1$ it allows $K=1$, which has a root outside", outside(driven))
+    page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))
     page.settle(
         RULE,
         for_all(symbols, given, weakened(found, *given)),

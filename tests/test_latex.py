@@ -47,7 +47,19 @@ def test_what_is_written_reads_back_as_the_same(expr):
 
 def test_in_a_line_the_half_of_an_angle_is_not_the_half_of_its_sine():
     assert latex(sin(theta / 2), inline=True) == r"\sin(\theta/2)"
-    assert latex(sin(theta) / 2, inline=True) == r"\sin\theta/2"
+    assert latex(sin(theta) / 2, inline=True) == r"(\sin\theta)/2"
+    assert latex(T * sin((d + 1) * theta) / 2, inline=True) == r"(T\sin(d+1)\theta)/2"
+    assert latex(2 * T * (1 - sin(theta)) / d, inline=True) == r"2T(1-\sin\theta)/d"
+
+
+def test_a_slash_divides_by_all_that_stands_behind_it():
+    other = Symbol("m'")
+    assert latex(theta / other, inline=True) == r"\theta/m'"
+    assert latex(theta / (T**2 * other), inline=True) == r"\theta/(T^2m')"
+
+
+def test_the_power_of_a_sum_of_numbers_is_that_of_the_sum():
+    assert latex((1 - exp(Rational(-1, 50))) ** 2, inline=True) == r"(1-e^{-1/50})^{2}"
 
 
 def test_a_prime_stands_behind_the_letter():

@@ -6,6 +6,7 @@ import re
 import pytest
 
 from symhaptic.book.chapters import shipped
+from symhaptic.book.parts import numbers
 
 TITLED = {
     "define", "enclosed", "inside", "lemma", "limit", "minimal", "outside", "positive", "result",
@@ -30,3 +31,53 @@ def titles(path):
 @pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
 def test_no_title_leans_on_the_step_before(path):
     assert [title for title in titles(path) if LEANS.match(str(title))] == []
+
+
+ALONE = re.compile(
+    r"(So|It|There(?! is)|Beyond|Up to there)\b|.*\b(as a theorem|too|does not)$"
+    r"|.*\b(such a|that) wall\b",
+    re.IGNORECASE,
+)
+
+
+def lemmas(path):
+    """Titles of a chapter's theorems, which stand alone in the table of their part."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if (
+            isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Attribute)
+            and node.func.attr == "lemma"
+            and isinstance(node.args[0], ast.Constant)
+        ):
+            yield node.args[0].value
+
+
+@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+def test_the_title_of_a_theorem_says_what_it_says_without_its_page(path):
+    assert [title for title in lemmas(path) if ALONE.match(title)] == []
+
+
+STALE = re.compile(
+    r"chapters?\s+(before|s\d|on\b)|(next|last|earlier|previous|that)\s+chapters?\b", re.IGNORECASE
+)
+
+
+@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+def test_a_chapter_is_referred_to_by_its_name_and_not_by_where_it_stands(path):
+    text = path.read_text(encoding="utf-8")
+    words = re.sub(r'"\s*\n\s*r?"', "", text)  # literals that Python joins
+    assert STALE.findall(words) == []
+    assert set(re.findall(r"\\chapter\{(\w+)\}", words)) <= set(numbers())
+
+
+@pytest.mark.parametrize(
+    "title",
+    ["As a theorem", "The damping is covered, too", "For a damped device it does not"],
+)
+def test_a_title_that_leans_is_found(title):
+    assert ALONE.match(title)
+
+
+@pytest.mark.parametrize("words", ["by the chapter before, the", "(chapter s5a)", "next chapter"])
+def test_a_place_that_may_change_is_found(words):
+    assert STALE.search(words)

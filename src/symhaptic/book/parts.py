@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import TypeVar
+
+from symhaptic.book.chapters import shipped
 
 _Item = TypeVar("_Item")
 
@@ -111,3 +115,22 @@ def in_parts(items: Iterable[_Item], name: Callable[[_Item], str]) -> list[_Item
     """Chapters, or what stands for them, in the order of the book; within a part as they come."""
     order = {part.title: at for at, part in enumerate((*PARTS, OWN))}
     return sorted(items, key=lambda item: order[part_of(name(item)).title])
+
+
+@cache
+def numbers() -> Mapping[str, int]:
+    """Number of each chapter of the book, by its name."""
+    names = in_parts([path.stem for path in shipped()], lambda name: name)
+    return {name: number for number, name in enumerate(names, 1)}
+
+
+_MARK = re.compile(r"\\chapter\{(\w+)\}")
+
+
+def referred(text: str, shown: Callable[[int], str]) -> str:
+    r"""Prose in which ``\chapter{name}`` has become what is shown of that chapter's number.
+
+    >>> referred(r"see \chapter{s2a_device}", lambda number: f"chapter {number}")
+    'see chapter 1'
+    """
+    return _MARK.sub(lambda mark: shown(numbers()[mark[1]]), text)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
@@ -20,6 +21,7 @@ NAMES: Mapping[str, str] = {
     "held_answer": "motion under a held force",
     "held_by_a_pole": "a pole outside",
     "held_steady_state": "held steady state",
+    "increases": "sign of the derivative",
     "in_the_limit": "limits of inequalities",
     "in_units": "change of units",
     "induction": "induction",
@@ -75,6 +77,12 @@ def others() -> Mapping[str, Mapping[str, str]]:
 
 @cache
 def says(rule: str) -> str:
-    """What a rule says: the first paragraph of its docstring."""
+    """What a rule says, hypotheses and all: its docstring without names of arguments and examples.
+
+    >>> says("zero_on_circle")
+    'p(exp(j theta)) = 0 for a real theta gives that not all zeros lie inside.'
+    """
     found = next((f for m in _modules().values() if (f := vars(m).get(rule)) is not None), None)
-    return (inspect.getdoc(found) or "").partition("\n\n")[0].replace("\n", " ")
+    told = (inspect.getdoc(found) or "").partition(">>>")[0]
+    told = re.sub(r"\s*\((?:[a-z ]+)?(?:``\w+``|:mod:`[\w.]+`)\)", "", told)
+    return " ".join(told.replace("``", "").split())

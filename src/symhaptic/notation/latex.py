@@ -6,6 +6,8 @@ fall in powers of z; :math:`\sin d\theta` has no needless brackets; exponents us
 
 from __future__ import annotations
 
+import re
+
 import sympy as sp
 from sympy import Expr
 
@@ -100,7 +102,7 @@ class _Writer:
         if not self.inline:
             digits = top.isdigit() and bottom.isdigit()
             return rf"{chr(92)}{'tfrac' if digits else 'frac'}{{{top}}}{{{bottom}}}"
-        if any(c in top for c in "+-") and not _enclosed(top):
+        if _loose(top) and not _enclosed(top):
             top = f"({top})"
         if not (len(bottom) == 1 or bottom.isdigit() or _one_command(bottom)):
             bottom = bottom if _enclosed(bottom) else f"({bottom})"
@@ -152,12 +154,10 @@ class _Writer:
         if base.is_Symbol:
             name, sub = inner.split("_", 1)
             return f"{name}_{sub}^{{{script}}}"
-        if isinstance(base, sp.exp) or (base.is_number and not base.is_negative):
-            inner = (
-                rf"\left({self.write(base)}\right)"
-                if isinstance(base, sp.exp)
-                else (self.write(base))
-            )
+        if isinstance(base, sp.exp):
+            inner = rf"\left({self.write(base)}\right)"
+        elif base is sp.pi or (base.is_Integer and base > 0):
+            inner = self.write(base)
         return f"{inner}^{{{script}}}"
 
     def function(self, expr: Expr, power: int) -> str:
@@ -197,7 +197,26 @@ def _enclosed(text: str) -> bool:
     return False
 
 
+def _loose(top: str) -> bool:
+    r"""Whether a slash behind it would not divide all of it: a sum, or a function without brackets.
+
+    >>> _loose(r"2b(1-\cos x)"), _loose("a+b"), _loose(r"\cos\theta"), _loose(r"\cos(d+1)\theta")
+    (False, True, True, True)
+    """
+    flat = re.sub(r"\{[^{}]*\}", "{}", top)
+    while (outside := re.sub(r"\([^()]*\)", "[]", flat)) != flat:
+        flat = outside
+    if "+" in flat or "-" in flat:
+        return True
+    last = re.split(rf"\\(?:{'|'.join(name[1:] for name in NAMED.values())})(?![a-z])", flat)
+    return len(last) > 1 and re.fullmatch(r"(\^\w)?\[\]", last[-1]) is None
+
+
 def _one_command(text: str) -> bool:
-    return (text.startswith("\\") and text[1:].isalpha()) or (
-        len(text) <= 5 and text[0].isalpha() and text[1:2] in ("_", "^")
-    )
+    r"""Whether a slash before it divides by all of it.
+
+    >>> _one_command("m'"), _one_command("n_1^2"), _one_command(r"\delta"), _one_command("T^2m")
+    (True, True, True, False)
+    """
+    name, script = r"(\\[A-Za-z]+|[A-Za-z])'*", r"(\w|\{\w+\})"
+    return re.fullmatch(f"{name}(_{script})?(\\^{script})?", text) is not None

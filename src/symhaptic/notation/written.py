@@ -9,6 +9,7 @@ from sympy import Expr
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import (
     MEANINGS,
+    TERMS,
     And,
     Exists,
     ForAll,
@@ -57,6 +58,16 @@ def written(claim: Proposition) -> str:
     if isinstance(claim, Iff):
         return rf"{parts[0]}\ \Leftrightarrow\ {parts[1]}"
     raise TypeError(f"{claim!r} is no proposition")
+
+
+def defined(name: str) -> tuple[str, str]:
+    r"""How a predicate is printed, and what that means, with formulas between dollar signs.
+
+    >>> defined("whole")
+    ('n\\in\\mathbb{N}_0', '$n$ is a whole number, zero included')
+    """
+    variable = {"increasing": "x", "limit": "x", "hurwitz": "s", "passive_device": "v"}
+    return MEANINGS[name][2].format(*TERMS[name], s=variable.get(name, "z")), MEANINGS[name][3]
 
 
 def _related(left: str, sign: str, right: str) -> str:

@@ -1,18 +1,18 @@
-"""Which environments x + y/z + v/z^2 give no energy away: (4) for any three answers."""
+"""Which environments h_0 + h_1/z + h_2/z^2 give no energy away: (4) for any three answers."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import Integer, Ne, S, cos, pi
+from sympy import Add, Integer, Ne, S, cos, pi
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import T, b, omega, theta, v, x, y, z
+from symhaptic.notation import T, b, omega, theta, z
 from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions.passivity import ANSWER
+from symhaptic.paper.propositions.passivity import ANSWER, TAPS
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import combined, is_whole
@@ -30,7 +30,7 @@ from symhaptic.proof.theorems.tactics import (
     sine_of_half,
 )
 
-PUSHES = x + y + v >= 0
+PUSHES = Add(*TAPS) >= 0
 """H(1) >= 0: at rest the environment does not pull."""
 
 _WHOLE = tuple(is_whole(Integer(late)) for late in range(3))
@@ -72,7 +72,7 @@ def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
 
 def pulled() -> Theorem:
     """-(1 + 1/z + 1/z^2) gives energy away beside the damper b/T = 1."""
-    energy = toeplitz(ANSWER.subs(dict.fromkeys((x, y, v), -1)), z, S.One, theta)
+    energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1)), z, S.One, theta)
     static, _ = energy.conclusion.of[1].of  # type: ignore[attr-defined]
     negative = denied(combined(Relation(S(-3), "<", S.Zero), [3]), static)
     gains = denied_by(energy, not_all(energy.conclusion.of[1], negative))  # type: ignore[attr-defined]

@@ -10,6 +10,7 @@ from sympy import Basic
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.consequences import CONSEQUENCES
+from symhaptic.book.evidence import evidence
 from symhaptic.book.record import Block, Settled
 from symhaptic.book.rests import Said, Shown, rests
 from symhaptic.book.rules import called
@@ -145,7 +146,9 @@ def _claimed(block: Block, place: Place) -> list[str]:
         method += by([block.theorem], place.shown)
     kind = "claim boxed" if block.boxed else "claim"
     number = f"({place.number}.{block.number})"
-    return [*container(kind, [says]), *_said(block.verdict, number, method)]
+    numbers = evidence(block.theorem, place.shown) if block.theorem is not None else ""
+    beside = container("numbers", [words(_sentence(numbers))]) if numbers else []
+    return [*container(kind, [says]), *beside, *_said(block.verdict, number, method)]
 
 
 def _answer(chapter: Chapter, place: Place) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from symhaptic.book.ledger import Entry
+from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, says
 from symhaptic.book.site.chapter import in_words, kind, statement_link
@@ -25,7 +26,7 @@ from symhaptic.book.tex.results import USE
 from symhaptic.book.tex.words import anchor
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import MEANINGS
-from symhaptic.notation.written import written
+from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.verdict import Kind
 
@@ -137,11 +138,12 @@ def believed(entries: Sequence[Entry]) -> str:
         "",
     ]
     for rule, source in classical().items():
-        told = breakable(written(AXIOMS[rule].says)) if rule in AXIOMS else plain(says(rule))
+        axiom = AXIOMS.get(rule)
+        told = breakable(written(axiom.says)) if axiom else words(in_formulas(says(rule)))
         out += [f".. _rule-{anchor(rule)}:", "", f".. rubric:: {plain(called(rule))}", ""]
         out += container("claim", [told]) if rule in AXIOMS else [told, ""]
         out += [f"*Source:* {plain(source)}. Statements: {counts[rule]}.", ""]
     out += heading("Predicates, and what they mean", "-")
-    for name, (_, _, _, meaning) in MEANINGS.items():
-        out += [f"**{plain(name.replace('_', ' '))}** {plain(meaning.replace('``', ''))}.", ""]
+    for shown, meaning in map(defined, MEANINGS):
+        out += [f"{breakable(shown)} — {words(meaning)}.", ""]
     return "\n".join(out) + "\n"

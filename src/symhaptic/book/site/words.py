@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+from symhaptic.book.parts import referred
 from symhaptic.book.tex.breaking import width
 
 _PLAIN = {
@@ -71,7 +72,7 @@ def words(text: str) -> str:
     >>> words("the angle $\\theta$, twice")
     'the angle :math:`\\theta`\\ , twice'
     """
-    parts = re.split(r"\$([^$]*)\$", text)
+    parts = re.split(r"\$([^$]*)\$", referred(text, lambda number: f"chapter {number}"))
     out = ""
     for at, part in enumerate(parts):
         if at % 2 == 0:

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 from typing import Any
 
 from symhaptic.book.ledger import Entry
+from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.tex.forms import running
-from symhaptic.book.tex.words import anchor, escaped
+from symhaptic.book.tex.words import anchor, escaped, prose
+from symhaptic.notation import SYMBOLS
 from symhaptic.notation.proposition import MEANINGS
-from symhaptic.notation.written import written
+from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
 
 TITLES = {
@@ -21,21 +22,6 @@ TITLES = {
     "leaves": "What the deciders know",
 }
 """Headings of the modules of rules; all others say what predicates mean."""
-
-_SIGNS = {
-    "<=>": r"$\Leftrightarrow$",
-    "=>": r"$\Rightarrow$",
-    "<=": r"$\le$",
-    ">=": r"$\ge$",
-    "!=": r"$\ne$",
-    "|-": r"$\vdash$",
-    "/\\": r"$\wedge$",
-    "\\/": r"$\vee$",
-    "<": "$<$",
-    ">": "$>$",
-    "|": "$|$",
-    "^": r"\^{}",
-}
 
 
 def believed(entries: Iterable[Entry]) -> dict[str, Any]:
@@ -59,11 +45,16 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
             for rule, source in classical().items()
         ],
         "lists": list(lists.items()),
-        "predicates": [
-            (escaped(name.replace("_", " ")), plain(meaning))
-            for name, (_, _, _, meaning) in MEANINGS.items()
-        ],
+        "predicates": [(shown, prose(meaning)) for shown, meaning in map(defined, MEANINGS)],
     }
+
+
+def symbols() -> list[tuple[str, str, str]]:
+    """Every symbol of the notation with its unit and what it means."""
+    return [
+        (one.latex, f" in {one.unit}" if one.unit != "1" else "", plain(one.meaning))
+        for one in SYMBOLS.values()
+    ]
 
 
 def _row(name: str, text: str, counts: Counter[str]) -> tuple[str, str, int]:
@@ -76,6 +67,4 @@ def plain(text: str) -> str:
     >>> plain("p |- p <= 1")
     'p $\\vdash$ p $\\le$ 1'
     """
-    signs = "|".join(re.escape(sign) for sign in _SIGNS)
-    parts = re.split(f"({signs})", text.replace("``", ""))
-    return "".join(_SIGNS.get(part) or escaped(part) for part in parts)
+    return prose(in_formulas(text.replace("``", "")))

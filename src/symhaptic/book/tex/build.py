@@ -23,7 +23,7 @@ from symhaptic.book.measured.record import BadRecord
 from symhaptic.book.parts import in_parts
 from symhaptic.book.rests import between
 from symhaptic.book.sources import PAPER
-from symhaptic.book.tex.believed import believed
+from symhaptic.book.tex.believed import believed, symbols
 from symhaptic.book.tex.errata import errata
 from symhaptic.book.tex.mutants import mutants_listed
 from symhaptic.book.tex.page import chapter_tex
@@ -99,6 +99,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "parts": parts(numbered),
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
+                "symbols": symbols(),
                 "sources": by_source(entries),
                 "appendices": [
                     "errata",

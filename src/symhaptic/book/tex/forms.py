@@ -20,6 +20,10 @@ NARROW = 75.0
 """Width of a proposition in em up to which it stands beside the words, and not below them."""
 
 
+LONG_CLAIM = 400.0
+"""Width of a proposition in em from which on a page may break it: others stay in one piece."""
+
+
 def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
     """The table of what is printed, beside the verdict and, where needed, the correction.
 
@@ -34,6 +38,8 @@ def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
             beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
         place = f"\\statementplace{{{statement.id}}}{reference(statement.id)}"
         rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
+        if width(verdict.proposition or "") > LONG_CLAIM:
+            rows[-1] += f"\n\\claimed{{${running(verdict.proposition or '')}$}}"
         right = correction(verdict)
         if right:
             rows.append(f"\\form{{}}{{{right}}}{{\\kind{{proved}}{{proved}} as corrected}}")
@@ -62,7 +68,7 @@ def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
     if verdict.condition:
         for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
         shown += f"\\\\[4pt]{{\\footnotesize {for_}}}"
-    if not verdict.proposition:
+    if not verdict.proposition or width(verdict.proposition) > LONG_CLAIM:
         return shown
     claim = running(verdict.proposition)
     if facing and width(claim) < NARROW:

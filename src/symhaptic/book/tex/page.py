@@ -9,11 +9,12 @@ from typing import Any
 from sympy import Expr
 
 from symhaptic.book.chapters import Chapter
+from symhaptic.book.evidence import evidence
 from symhaptic.book.record import Block, Record, Settled
 from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
-from symhaptic.book.tex.forms import answers, printed_forms, sentence
+from symhaptic.book.tex.forms import LONG_CLAIM, answers, printed_forms, sentence
 from symhaptic.book.tex.words import anchor, escaped, prose
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
@@ -121,11 +122,14 @@ def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown])
     """A theorem, what it is, and beside it what it rests on."""
     *given, then = (text for _, _, text in block.lines)
     place = f"{chapter}.{block.number}"
-    number = f"\\theoremplace{{{place}}}({place})"
+    number = f"\\theoremplace{{{place}}}\\theoremrow{{{place}}}"
     method = prose(block.method)
     if block.theorem is not None:
         method = _by(method, [block.theorem], shown)
-    return f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+    kind = "longclaim" if sum(map(width, (*given, then))) > LONG_CLAIM else kind
+    claim = f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+    numbers = evidence(block.theorem, shown) if block.theorem is not None else ""
+    return f"{claim}\n\\numbers{{{_sentence(prose(numbers))}}}" if numbers else claim
 
 
 def _by(lead: str, theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.record import Settled
-from symhaptic.book.rests import Rest, Said, Shown, rests, shown_in
+from symhaptic.book.rests import Rest, Said, Shown, rests, said, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.forms import reference
 from symhaptic.book.tex.words import anchor, escaped, prose
@@ -19,7 +19,7 @@ Numbered = tuple[int, Chapter]
 
 def parts(chapters: Sequence[Numbered]) -> list[dict[str, Any]]:
     """Title, opening, chapters and table of each part that has a chapter."""
-    shown = shown_in(chapters)
+    shown, again = shown_in(chapters), repeated(chapters)
     found = []
     for part in (*PARTS, OWN):
         inside = [(number, one) for number, one in chapters if part_of(one.name) is part]
@@ -29,7 +29,7 @@ def parts(chapters: Sequence[Numbered]) -> list[dict[str, Any]]:
                     "title": part.title,
                     "opening": prose(part.opening),
                     "names": [one.name for _, one in inside],
-                    "rows": [row for one in inside for row in _rows(one, shown)],
+                    "rows": [row for one in inside for row in _rows(one, shown, again)],
                     "argued": sum(
                         item.verdict.kind is Kind.ARGUED
                         for _, one in inside
@@ -40,15 +40,31 @@ def parts(chapters: Sequence[Numbered]) -> list[dict[str, Any]]:
     return found
 
 
-def _rows(numbered: Numbered, shown: Mapping[Said, Shown]) -> list[dict[str, str]]:
+def _rows(
+    numbered: Numbered, shown: Mapping[Said, Shown], again: Mapping[Said, Sequence[str]]
+) -> list[dict[str, str]]:
     """The theorems of a chapter, then the statements that it settles by theorems."""
     number, chapter = numbered
     here = [one for one in shown.values() if one.chapter == number]
     rows = [
-        _row(f"\\theoremlink{{{one.place}}}", prose(one.title), rests([one.theorem], shown))
+        _row(
+            "".join(f"\\rowplace{{{place}}}" for place in again[said(one.theorem)])
+            + f"\\theoremlink{{{one.place}}}",
+            prose(one.title),
+            rests([one.theorem], shown),
+        )
         for one in here
     ]
     return rows + [_settled(item, shown) for item in _by_theorem(chapter)]
+
+
+def repeated(chapters: Sequence[Numbered]) -> dict[Said, list[str]]:
+    """The places of each theorem; of one that stands on several pages the table has the first."""
+    found: dict[Said, list[str]] = {}
+    for number, chapter in chapters:
+        for one in shown_in([(number, chapter)]).values():
+            found.setdefault(said(one.theorem), []).append(one.place)
+    return found
 
 
 def _by_theorem(chapter: Chapter) -> list[Settled]:

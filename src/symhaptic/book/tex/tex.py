@@ -14,8 +14,8 @@ NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
 )
-BAD = r"^(?:Overfull \\hbox.*|LaTeX Warning: Reference.*|.*has been referenced but does not.*)$"
-"""Lines of TeX's log about what a reader would find: a line too long, a link that leads nowhere."""
+BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been referenced but does not.*)$"
+"""Lines of TeX's log about what a reader would find: a line or page too long, a link to nowhere."""
 
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from symhaptic.book.parts import referred
+
 
 def escaped(text: str) -> str:
     """Plain words for LaTeX."""
@@ -12,6 +14,7 @@ def escaped(text: str) -> str:
 
 def prose(text: str) -> str:
     """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
+    text = referred(text, lambda number: f"\\chapterlink{{{number}}}")
     parts = re.split(r"(\$[^$]*\$)", text)
     return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
 

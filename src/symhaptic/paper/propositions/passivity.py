@@ -37,14 +37,14 @@ def at_every_frequency(*conditions: sp.Expr) -> Proposition:
     return ForAll((omega,), implied([omega > 0, omega < sp.pi / T], both(conditions)))
 
 
-TAPS = (x, y, v)
-"""What an environment answers to a unit step: at once, after one period and after two."""
-ANSWER = x + y / z + v / z**2
+TAPS = sp.symbols("h_0:3")
+"""What an environment answers to a unit pulse: at once, after one period and after two."""
+ANSWER = TAPS[0] + TAPS[1] / z + TAPS[2] / z**2
 
 
 @claims("eq4")
 def _condition_guarantees_passivity(printed: Printed) -> Proposition:
-    """No motion gains energy from H(z) = x + y/z + v/z^2 if it meets (4), as the text says.
+    """No motion gains energy from H(z) = h_0 + h_1/z + h_2/z^2 if it meets (4), as the text says.
 
     Of H(z) the paper asks nothing and uses (1), which has two terms of these three.
     """

@@ -53,8 +53,8 @@ def increases(
 ) -> Judgement:
     """f increases on (lower, upper): its derivative is positive there.
 
-    ``slope`` concludes 0 < f', ``defined`` that no divisor of f vanishes; what they know of the
-    variable is that it lies between the ends.
+    That 0 < f' (``slope``) and that no divisor of f vanishes (``defined``) is shown, of a variable
+    of which nothing is known but that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
     hypotheses = _rising(expr, variable, lower, upper, slope, defined) | conditions(lower, upper)
@@ -92,7 +92,7 @@ def grows(
 ) -> Judgement:
     """f(x) < f(y) for x < y: the derivative is positive between, and f is defined at both ends.
 
-    ``slope`` concludes 0 < f' and ``defined`` that no divisor of f vanishes, for x < v < y.
+    That 0 < f' (``slope``) is shown for x < v < y, and that no divisor of f vanishes (``defined``).
     """
     expr, x, y = term(expr), term(smaller), term(larger)
     if variable in x.free_symbols | y.free_symbols or not (real(x) and real(y)):
@@ -124,7 +124,7 @@ def in_the_limit(
 ) -> Judgement:
     """A relation on (lower, upper) holds weakly of the limits at either end of the interval.
 
-    ``end`` is the limit of the difference of its two sides.
+    The limit of the difference of its two sides (``end``) is shown.
     """
     lower, upper = term(lower), term(upper)
     claim, limit = relation(theorem, "<", "<="), predicate(end, "limit")

@@ -30,9 +30,9 @@ def loop(
 ) -> Judgement:
     """Behind whole delays a loop is stable where its characteristic polynomial is.
 
-    ``values`` are alpha, beta, gamma, delta and d.  A device without spring or damper is another
-    one: its gamma or delta is 0, and its polynomial is made of its own motion.  That the poles of
-    the device differ is a hypothesis, as far as its polynomial divides by their difference.
+    That is of alpha, beta, gamma, delta and d (``values``).  A device without spring or damper is
+    another one: its gamma or delta is 0, and its polynomial is made of its own motion.  That its
+    poles differ is a hypothesis, as far as the polynomial divides by their difference.
     """
     divisors, zeros = loop_polynomial(values, variable, 1, stiffness, damping)
     found = tuple(term(v) for v in values)
@@ -76,7 +76,7 @@ def loop_substituted(
 ) -> Judgement:
     """The paper's reading of a delay of d = p/q periods: the polynomial in w, with z = w^q.
 
-    ``share`` is q; that q d is whole is a hypothesis.
+    That q d is whole is a hypothesis (``share``).
     """
     judged = loop_polynomial(values, variable, int(share), stiffness, damping)
     late = term(values[4])

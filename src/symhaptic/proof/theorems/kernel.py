@@ -461,7 +461,7 @@ def _kept(divisor: Expr, known: frozenset[Proposition]) -> bool:
 
 @rule
 def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
-    """p(a) and a = b give p(b); ``pattern`` is p, with a symbol in the place of its term."""
+    """p(a) and a = b give p(b)."""
     pattern, equal = proposition(pattern), relation(equation, "=")
     before, after = {place: equal.left}, {place: equal.right}
     if theorem.conclusion != pattern.at(before):

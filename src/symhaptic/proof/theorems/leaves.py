@@ -261,8 +261,8 @@ def more_damped(
     """f(delta) < f(delta') of two devices with one spring, from 0 < df/ddelta on a box of plants.
 
     f is a polynomial in the numbers n1, n0, a and e, in gamma, delta and the other sides of the
-    box; ``larger`` is delta', and ``numbers`` those of its device.  The certificate's balls are
-    those of the derivatives, too; mean value theorem, Rudin, 5.10.
+    box; the other device (``numbers``) has the larger damping delta' (``larger``).  The
+    certificate's balls are those of the derivatives, too; mean value theorem, Rudin, 5.10.
     """
     given = certificate.given if isinstance(certificate, Positive) else None
     if type(given) is not Named:
@@ -297,7 +297,7 @@ def more_damped(
 
 @rule
 def tends(expr: Any, variable: Symbol, at: Any, value: Any) -> Judgement:
-    """The limit by exact series, where no divisor vanishes on the way to ``at``.
+    """The limit by exact series, where no divisor vanishes on the way to it.
 
     That the coefficient of the lowest power of each divisor is not zero is a hypothesis.
     """

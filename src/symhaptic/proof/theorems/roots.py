@@ -106,7 +106,8 @@ def all_inside(variable: Symbol, power: Any, *factors: Theorem) -> Judgement:
 def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
     """Of a monic z^m f with its zeros inside, -1 < f(0) < 1: up to its sign, their product.
 
-    f is real and of degree 1 at least; ``power`` is m.  That exponents are whole is a hypothesis.
+    f is real and of degree 1 at least.  That exponents are whole is a hypothesis, that m is
+    (``power``) too.
     """
     claim, lowest = predicate(inside, "stable"), sp.expand(term(power))
     [polynomial], [variable] = claim.of, claim.over
@@ -127,7 +128,9 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     """All zeros of a monic real polynomial lie inside <=> n + 1 expressions are positive.
 
     They are the coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), and
-    Jury's inner determinants |X - Y| of orders n-1, n-3, ...; the degree n is a number.
+    Jury's inner determinants |X - Y| of orders r = n-1, n-3, ...: with p the sum of a_k z^k, row i
+    and column j of X have a_(n-j+i), those of Y a_(i+j-r-1), or 0 where there is no such
+    coefficient (i, j = 1 to r, and X is 0 below its diagonal).  The degree n is a number.
     """
     polynomial = term(polynomial)
     falling = _coefficients(polynomial, variable)
@@ -257,11 +260,10 @@ def roots_stay(
     """All zeros of f + g lie inside: along f + y g, 0 <= y <= 1, none crosses the circle.
 
     f is monic and of higher degree than g, both are real polynomials in z, powers of z with
-    symbols in the exponent included (that these are whole is a hypothesis).  ``crossing`` concludes
-    that f + y g is not zero at exp(j theta), for 0 < y <= 1 and 0 < theta <= pi, ``static`` that it
-    is not zero at 1.  ``begin`` concludes that all zeros of f lie inside; or all of h with f =
-    (z - 1) h, then ``inwards`` concludes 0 < g(1) and 0 < h(1), so that the zero at 1 moves to
-    smaller z.
+    symbols in the exponent included (that these are whole is a hypothesis).  It is shown that
+    f + y g is not zero at exp(j theta), for 0 < y <= 1 and 0 < theta <= pi (``crossing``), nor at 1
+    (``static``), and that all zeros of f lie inside (``begin``); or all of h with f = (z - 1) h,
+    and then that 0 < g(1) and 0 < h(1) (``inwards``), too: the zero at 1 moves to smaller z.
     """
     f, g = term(start), term(change)
     if {share, angle} & (f.free_symbols | g.free_symbols) or share == angle:
@@ -301,8 +303,8 @@ def pole_at(
 ) -> Judgement:
     """exp(s) is a pole of (18) if exp(s/q) is a zero of its polynomial in w, with z = w^q.
 
-    ``share`` is q, whole and positive, ``exponent`` is s; ``zero`` concludes that the polynomial
-    vanishes there, its powers written exp(s n/q).
+    q (``share``) is whole and positive, and it is shown (``zero``) that the polynomial vanishes
+    there, its powers written exp(s n/q).
     """
     share, exponent = term(share), term(exponent)
     divisors, zeros = loop_polynomial(values, variable, share, stiffness, damping)

@@ -46,8 +46,8 @@ def held_answer(
 ) -> Judgement:
     r"""The answer of m x'' + b x' + k x = F to z^k, held for a period of 1, l + epsilon late.
 
-    ``motion`` is Phi (row by row) and Gamma, as functions of time: they are checked to be what the
-    differential equation makes of any state, and of a unit force from rest.  X is the one answer if
+    Phi and Gamma, functions of time (``motion``), are checked to be what the differential equation
+    makes of any state, and of a unit force from rest.  X is the one answer if
     and only if z != 0, det(z - Phi) != 0 and, with Phi and Gamma at the times 1, epsilon and
     1 - epsilon, X det(z - Phi) = (1, 0) adj(z - Phi) (Gamma(1 - epsilon) z^-l + Phi(1 - epsilon)
     Gamma(epsilon) z^(-l-1)).  That l is whole and 0 <= epsilon <= 1 are hypotheses.
