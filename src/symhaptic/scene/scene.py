@@ -17,7 +17,6 @@ from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
-
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 

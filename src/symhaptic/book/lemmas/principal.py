@@ -89,8 +89,8 @@ def read_wrongly() -> Proposition:
 def both_errors() -> Theorem:
     """That."""
     larger, smaller = read_wrongly().parts
-    one = conjoined(_on_the_sheet(SPRING, LARGE, True), _in_truth(SPRING, LARGE, False))
-    other = conjoined(_in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
+    one = conjoined(_on_the_sheet(SPRING, LARGE, True), in_truth(SPRING, LARGE, False))
+    other = conjoined(in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
     return conjoined(witnessed(one, larger, LARGE), witnessed(other, smaller, SMALL))
 
 
@@ -102,11 +102,11 @@ def read_too_largely() -> Proposition:
 @cache
 def one_error() -> Theorem:
     """That."""
-    found = conjoined(_on_the_sheet(FREE, BETWEEN, True), _in_truth(FREE, BETWEEN, False))
+    found = conjoined(_on_the_sheet(FREE, BETWEEN, True), in_truth(FREE, BETWEEN, False))
     return witnessed(found, read_too_largely(), BETWEEN)
 
 
-def _in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
+def in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
     """Whether a wall is stable, by balls around the zeros of its polynomial."""
     loop = closed(true_loop(device, wall, S.Zero), fact(whole(S.Zero)))
     zeros = loop.conclusion.parts[1].of[0]  # type: ignore[attr-defined]
