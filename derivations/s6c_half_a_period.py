@@ -115,11 +115,11 @@ def derive(page):
         "$1+(\\ell+1)\\cos^2\\theta$ for $\\theta<\\frac\\pi2$, at most 1 beyond as $\\beta>0$: "
         "$2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is $p_1(1)=\\alpha$",
     )
-    page.lemma("So no root crosses the half circle", no_crossing())
+    page.lemma("So none crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
     page.lemma(
         "No root crosses the imaginary axis outside the circle",
         no_crossing_of_the_axis(),
-        because="there $z<0$, where the wall is real, and the imaginary part is that of the term",
+        because="at $\\zeta=je^\\psi$; there $z<0$, and the imaginary part is that of the term",
     )
     found = page.lemma(
         "What is stable in truth is stable in the paper's reading",

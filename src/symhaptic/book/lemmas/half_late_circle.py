@@ -86,13 +86,13 @@ def path(w: Expr) -> Expr:
 @cache
 def zeros() -> Theorem:
     """All zeros of F lie inside."""
-    return applied(true_loop(FREE, WALL, l), assume(TRUE))
+    return counted(applied(true_loop(FREE, WALL, l), assume(TRUE)))
 
 
 @cache
 def pushes() -> tuple[Theorem, Theorem, Theorem]:
     """0 < alpha and 0 < beta, by F(1) and 2 F'(1) - (l + 4) F(1) = 2 beta - l alpha."""
-    found = first_minors(zeros(), 1)
+    found = counted(first_minors(zeros(), 1))
     static, slope = (part(found, claim) for claim in found.conclusion.parts)
     spring = combined(alpha > 0, [static])
     brake = combined(beta > 0, [HALF, slope], [HALF, late(), spring])
@@ -102,6 +102,18 @@ def pushes() -> tuple[Theorem, Theorem, Theorem]:
 def late() -> Theorem:
     """0 <= l."""
     return not_negative(assume(whole(l)))
+
+
+def counted(theorem: Theorem) -> Theorem:
+    """A theorem whose exponents are whole as l is."""
+    return closed(
+        theorem,
+        *(
+            is_whole(claim.of[0], assume(whole(l)))
+            for claim in theorem.hypotheses
+            if isinstance(claim, Predicate) and claim.name == "whole" and claim != whole(l)
+        ),
+    )
 
 
 @cache
@@ -116,7 +128,7 @@ def leads() -> Theorem:
     beside = (mirror(speed) + q * TERM * mirror(TURN * W) * rate) * TURN
     zero = assume(ZERO)
     found = combined(q * TERM * LEAD > 0, [room], [zero, beside], [mirrored(zero), mirror(beside)])
-    return closed(found, not_zero(sine()))
+    return counted(closed(found, not_zero(sine())))
 
 
 # -- angles: 0 < psi <= pi/2 -----------------------------------------------------------

@@ -17,6 +17,7 @@ from symhaptic.book.lemmas.half_late_circle import (
     STIFF,
     TRUE,
     WALL,
+    counted,
     differs,
     no_crossing,
     path,
@@ -29,7 +30,7 @@ from symhaptic.notation import alpha, beta, l, psi, x, y
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, whole
 from symhaptic.proof.theorems.familiar import full_turns, rising, sign_of
 from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, part
-from symhaptic.proof.theorems.leaves import combined, factor, is_whole, mirrored
+from symhaptic.proof.theorems.leaves import combined, factor, mirrored
 from symhaptic.proof.theorems.roots import none_enters
 from symhaptic.proof.theorems.tactics import at, closed, every, for_all, positive
 
@@ -81,12 +82,7 @@ def stable_as_read() -> Theorem:
     right = differs(here, absurd(positive(2 * x > 0, [2, x > 0]), twice))
     found = closed(factor(apart.left, known, -here), right)
     found = applied(sheet, for_all((x, y), outside.of, found))
-    steps = [
-        is_whole(claim.of[0], assume(whole(l)))
-        for claim in found.hypotheses
-        if isinstance(claim, Predicate) and claim.name == "whole" and claim != whole(l)
-    ]
-    return for_all((alpha, beta, l), [whole(l), TRUE], closed(found, *steps))
+    return for_all((alpha, beta, l), [whole(l), TRUE], counted(found))
 
 
 def stands() -> tuple[dict[Any, Expr], Theorem]:
