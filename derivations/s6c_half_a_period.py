@@ -9,12 +9,7 @@ stable in truth is stable in the paper's reading, and not the other way around.
 from sympy import I, S, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.lemmas.half_late_circle import TRUE, no_crossing, q
-from symhaptic.book.lemmas.half_late_mass import (
-    half_late_mass,
-    no_crossing_of_the_axis,
-    stable_as_read,
-    stands,
-)
+from symhaptic.book.lemmas.half_late_mass import half_late_mass, on_the_axis, stable_as_read, stands
 from symhaptic.book.lemmas.principal import one_error, read_too_largely
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
@@ -118,7 +113,7 @@ def derive(page):
     page.lemma("So none crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
     page.lemma(
         "No root crosses the imaginary axis outside the circle",
-        no_crossing_of_the_axis(),
+        on_the_axis(),
         because="at $\\zeta=je^\\psi$; there $z<0$, and the imaginary part is that of the term",
     )
     found = page.lemma(

@@ -44,7 +44,7 @@ def half_late_mass() -> Proposition:
 
 
 @cache
-def no_crossing_of_the_axis() -> Theorem:
+def on_the_axis() -> Theorem:
     """f != 0 at j r, 1 < r = exp(psi): z^(l+2) (z-1)^2 and W are real there, and (v-1)^4 is not."""
     _, brake, stiff = pushes()
     size, sign = exp(psi), exp(I * pi * l)
@@ -71,7 +71,7 @@ def stable_as_read() -> Theorem:
     """That."""
     static = positive(Ne(alpha, 0), pushes()[0])
     change = -((v - 1) ** 4) * (STIFF * v**2 - beta) / 8
-    shown = no_crossing(), static, no_crossing_of_the_axis()
+    shown = no_crossing(), static, on_the_axis()
     never = none_enters(zeros(), change, (v, q, psi, x, y), *shown)
     sheet = read_loop(FREE, WALL, l)
     outside, apart = sheet.conclusion.parts[1].body.of  # type: ignore[attr-defined]
