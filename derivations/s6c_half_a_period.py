@@ -62,7 +62,8 @@ def derive(page):
         1 - shrinks.subs(theta, pi / 3),
         1 - 4 * sqrt(3) / 7,
         name="1-Q/Q_p",
-        because="1.03 per cent; $\\alpha$ vanishes on the boundary at $\\theta=\\pi/(2\\ell+3)$",
+        because="1.03 per cent; it rises with $\\theta$, and $\\alpha$ vanishes on the first arc at "
+        "$\\theta=\\pi/(2\\ell+3)$",
     )
     page.say(
         "So the true boundary is a little nearer. But a curve is no region yet, and both have "
