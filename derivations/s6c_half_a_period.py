@@ -62,7 +62,7 @@ def derive(page):
         1 - shrinks.subs(theta, pi / 3),
         1 - 4 * sqrt(3) / 7,
         name="1-Q/Q_p",
-        because="1.03 per cent; it rises with $\\theta$, and $\\alpha$ vanishes on the first arc at "
+        because="1.03 per cent; it rises with $\\theta$, and on the first arc $\\alpha$ ends at "
         "$\\theta=\\pi/(2\\ell+3)$",
     )
     page.say(
