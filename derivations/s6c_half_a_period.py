@@ -2,16 +2,21 @@ r"""Half a period late: is a wall stable that the paper takes for stable?
 
 For a fractional delay the paper puts $z^{-d}=e^{-jd\theta}$ into the polynomial of a whole one.
 We hold that against the exact polynomial for the plainest device, a free mass, and for
-$d=\ell+\tfrac12$. The two boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$.
+$d=\ell+\tfrac12$. The two boundaries are $Q=-z^{\ell+1}A/M$ and $Q_p=-z^dA/N$. A wall that is
+stable in truth is stable in the paper's reading, and not the other way around.
 """
 
-from sympy import I, Rational, S, cos, diff, exp, log, pi, sin, sqrt, symbols
+from sympy import I, S, cos, exp, pi, sin, sqrt
 
+from symhaptic.book.lemmas.half_late_circle import TRUE, no_crossing, q
+from symhaptic.book.lemmas.half_late_mass import half_late_mass, on_the_axis, stable_as_read, stands
 from symhaptic.book.lemmas.principal import one_error, read_too_largely
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import alpha, beta, epsilon, l, theta, u, w, x, z
+from symhaptic.notation import alpha, beta, epsilon, l, theta, z
+from symhaptic.notation.proposition import whole
+from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):
@@ -52,104 +57,86 @@ def derive(page):
         name=r"Q_p\,e^{-j(\ell+1)\theta}",
         because="positive, so that both have the phase $(\\ell+1)\\theta$",
     )
-    page.say(
-        "Turn a wall up from nothing, $yW$ with $W=\\alpha+\\beta(1-1/z)$. Where $yW=Q$ there is a "
-        "root; with $Q/W=e^{\\mu+j\\varphi}$ on the circle, "
-        "$\\partial\\ln z/\\partial\\ln y=1/(\\varphi'-j\\mu')$."
-    )
-    outward = page.same("outward", real_part(1 / (u - I * w)), u / (u**2 + w**2))
-    page.show(
-        "A root crosses outward where the phase rises",
-        r"\Re\frac1{u-jw}",
-        u / (u**2 + w**2),
-        outward,
-        because="outward if the phase $\\varphi$ rises with $\\theta$",
-    )
-    push = alpha + beta - beta * exp(-I * theta)
-    size = alpha**2 + 2 * beta * (alpha + beta) * (1 - cos(theta))
-    lead = page.step(
-        "The wall takes its own slope from the phase",
-        real_part(beta * exp(-I * theta) / push),
-        (beta * (alpha + beta) * cos(theta) - beta**2) / size,
-        name=r"\Im\Bigl(\frac{1}{W}\frac{\partial W}{\partial\theta}\Bigr)",
-        because="$\\beta/\\alpha$ at $\\theta=0$",
-    )
     page.step(
-        "The phase is convex",
-        -diff(lead, theta),
-        alpha * beta * (alpha + beta) * (alpha + 2 * beta) * sin(theta) / size**2,
-        name=r"\varphi''",
-        because="positive for $\\alpha,\\beta>0$: once $\\varphi$ has come back to 0, it rises",
+        "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
+        1 - shrinks.subs(theta, pi / 3),
+        1 - 4 * sqrt(3) / 7,
+        name="1-Q/Q_p",
+        because="1.03 per cent; it rises with $\\theta$, and on the first arc $\\alpha$ ends at "
+        "$\\theta=\\pi/(2\\ell+3)$",
     )
-    small = symbols("s")
-    near = small / I  # z = exp(s)
-    start = [on_circle(q.subs(half) / z ** (l + 1), near) / -(small**2) for q in (exact, printed)]
-    start.append((alpha + beta * (1 - exp(-small))) * exp(-beta * small / alpha) / alpha)
-    both = [page.limits((expr - 1) / small, small, S.Zero, S.Zero) for expr in start]
-    page.show(
-        "A weak wall moves both roots inside if $\\beta/\\alpha>\\ell+1$",
-        r"s^2",
-        r"-y\alpha\,e^{(\beta/\alpha-\ell-1)s}\,(1+O(s^2))",
-        both[0],
-        because="so that $\\Re s\\approx-\\tfrac12y\\alpha(\\beta/\\alpha-\\ell-1)$: both roots "
-        "move inside if $\\beta/\\alpha>\\ell+1$, and outside if it is less",
+    page.say(
+        "So the true boundary is a little nearer. But a curve is no region yet, and both have "
+        "further turns. Let us go from the true loop to the one that is read, and watch the roots "
+        "$\\zeta=\\sqrt z$ with $\\Re\\zeta>0$. A term is between them, small near $\\zeta=1$:"
     )
     polynomial = fractional.characteristic(Parts(False, False)).subs(half)
+    wall = (alpha + beta) * z - beta
+    theirs = z ** (l + S.Half) * z * poles + free.device.numerator * wall
+    late = (sqrt(z) - 1) ** 4 / 8
+    differ = page.same("the term", *map(on_circle, (sqrt(z) * theirs, polynomial - late * wall)))
+    page.show(
+        "What is read is the true polynomial and a term",
+        r"\zeta\,p_p(\zeta)",
+        r"p_1(\zeta^2)-\tfrac18(\zeta-1)^4\bigl((\alpha+\beta)\zeta^2-\beta\bigr)",
+        differ,
+        because="take the share $q$ of this term, from 0 to 1; without it no root of a stable "
+        "loop has $|\\zeta|\\ge1$",
+    )
     page.step(
-        "Only with $\\beta/\\alpha>\\ell/2$ can all roots lie inside",
-        (diff(polynomial, z) / polynomial).subs(z, 1),
-        beta / alpha + 2,
-        name=r"p_1'(1)/p_1(1)",
-        because="is the sum of $1/(1-z_i)$, each with a real part above $\\tfrac12$: more than "
-        "$\\tfrac12(\\ell+4)$, so that a stable wall has $\\beta/\\alpha>\\ell/2$, hence "
-        "$\\beta>0$, and $\\alpha>0$ by $p_1(1)$",
+        "On the circle the term makes the wall a little weaker",
+        on_circle((free.numerator.subs(half) - q * late) / z),
+        (1 + c**2) / 2 - q * (1 - c) ** 2 / 2,
+        name=r"\frac{1}{z}\Bigl(M-\frac{q}{8}(\zeta-1)^4\Bigr)",
+        because="real: a root there is one of the true loop with a wall $yW$, $W=\\alpha+"
+        "\\beta(1-1/z)$ and $1-y=q(1-\\cos\\frac\\theta2)^2/(1+\\cos^2\\frac\\theta2)$",
     )
     page.say(
-        "For $0<\\beta/\\alpha<\\ell+1$ the phase rises from the start: the two roots are outside "
-        "and nothing comes back. For $\\beta/\\alpha>\\ell+1$ all roots start inside, and every "
-        "crossing is outward: the wall is stable as long as $|W|<|Q|$ at all angles with "
-        "$\\varphi=0$ modulo $2\\pi$. These are the same in the paper's reading, whose $|Q_p|$ is "
-        "larger, and whose roots do not leave the sheet: for $z<0$ its imaginary part is "
-        "$\\pm|z|^{d+1}(1-z)^2\\ne0$. (The border $\\beta/\\alpha=\\ell+1$ is not stable either: "
-        "the stable walls are an open set.)"
+        "That cannot be, if the wall $W$ itself is stable. Of a polynomial of degree $n$ with all "
+        "roots inside the phase rises along the circle by more than $\\frac n2$ per angle. At "
+        "this root $p_1=-(1-y)z^{\\ell+2}A/y$, and the phase of $p_1$ rises by "
+        "$(\\ell+3-(1+w)/y)/(1-1/y)$, where $w$ is what that of $zW$ rises by. So it would be "
+        "$w>\\frac12(\\ell+2)(1+y)$, which is nearly $\\ell+2$:"
     )
-    gain = log(64 * x**2 / ((2 - x) ** 2 * (alpha**2 + 4 * beta * (alpha + beta) * x)))
+    needed = {
+        alpha: (sin((l + 2) * theta) - sin((l + 1) * theta)) / sin(theta),
+        beta: sin((l + 1) * theta) / sin(theta),
+    }
     page.step(
-        "The first angle is the strictest",
-        diff(gain, x),
-        1 / x + 2 / (2 - x) + alpha**2 / (x * (alpha**2 + 4 * beta * (alpha + beta) * x)),
-        name=r"\frac{\partial}{\partial x}\ln\frac{|Q|^2}{|W|^2}",
-        because="positive, with $x=\\sin^2\\frac\\theta2$; for $\\alpha>0$ this angle is less than "
-        "$\\pi/(2\\ell+3)$, where $\\alpha$ vanishes on the boundary",
+        "On the boundary the phase of the wall rises by less",
+        real_part(on_circle((alpha + beta) * z / wall)).subs(needed),
+        sin((l + 2) * theta) * cos((l + 1) * theta) / sin(theta),
+        name="w",
+        because="with the phase $(\\ell+1)\\theta$ of $Q$; at most "
+        "$1+(\\ell+1)\\cos^2\\theta$ for $\\theta<\\frac\\pi2$, at most 1 beyond as $\\beta>0$: "
+        "$2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is $p_1(1)=\\alpha$",
     )
-    far = page.same("farthest", 1 - shrinks.subs(theta, pi / 3), 1 - 4 * sqrt(3) / 7)
-    page.show(
-        "The two boundaries are farthest apart at $\\ell=0$, $\\theta=\\frac\\pi3$",
-        r"1-Q/Q_p",
-        1 - 4 * sqrt(3) / 7,
-        far,
-        because="1.03 per cent",
+    page.lemma("So none crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
+    page.lemma(
+        "No root crosses the imaginary axis outside the circle",
+        on_the_axis(),
+        because="at $\\zeta=je^\\psi$; there $z<0$, and the imaginary part is that of the term",
     )
-    page.say("One wall between the two boundaries, $\\ell=0$, with $\\zeta=\\sqrt z$ in the paper:")
-    wall = {alpha: Rational(1, 15), beta: Rational(16, 15), l: 0}
-    theirs = z**3 * (z**2 - 1) ** 2 + (z**2 + 1) / 2 * ((alpha + beta) * z**2 - beta)
-    page.outside("The wall $(\\tfrac1{15},\\tfrac{16}{15})$ is not stable", polynomial.subs(wall))
-    page.inside("In the paper's reading it is stable", theirs.subs(wall), half=True)
+    found = page.lemma(
+        "What is stable in truth is stable in the paper's reading",
+        stable_as_read(),
+        because="no root with $\\Re\\zeta>0$ and $|\\zeta|\\ge1$ is there at the start, and none "
+        "enters",
+        boxed=True,
+    )
     page.state(
         "fractional-half-mass",
         "half a period late, $d=\\ell+\\tfrac12$, a wall that keeps a free mass stable is stable "
         "in the paper's reading",
+        claim=half_late_mass(),
     )
-    page.settle(
-        "fractional-half-mass",
-        page.same("the same phase", ratio.subs(half), shrinks),
-        *(outward, far, *both),
-        note="on each ray from the origin the true boundary is at most 1.03 \\% nearer",
-    )
+    point, held = stands()
+    page.settle("fractional-half-mass", found, example=example(point, [whole(l), TRUE], held))
     found = page.lemma(
         "There is a wall that the paper's reading takes for stable, and that is not",
         one_error(),
-        because="this one, by balls around all roots",
+        because="between the two boundaries, $(\\alpha,\\beta)=(\\tfrac1{15},\\tfrac{16}{15})$ "
+        "for $\\ell=0$, by balls around all roots",
     )
     page.state(
         "fractional-half-mass-apart",

@@ -4,6 +4,7 @@ import pytest
 from chapters import chapter
 
 SETTLED = {
+    "fractional-half-mass": ("s6c_half_a_period", "proved"),
     "fractional-half-mass-apart": ("s6c_half_a_period", "proved"),
     "fractional-passivity": ("s6d_fractional_passivity", "proved"),
     "fractional-low-frequencies": ("s6e_fractional_region", "proved"),

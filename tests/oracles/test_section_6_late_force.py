@@ -256,6 +256,43 @@ def test_half_a_period_late_stable_walls_are_stable_in_the_papers_reading(whole)
         assert oracle.principal(1 / 15, 16 / 15, 0, 0, late).max() < 1
 
 
+@guards("s6c_half_a_period")
+def test_a_term_between_both_polynomials_and_the_rise_of_a_phase():
+    """The weaker wall by characteristic polynomials; the rise by the slope of the phase itself."""
+
+    def read(alpha, beta, whole, root):
+        push = (alpha + beta) * root**2 - beta
+        return root ** (2 * whole + 3) * (root**2 - 1) ** 2 + (root**2 + 1) / 2 * push
+
+    for whole in (0, 2):
+        alpha, beta = 0.3, 0.7
+        exact = np.poly(oracle.loops(alpha, beta, 0, 0, whole + 0.5))
+        for root in (0.8 + 0.9j, 1.3 - 0.2j):
+            term = (root - 1) ** 4 * ((alpha + beta) * root**2 - beta) / 8
+            found = np.polyval(exact, root**2) - term
+            assert root * read(alpha, beta, whole, root) == pytest.approx(found, rel=1e-9)
+
+    def weaker(share):
+        for theta in (0.4, 2.0):
+            z, root, top = mpmath.expj(theta), mpmath.expj(theta / 2), numerator(0, 0, 0.5)
+            found = (top[0] * z**2 + top[1] * z + top[2] - 0.25 * (root - 1) ** 4 / 8) / z
+            assert abs(value(share, theta=theta, q=0.25) - found) < 1e-14
+
+    only(weaker, shown(HALF, "On the circle the term makes the wall a little weaker"))
+
+    def rises(rate):
+        for whole, theta in ((0, mpmath.mpf("0.9")), (2, mpmath.mpf("0.35"))):
+            q = mpmath.expj((whole + 1) * theta)  # the phase of Q; its size is in both
+            beta = mpmath.im(q) / mpmath.sin(theta)
+            alpha = mpmath.re(q) - beta * (1 - mpmath.cos(theta))
+            near = [theta + sign * mpmath.mpf("1e-20") for sign in (1, -1)]
+            later, sooner = ((alpha + beta) * mpmath.expj(t) - beta for t in near)
+            found = mpmath.arg(later / sooner) / mpmath.mpf("2e-20")
+            assert abs(value(rate, l=whole, theta=theta) - found) < 1e-30
+
+    only(rises, shown(HALF, "On the boundary the phase of the wall rises by less"))
+
+
 LETTER, READ = "s6h_fractional_letter", "s6h_fractional_readings"
 
 

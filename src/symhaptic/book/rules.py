@@ -29,6 +29,7 @@ NAMES: Mapping[str, str] = {
     "last_coefficient": "Vieta's product of roots",
     "linear": "root of a linear factor",
     "no_other_limit": "uniqueness of limits",
+    "none_enters": "continuity of roots to the right",
     "not_of_degree": "degree, denied",
     "pole_at": "pole at a point",
     "roots_stay": "continuity of roots",

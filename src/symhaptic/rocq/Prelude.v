@@ -28,9 +28,11 @@ Parameter stable hurwitz : (C -> C) -> Prop.
 Parameter passive : (C -> C) -> C -> Prop.
 Parameter degree : (C -> C) -> C -> Prop.
 Parameter answers : (C -> C) -> C -> C -> C -> Prop.
-Parameter passive_wall stable_loop stable_substituted : C -> C -> C -> C -> C -> Prop.
+Parameter passive_wall stable_loop stable_substituted stable_principal :
+  C -> C -> C -> C -> C -> Prop.
 Parameter passive_device : (C -> C) -> C -> C -> C -> C -> C -> Prop.
 Parameter pole device : C -> C -> C -> C -> C -> C -> Prop.
+Parameter late_device : C -> C -> C -> C -> C -> C -> C -> C -> Prop.
 Parameter swings : C -> C -> C -> C -> Prop.
 
 (* -- logic -------------------------------------------------------------------------- *)

@@ -89,8 +89,8 @@ def read_wrongly() -> Proposition:
 def both_errors() -> Theorem:
     """That."""
     larger, smaller = read_wrongly().parts
-    one = conjoined(_on_the_sheet(SPRING, LARGE, True), _in_truth(SPRING, LARGE, False))
-    other = conjoined(_in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
+    one = conjoined(_on_the_sheet(SPRING, LARGE, True), in_truth(SPRING, LARGE, False))
+    other = conjoined(in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
     return conjoined(witnessed(one, larger, LARGE), witnessed(other, smaller, SMALL))
 
 
@@ -102,41 +102,48 @@ def read_too_largely() -> Proposition:
 @cache
 def one_error() -> Theorem:
     """That."""
-    found = conjoined(_on_the_sheet(FREE, BETWEEN, True), _in_truth(FREE, BETWEEN, False))
+    found = conjoined(_on_the_sheet(FREE, BETWEEN, True), in_truth(FREE, BETWEEN, False))
     return witnessed(found, read_too_largely(), BETWEEN)
 
 
-def _in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
+def in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
     """Whether a wall is stable, by balls around the zeros of its polynomial."""
-    values = [{**device, **wall}[s] for s in LOOP]
-    loop = axiom("loop of a late device", *values, S.Zero, HALF, *LATE_NUMBERS, a, e)
-    numbers = (_device(), _late()) if device is SPRING else (_free(), _late_free())
-    loop = _in_numbers(loop, numbers[0] | numbers[1])
+    loop = closed(true_loop(device, wall, S.Zero), fact(whole(S.Zero)))
     zeros = loop.conclusion.parts[1].of[0]  # type: ignore[attr-defined]
     if stable:
-        found = applied(loop, roots_inside(zeros, z, {}))
-    else:
-        found = denied_by(loop, root_outside(zeros, z))
+        return applied(loop, roots_inside(zeros, z, {}))
+    return denied_by(loop, root_outside(zeros, z))
+
+
+def true_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
+    """A wall is stable half a period late, and more, if the zeros of its polynomial lie inside."""
+    values = [{**device, **wall}[s] for s in LOOP]
+    loop = axiom("loop of a late device", *values, periods, HALF, *LATE_NUMBERS, a, e)
+    numbers = (_device(), _late()) if device is SPRING else (_free(), _late_free())
+    loop = _in_numbers(loop, numbers[0] | numbers[1])
     facts = (number(Relation(v, "<=", w)) for v, w in ((S.Zero, HALF), (HALF, S.One)))
-    found = closed(found, *facts, fact(whole(S.Zero)))
     exists = axiom("late device", *device.values(), HALF)
-    return chosen(closed(exists, *(fact(h) for h in exists.hypotheses)), found)
+    exists = closed(exists, *(fact(h) for h in exists.hypotheses))
+    return chosen(exists, closed(loop, *facts))
 
 
 def _on_the_sheet(device: Terms, wall: Terms, stable: bool) -> Theorem:
     """Whether it is stable on the principal sheet, by balls around the zeros to the right."""
-    values = [{**device, **wall}[s] for s in LOOP]
-    sheet = axiom("half a period on the principal sheet", *values, S.Zero, *NUMBERS)
-    sheet = _in_numbers(sheet, _device() if device is SPRING else _free())
+    sheet = closed(read_loop(device, wall, S.Zero), fact(whole(S.Zero)))
     never = sheet.conclusion.parts[1]
     root = Symbol("v")
     polynomial = never.body.parts[1].left.xreplace({x + I * y: root})  # type: ignore[attr-defined]
     if stable:
-        found = applied(sheet, none_right(polynomial, root, x, y))
-    else:
-        found = denied_by(sheet, one_right(polynomial, root, x, y))
-    exists = device_exists(device[gamma], device[delta], NUMBERS)
-    return chosen(exists, closed(found, fact(whole(S.Zero))))
+        return applied(sheet, none_right(polynomial, root, x, y))
+    return denied_by(sheet, one_right(polynomial, root, x, y))
+
+
+def read_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
+    """It is stable on the principal sheet if no zero to the right is as large as 1."""
+    values = [{**device, **wall}[s] for s in LOOP]
+    sheet = axiom("half a period on the principal sheet", *values, periods, *NUMBERS)
+    sheet = _in_numbers(sheet, _device() if device is SPRING else _free())
+    return chosen(device_exists(device[gamma], device[delta], NUMBERS), sheet)
 
 
 def _in_numbers(theorem: Theorem, numbers: Mapping[Symbol, Theorem]) -> Theorem:

@@ -25,6 +25,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relation, rule, without
+from symhaptic.proof.theorems.roots import summands
 
 SOURCES = {
     "toeplitz": "a Toeplitz form is non-negative where its symbol is, and only there; "
@@ -53,14 +54,7 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
         raise NotShown(f"{damping} is not real by its form")
     hypotheses: set[Proposition] = set(conditions(damping))
     static, margin = _ZERO, damping
-    for summand in sp.Add.make_args(sp.expand(response)):
-        coefficient, powers = summand.as_independent(variable, as_Add=False)
-        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
-        exponent = sp.Add(*(e for _, e in factors))
-        if any(base != variable or variable in e.free_symbols for base, e in factors):
-            raise NotShown(f"{summand} is no multiple of a power of {variable}")
-        if not real(coefficient):
-            raise NotShown(f"{coefficient} is not real by its form")
+    for exponent, coefficient in summands(response, variable):
         hypotheses |= {whole(-exponent), *conditions(coefficient)}
         static += coefficient
         turn = sp.cos((1 - exponent) * angle) - sp.cos(exponent * angle)

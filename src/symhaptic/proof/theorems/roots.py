@@ -6,7 +6,7 @@ has to be believed beside logic and the deciders.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import sympy as sp
@@ -15,7 +15,9 @@ from sympy import Expr, Symbol
 from symhaptic.model.jury import determinant, half_planes, inner
 from symhaptic.notation.proposition import (
     And,
+    ForAll,
     Iff,
+    Implies,
     Not,
     Predicate,
     Proposition,
@@ -39,6 +41,7 @@ from symhaptic.proof.theorems.kernel import (
 SOURCES = {
     "roots_stay": "zeros of a polynomial are continuous in its coefficients; Marden, Geometry of "
     "Polynomials, Theorem 1.4",
+    "none_enters": "the same; zeros of a real polynomial come in conjugate pairs",
     "all_inside": "zeros of a product are those of its factors",
     "zero_on_circle": "definition of a zero",
     "last_coefficient": "it is, up to its sign, the product of the zeros: Vieta",
@@ -65,9 +68,9 @@ def zero_on_circle(polynomial: Any, variable: Symbol, angle: Any, zero: Theorem)
     polynomial, angle = term(polynomial), term(angle)
     if not real(angle):
         raise NotShown(f"{angle} is not real by its form")
-    exponents = _whole(_powers(polynomial, variable))
-    _says(zero, "=", _on_circle(polynomial, variable, angle))
-    return zero.hypotheses | conditions(angle) | exponents, Not((_zeros(polynomial, variable),))
+    _says(zero, "=", _at(polynomial, variable, sp.I * angle))
+    hypotheses = zero.hypotheses | conditions(angle) | _whole(_powers(polynomial, variable))
+    return hypotheses, Not((_zeros(polynomial, variable),))
 
 
 def _says(theorem: Theorem, sign: str, value: Expr) -> None:
@@ -113,7 +116,7 @@ def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
     [polynomial], [variable] = claim.of, claim.over
     powers = _powers(polynomial, variable)
     last = powers.get(lowest, _ZERO)
-    hypotheses = _monic_above(polynomial, variable**lowest, variable)
+    _, hypotheses = _leading(polynomial, variable**lowest, variable)
     for exponent in powers:
         if exponent != lowest and not _seen_whole(sp.expand(exponent - lowest - 1)):
             raise NotShown(f"the exponent {exponent} may not be above {lowest}")
@@ -266,29 +269,56 @@ def roots_stay(
     and then that 0 < g(1) and 0 < h(1) (``inwards``), too: the zero at 1 moves to smaller z.
     """
     f, g = term(start), term(change)
-    if {share, angle} & (f.free_symbols | g.free_symbols) or share == angle:
-        raise NotShown(f"{share} or {angle} is no symbol of its own")
-    turned = _on_circle(f, variable, angle) + share * _on_circle(g, variable, angle)
-    f_one, g_one = (_on_circle(p, variable, _ZERO) for p in (f, g))
-    part_way = {Relation(_ZERO, "<", share), Relation(share, "<=", sp.S.One)}
     circle = {Relation(_ZERO, "<", angle), Relation(angle, "<=", sp.pi)}
-    hypotheses = _monic_above(f, g, variable)
-    path = f_one + share * g_one
-    for theorem, value, within in ((crossing, turned, part_way | circle), (static, path, part_way)):
-        _says(theorem, "!=", value)
-        hypotheses |= theorem.hypotheses - within
-    without([share, angle], hypotheses)
+    spots = (crossing, (sp.I * angle, circle)), (static, (_ZERO, ()))
+    hypotheses = begin.hypotheses | _unmoved(f, g, variable, share, angle, spots)
     inside = _stable(begin, variable)
-    hypotheses |= begin.hypotheses
     if not is_zero(inside - f):
         if not is_zero((variable - 1) * inside - f) or len(inwards) != 2:
             raise NotShown(f"{inside} is not where the path begins")
-        for theorem, value in zip(
-            inwards, (g_one, _on_circle(inside, variable, _ZERO)), strict=True
-        ):
-            _says(theorem, "<", value)
+        for theorem, polynomial in zip(inwards, (g, inside), strict=True):
+            _says(theorem, "<", _at(polynomial, variable, _ZERO))
             hypotheses |= theorem.hypotheses
     return hypotheses, _zeros(f + g, variable)
+
+
+def _unmoved(
+    f: Expr, g: Expr, variable: Symbol, share: Symbol, place: Symbol, spots: Iterable[Any]
+) -> set[Proposition]:
+    """What is left to show so that f + y g, 0 < y <= 1, is not zero at exp(w): of each spot a
+    theorem that says so, w, and what is known of the place there."""
+    if {share, place} & (f.free_symbols | g.free_symbols) or share == place:
+        raise NotShown(f"{share} or {place} is no symbol of its own")
+    part_way = {Relation(_ZERO, "<", share), Relation(share, "<=", sp.S.One)}
+    _, hypotheses = _leading(f, g, variable)
+    for theorem, (w, within) in spots:
+        _says(theorem, "!=", _at(f, variable, w) + share * _at(g, variable, w))
+        hypotheses |= theorem.hypotheses.difference(within, part_way)
+    without([share, place], hypotheses)
+    return hypotheses
+
+
+@rule
+def none_enters(begin: Theorem, change: Any, over: Sequence[Symbol], *shown: Theorem) -> Judgement:
+    """p(v^2) + g(v) != 0 for v = x + j y, 0 < x and 1 <= x^2 + y^2, of a p with its zeros inside.
+
+    Along p(v^2) + q g(v), 0 < q <= 1, none crosses the border of this region: ``shown`` conclude
+    that it is not zero at exp(j t), 0 < t <= pi/2, at 1, and at j exp(t), 0 < t.  p is monic, both
+    are real, and p(v^2) is of higher degree than g; that exponents are whole is a hypothesis.
+    ``over`` are v, q, t, x and y.
+    """
+    claim, g, (variable, share, place, x, y) = predicate(begin, "stable"), term(change), over
+    powers = _powers(*claim.of, *claim.over)
+    f = sp.Add(*(c * variable ** (2 * e) for e, c in powers.items()))
+    if x == y or not (real(x) and real(y)) or {x, y} & (f.free_symbols | g.free_symbols):
+        raise NotShown(f"{x} and {y} are no two real symbols of their own")
+    ahead, quarter = Relation(_ZERO, "<", place), Relation(place, "<=", sp.pi / 2)
+    border = (sp.I * place, {ahead, quarter}), (_ZERO, ()), (place + sp.I * sp.pi / 2, {ahead})
+    spots = zip(shown, border, strict=True)
+    hypotheses = _unmoved(f, g, variable, share, place, spots) | begin.hypotheses | _whole(powers)
+    outside = And((Relation(_ZERO, "<", x), Relation(sp.S.One, "<=", x**2 + y**2)))
+    value = (f + g).xreplace({variable: x + sp.I * y})
+    return hypotheses, ForAll((x, y), Implies((outside, Relation(value, "!=", _ZERO))))
 
 
 @rule
@@ -311,8 +341,7 @@ def pole_at(
     if variable in share.free_symbols | exponent.free_symbols or not real(share):
         raise NotShown(f"{variable} is bound")
     powers = _powers(zeros.of[0], variable, real_only=False)
-    there = sp.Add(*(c * sp.exp(exponent * n / share) for n, c in powers.items()))
-    _says(zero, "=", there)
+    _says(zero, "=", sp.Add(*(c * sp.exp(exponent * n / share) for n, c in powers.items())))
     found = tuple(term(v) for v in values)
     hypotheses = zero.hypotheses | divisors | conditions(exponent)
     hypotheses |= _whole([*powers, share, sp.expand(share * found[4])])
@@ -361,17 +390,21 @@ def _stable(theorem: Theorem, variable: Symbol) -> Expr:
 def _powers(polynomial: Expr, variable: Symbol, real_only: bool = True) -> dict[Expr, Expr]:
     """Exponents of a polynomial, which may hold symbols, with their coefficients."""
     found: dict[Expr, Expr] = {}
-    whole_sum = sp.expand(polynomial)
-    for summand in sp.Add.make_args(whole_sum) if whole_sum != 0 else ():
+    for exponent, coefficient in summands(polynomial, variable, real_only):
+        found[exponent] = found.get(exponent, _ZERO) + coefficient
+    return {e: c for e, c in found.items() if c != 0}
+
+
+def summands(of: Expr, variable: Symbol, real_only: bool = True) -> Iterator[tuple[Expr, Expr]]:
+    """Exponents and coefficients, real by their form, of a sum of multiples of powers."""
+    for summand in sp.Add.make_args(sp.expand(of)):
         coefficient, powers = summand.as_independent(variable, as_Add=False)
-        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if f != 1]
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(powers) if summand != 0 and f != 1]
         if any(base != variable or variable in e.free_symbols for base, e in factors):
             raise NotShown(f"{summand} is no multiple of a power of {variable}")
         if real_only and not real(coefficient):
             raise NotShown(f"{coefficient} is not real by its form")
-        exponent = sp.expand(sp.Add(*(e for _, e in factors)))
-        found[exponent] = found.get(exponent, _ZERO) + coefficient
-    return {e: c for e, c in found.items() if c != 0}
+        yield sp.expand(sp.Add(*(e for _, e in factors))), coefficient
 
 
 def _whole(exponents: Iterable[Expr]) -> set[Proposition]:
@@ -382,23 +415,18 @@ def _whole(exponents: Iterable[Expr]) -> set[Proposition]:
     return {whole(e) for e in exponents if not e.is_number}
 
 
-def _on_circle(polynomial: Expr, variable: Symbol, angle: Expr) -> Expr:
-    """Its value at exp(j theta), for whole exponents."""
-    return sp.Add(*(c * sp.exp(sp.I * angle * e) for e, c in _powers(polynomial, variable).items()))
-
-
-def _monic_above(f: Expr, g: Expr, variable: Symbol) -> set[Proposition]:
-    """That exponents are whole, and the highest: larger than all others by whole numbers."""
-    return _leading(f, g, variable)[1]
+def _at(polynomial: Expr, variable: Symbol, w: Expr) -> Expr:
+    """Its value at exp(w), for whole exponents."""
+    return sp.Add(*(c * sp.exp(w * e) for e, c in _powers(polynomial, variable).items()))
 
 
 def _leading(f: Expr, g: Expr, variable: Symbol) -> tuple[Expr, set[Proposition]]:
-    """The degree of a monic f above that of g, and what shows it."""
+    """The degree of a monic f above that of g, and what shows it: that exponents are whole, and
+    the highest larger than all others by whole numbers."""
     ours, theirs = _powers(f, variable), _powers(g, variable)
     hypotheses = _whole([*ours, *theirs])
     for lead in ours:
-        others = [*(e for e in ours if e != lead), *theirs]
-        gaps = [sp.expand(lead - e - 1) for e in others]
+        gaps = [sp.expand(lead - e - 1) for e in (*(ours.keys() - {lead}), *theirs)]
         if ours[lead] == 1 and all(_seen_whole(gap) for gap in gaps):
             hypotheses |= {whole(s) for gap in gaps for s in gap.free_symbols}
             return lead, hypotheses
