@@ -431,11 +431,13 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
             new = old.xreplace(here)
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
-            for condition in conditions(old, at=here):
+            asked = conditions(old, at=here)
+            kept = conditions(new) if asked else asked
+            for condition in asked:
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there
-                elif not _kept(moved.left, conditions(new)):
+                elif not _kept(moved.left, kept):
                     if moved.free & bound:
                         raise NotShown(f"a divisor of {old} is lost under its quantifier")
                     found.add(moved)
