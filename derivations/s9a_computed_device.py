@@ -6,18 +6,15 @@ power series everywhere. Both are held against each other, the number that is co
 number that was derived.
 """
 
-from sympy import S, exp, symbols
+from sympy import S, symbols
 
 from symhaptic.book.lemmas.computed import settle
 from symhaptic.book.lemmas.stable_device import (
     COMPUTED,
     DERIVED,
-    LATE,
     SPRING,
-    in_parts,
     in_poles,
 )
-from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire import Creep, Decay
 from symhaptic.forms.entire_device import (
     DenominatorAtMinusOne,
@@ -27,9 +24,9 @@ from symhaptic.forms.entire_device import (
     PlantN1,
     PlantTrace,
 )
-from symhaptic.model import fractional, plant
+from symhaptic.model import plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import a, c, delta, e, epsilon, gamma, m_0, m_2, n_0, n_1
+from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, z
 
 OWN = (
     (PlantN1, "A function is the way under a force that is held for a period"),
@@ -40,14 +37,16 @@ OWN = (
     (NumeratorGap, "A function is what both ways are apart, over the damping"),
 )
 NUMBERS = (
-    (n_1, "PlantN1", "The way under the force is computed by the first of them"),
-    (n_0, "PlantN0", "The way that is left is computed by the second"),
-    (a, "PlantTrace", "The sum of the poles is computed by the third"),
-    (r"1-a+e", r"\gamma\,NumeratorAtOne", "The denominator at $z=1$ has the spring as a factor"),
-    (r"1+a+e", "DenominatorAtMinusOne", "The denominator at $z=-1$ is a product"),
-    (r"n_1+n_0", "NumeratorAtOne", "The numerator at $z=1$ is a product over the spring"),
-    (r"n_1-n_0", r"\delta\,NumeratorGap", "The numerator at $z=-1$ has the damper as a factor"),
+    (0, n_1, "", PlantN1, "The way under the force is computed by the first of them"),
+    (1, n_0, "", PlantN0, "The way that is left is computed by the second"),
+    (2, a, "", PlantTrace, "The sum of the poles is computed by the third"),
+    (4, "1-a+e", r"\gamma\,", NumeratorAtOne, "At $z=1$ the denominator has the spring in it"),
+    (5, "1+a+e", "", DenominatorAtMinusOne, "At $z=-1$ the denominator is a product"),
+    (7, "n_1+n_0", "", NumeratorAtOne, "At $z=1$ the numerator is a product over the spring"),
+    (8, "n_1-n_0", r"\delta\,", NumeratorGap, "At $z=-1$ the numerator has the damper in it"),
 )
+"""Their places among the numbers of a device, and how they are computed."""
+GIVEN = {gamma: SPRING}
 
 
 def derive(page):
@@ -58,18 +57,17 @@ def derive(page):
         "any of them: where the formula divides by zero, the function has its limit."
     )
     for function, title in OWN:
-        page.define(title, name(function.__name__), in_poles(function(gamma, delta)))
+        page.define(title, name(function), in_poles(function(gamma, delta)))
     exact = plant.sampled(plant.normalised(FULL), split=c)
     device = {n_1: exact.n1, n_0: exact.n0, a: exact.a, e: exact.e}
     page.say(
         "The derived numbers are $n_1$, $n_0$, $a$ and $e$ of the transition matrix, which the "
         "chapter on the sampled device finds for (14):"
     )
-    places = (0, 1, 2, 4, 5, 7, 8)
-    for (left, right, title), i in zip(NUMBERS, places, strict=True):
-        ours = COMPUTED[i].xreplace({gamma: SPRING})
-        same = page.same(title, ours, DERIVED.numbers[i].xreplace(device).xreplace(GIVEN))
-        page.show(title, left, name(right), same)
+    for place, left, factor, function, title in NUMBERS:
+        ours = COMPUTED[place].xreplace(GIVEN)
+        same = page.same(title, ours, DERIVED.numbers[place].xreplace(device).xreplace(GIVEN))
+        page.show(title, left, factor + name(function), same)
     page.say(
         "Digits are kept by the functions, and not by these formulas. Where $\\gamma$ and "
         "$\\delta$ are near $10^{-6}$, the numerator of PlantN1 is a difference of numbers next "
@@ -78,27 +76,27 @@ def derive(page):
         "numbers near 1, $-2$ and 1, $n_1-n_0$ is no difference of two numbers near $\\frac12$, "
         "and $1-e$ is computed as $\\delta$ times the function that follows."
     )
-    page.define("A function is the loss of speed over the damping", name("Decay", delta), decay())
-    page.limit("Without a damper it is 1", decay(), delta, S.Zero, S.One, name=name("Decay", delta))
-    free = Creep.definition(delta)
+    loss, free = Decay.definition(delta), Creep.definition(delta)
+    page.define("A function is the loss of speed over the damping", name(Decay), loss)
+    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=name(Decay))
     page.limit(
         "Without a spring the way under a force is that of a mass with a damper",
-        COMPUTED[0].xreplace({gamma: SPRING}),
+        COMPUTED[0].xreplace(GIVEN),
         c,
         delta,
         free,
-        name=name("PlantN1"),
+        name=name(PlantN1),
         because="so that $\\gamma$ tends to 0",
     )
     page.limit("Of a free mass this way is one half", free, delta, S.Zero, S.Half)
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1
     page.limit(
         "At critical damping it is what the device with a double pole has",
-        COMPUTED[0].xreplace({gamma: SPRING}),
+        COMPUTED[0].xreplace(GIVEN),
         c,
         S.Zero,
         critical,
-        name=name("PlantN1"),
+        name=name(PlantN1),
     )
     settle(
         page,
@@ -116,59 +114,31 @@ def derive(page):
         "the computed coefficients are those of the characteristic polynomial of the derived "
         "device, here for $d=2$",
     )
-    _late(page)
+    _conditions(page)
 
 
-def _late(page):
+def _conditions(page):
+    q, loss = symbols("q L")
     page.say(
-        "Behind a fraction $\\varepsilon$ of a period the device is pushed by the force before, "
-        "for $\\varepsilon$, and by the new one for the rest. Each part of the period is a period "
-        "as long, with $\\gamma$ and $\\delta$ in its units, so that the same functions serve:"
+        "Verdicts are computed from the same numbers. The inequalities of Jury are those of a "
+        "polynomial whose coefficients are made of $L=1-e$ and of $q=1-a+e$:"
     )
-    late = fractional.late(plant.normalised(FULL), split=c)
-    first, last = (in_parts(x).xreplace(GIVEN) for x in fractional_delay.ends(FULL))
-    rest = r"\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)"
-    page.show(
-        "The new force moves the device as in a period of that length",
-        m_2,
-        rf"(1-\varepsilon)^2\,\mathrm{{PlantN1}}{rest}",
-        page.same("m_2", first, late.m2.xreplace(GIVEN)),
-    )
-    page.show(
-        "The force before leaves a way that is damped in the rest of the period",
-        m_0,
-        r"\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
-        r"\mathrm{PlantN0}(\gamma\varepsilon^2,\delta\varepsilon)",
-        page.same("m_0", last, late.m0.xreplace(GIVEN)),
-        because="and $m_1=n_1+n_0-m_2-m_0$",
-    )
-    page.say(
-        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, where little may be left of three numbers "
-        "that are large. In the theorem it stands with $x$, $y$, $g$ and $k$ for the way under a "
-        "force, the way that is left, their difference and the way by an impulse, with 1 of the "
-        "rest of the period and with 2 of its beginning: no term there is as large as $n_1$ is."
+    page.step(
+        "The denominator is made of the loss and of its value at 1",
+        z**2 - (2 - loss - q) * z + 1 - loss,
+        (z - 1) ** 2 + (loss + q) * (z - 1) + q,
+        because="of a slow device both numbers are small, and $a$ and $e$, near 2 and 1, would "
+        "keep few of their digits",
     )
     settle(
         page,
-        "discretize_fractional",
-        "the computed numbers of the device, its values at $z=1$ and $z=-1$ and, behind a fraction "
-        "of a period, $m_2$, $m_1$, $m_0$ and $m_2-m_1+m_0$ are the derived ones, wherever nothing "
-        "in either is divided by zero",
+        "stability_conditions",
+        "the computed inequalities are those of the derived device: $n_1$, $n_0$, $1-a+e$ and "
+        "$1-e$ are the derived ones",
     )
 
 
-GIVEN = {gamma: SPRING}
-
-
-def decay():
-    """(1 - e^-delta)/delta."""
-    return Decay.definition(delta)
-
-
-def name(function, of=None):
+def name(function):
     """A function upright, with its arguments."""
-    *factor, word = function.split(r"\,")
-    inner = r"(\gamma,\delta)" if of is None else r"(\delta)"
-    lead = "".join(rf"{f}\," for f in factor)
-    known = {x.__name__ for x, _ in OWN} | {"Decay"}
-    return lead + (rf"\mathrm{{{word}}}{inner}" if word in known else word)
+    arguments = r"\delta" if function is Decay else r"\gamma,\delta"
+    return rf"\mathrm{{{function.__name__}}}({arguments})"

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -43,6 +43,13 @@ def term(of: Any) -> Expr:
     expr = sp.sympify(of)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
+    _asked(expr)
+    return expr
+
+
+@lru_cache(maxsize=2**15)
+def _asked(expr: Expr) -> None:
+    """Nothing, for a term; expressions are asked again and again as theorems are made."""
     for part in sp.preorder_traversal(expr):
         if part.is_Rational or part in (sp.I, sp.pi, sp.E):
             continue
@@ -59,7 +66,6 @@ def term(of: Any) -> Expr:
         ):
             continue
         raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
-    return expr
 
 
 def without_value(number: Expr) -> bool:

@@ -106,13 +106,13 @@ def _factor_key(expr: Expr, period: int) -> tuple[int, float, str]:
 def _term_key(expr: Expr) -> tuple[float, bool, bool, float, tuple[int, ...]]:
     """Falling powers of z (or s), plain terms before quotients, numbers last, then by size."""
     pairs = [factor.as_base_exp() for factor in sp.Mul.make_args(expr)]
-    degree = 0.0
+    degree, z = 0.0, sp.Symbol("z")
     for base, exponent in pairs:
         if base.is_Symbol and base.name in ("z", "s"):
             sized = {s: sp.Rational(27, 10) for s in exponent.free_symbols}
             degree += float(exponent.subs(sized))
-        elif base.is_Add and exponent == 1 and base.is_polynomial(sp.Symbol("z")):
-            degree += float(sp.degree(base, sp.Symbol("z")))
+        elif base.is_Add and exponent == 1 and z in base.free_symbols and base.is_polynomial(z):
+            degree += float(sp.degree(base, z))
     quotient = any(exponent.could_extract_minus_sign() for _, exponent in pairs)
     functions = expr.atoms(*NAMED, sp.exp)
     if functions:

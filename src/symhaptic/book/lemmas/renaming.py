@@ -22,7 +22,9 @@ def _place(name: Symbol, form: Expr, met: frozenset[Symbol]) -> Symbol:
 
     It is none of those that the claim has.
     """
-    places = map(sp.Symbol, ("c", "X_d", "c_3") if is_complex(name) or not real(form) else ("q", "q_k"))
+    places = map(
+        sp.Symbol, ("c", "X_d", "c_3") if is_complex(name) or not real(form) else ("q", "q_k")
+    )
     return next(place for place in places if place not in met)
 
 

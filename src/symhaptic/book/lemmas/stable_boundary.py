@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import partial
 
-from sympy import Eq, Expr, I, Ne, Rational, S, cos, exp, pi, sin, symbols, tan
+from sympy import Expr, I, Ne, S, cos, exp, pi, sin, symbols, tan
 
-from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
-from symhaptic.forms import max_stiffness_slope
+from symhaptic.book.lemmas.stable_forms import Block, not_zero
 from symhaptic.forms.device_forms import made_of
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import (
@@ -30,8 +29,7 @@ from symhaptic.notation import (
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.familiar import sign_of
 from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import combined, identity, mirrored
-from symhaptic.proof.theorems.tactics import closed, sine_of_half
+from symhaptic.proof.theorems.leaves import combined, mirrored
 
 TURN = exp(I * theta)
 INSIDE = tuple(map(proposition, (theta > 0, theta < pi)))
@@ -109,11 +107,8 @@ def wall(top: Expr, delay: Expr, late: bool) -> Block:
     free = theta, delay, *(LATE_NUMBERS if late else NUMBERS)
     where = (*INSIDE, proposition(Ne(turned(top), 0)))
     point = {theta: S.One, delay: S.One} | (LATE_NUMBERS if late else NUMBERS)
-    return Block(free, where, names, tuple(pairs), point)
-
-
-BOUNDARY = wall(WHOLE, d, False)
-LATE_BOUNDARY = wall(LATE, l, True)
+    divisors = partial(_divisors, late, dict(names)[w])
+    return Block(free, where, names, tuple(pairs), point, divisors)
 
 
 def inside(top: Expr) -> list[Theorem]:
@@ -128,14 +123,13 @@ def inside(top: Expr) -> list[Theorem]:
     ]
 
 
-@cache
-def boundary(late: bool) -> Theorem:
-    """One of both as a theorem."""
-    block, top = (LATE_BOUNDARY, LATE) if late else (BOUNDARY, WHOLE)
-    known = inside(top)
+def _divisors(late: bool, below: Expr) -> list[Theorem]:
+    """The size of the numerator, too, as it is written with w for its real part."""
+    known = inside(LATE if late else WHOLE)
     size = not_zero(_size(late), *known[2:], times=S.One)
-    below = dict(block.names)[w]
-    equal = assume(Relation(w, "=", below))
-    named = w**2 + _flat(late)
-    short = combined(Relation(named, "!=", S.Zero), [size], [equal, w + below])
-    return block.proved(*known, size, short)
+    named = Relation(w**2 + _flat(late), "!=", S.Zero)
+    return [*known, size, combined(named, [size], [assume(Relation(w, "=", below)), w + below])]
+
+
+BOUNDARY = wall(WHOLE, d, False)
+LATE_BOUNDARY = wall(LATE, l, True)

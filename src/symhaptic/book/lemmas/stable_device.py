@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import sympy as sp
-from sympy import Eq, Expr, Ne, Rational, S, Symbol, exp, sqrt, symbols
+from sympy import Eq, Expr, Ne, S, Symbol, exp, sqrt, symbols
 
 from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
 from symhaptic.forms import fractional_delay, stable
-from symhaptic.forms.device_forms import Device, device_of, made_of
+from symhaptic.forms.device_forms import device_of, made_of
 from symhaptic.forms.entire import written_out
 from symhaptic.forms.fractional_delay import Brief
 from symhaptic.forms.response import closed
-from symhaptic.model import loop, plant
+from symhaptic.model import loop
 from symhaptic.model.parts import FULL
-from symhaptic.model.plant import Plant, Sampled
+from symhaptic.model.plant import Sampled
 from symhaptic.notation import (
     a,
     alpha,
@@ -88,13 +86,25 @@ COMPUTED = tuple(
 )
 
 
+def spring_there() -> Theorem:
+    """(delta^2 - c^2)/4 != 0."""
+    equal = assume(Eq(gamma, SPRING))
+    return combined(Ne(SPRING, 0), [assume(Ne(gamma, 0))], [equal, -1])
+
+
+def _poles() -> list[Theorem]:
+    """No pole is zero, where there is a spring."""
+    spring = spring_there()
+    return [spring, *(not_zero(x, spring) for x in (RISE, FALL, -FALL))]
+
+
 def device_block(*which: int, more: tuple[Relation, ...] = ()) -> Block:
     """Numbers of the device, by their places in ``Device.numbers``; the impulse is the last."""
     pairs = tuple(Relation(COMPUTED[i], "=", EXACT[i]) for i in which)
     free = (c, delta, *((alpha, beta, z) if more else ()))
     point = POINT | ({alpha: S.One, beta: S.One, z: S(2)} if more else {})
     where = APART if 8 in which else APART[:2]
-    return Block(free, where, NUMBERS, (*pairs, *more), point)
+    return Block(free, where, NUMBERS, (*pairs, *more), point, _poles)
 
 
 def _polynomial() -> Relation:
@@ -106,27 +116,13 @@ def _polynomial() -> Relation:
     return Relation(sp.Add(*terms), "=", loop.named().subs(d, DELAY))
 
 
-DISCRETE = device_block(0, 1, 2, 3)
-POLYNOMIAL = device_block(0, 1, 2, 3, more=(_polynomial(),))
-CONDITIONS = device_block(0, 1, 4, 6)
-ALL = device_block(*range(10))
-
-
-def spring_there() -> Theorem:
-    """(delta^2 - c^2)/4 != 0."""
-    equal = assume(Eq(gamma, SPRING))
-    return combined(Ne(SPRING, 0), [assume(Ne(gamma, 0))], [equal, -1])
-
-
 REST, PART = 1 - epsilon, epsilon
 """The rest of a period, and its beginning."""
 k_1, k_2, x_1, x_2, y_1, y_2, g_1, g_2 = symbols("k_1 k_2 x_1 x_2 y_1 y_2 g_1 g_2")
 """What an impulse and a held force do in the rest, and in the beginning: the ways, and n_0."""
 
 
-def _part_of_period(
-    time: Expr, x: Symbol, y: Symbol, g: Symbol, k: Symbol
-) -> tuple[Brief, Named]:
+def _part_of_period(time: Expr, x: Symbol, y: Symbol, g: Symbol, k: Symbol) -> tuple[Brief, Named]:
     """What is computed of a part of a period: its numbers as names, and what they stand for."""
     known = fractional_delay.brief(FULL, time)
     computed = known.rise, known.fall, known.apart, known.kick
@@ -156,13 +152,6 @@ AFTER = (
 """The numbers of the late device: the force before, then the new one, and the transition."""
 
 
-@cache
-def device(block: Block) -> Theorem:
-    """One of these blocks as a theorem."""
-    spring = spring_there()
-    return block.proved(spring, *(not_zero(x, spring) for x in (RISE, FALL, -FALL)))
-
-
 def _late() -> Block:
     """What is made of the two parts of a period beside the late force."""
     last = exp(-delta * REST) * _last.fall
@@ -177,21 +166,23 @@ def _late() -> Block:
     where = (*APART, *map(proposition, (Ne(epsilon, 0), Ne(epsilon, 1))))
     names = (*NUMBERS[:5], *_first_names, *_last_names, *AFTER)
     pairs = tuple(Relation(x, "=", y) for x, y in zip(computed, exact, strict=True))
-    return Block((c, delta, epsilon), where, names, pairs, POINT | {epsilon: S.Half})
+    return Block((c, delta, epsilon), where, names, pairs, POINT | {epsilon: S.Half}, _parts)
 
 
-LATE = _late()
-
-
-@cache
-def late() -> Theorem:
-    """That."""
-    spring = spring_there()
+def _parts() -> list[Theorem]:
+    """No pole of a part of a period is zero, and no part is."""
+    spring, *poles = _poles()
     parts = [assume(Ne(epsilon, 0)), combined(Ne(REST, 0), [-1, assume(Ne(epsilon, 1))])]
-    poles = [not_zero(x, spring) for x in (RISE, FALL, -FALL)]
     shorter = [
         not_zero(way * of / 2 - delta * of / 2, spring, part)
         for part, of in zip(parts[::-1], (REST, PART), strict=True)
         for way in (c, -c)
     ]
-    return LATE.proved(spring, *parts, *poles, *shorter)
+    return [spring, *parts, *poles, *shorter]
+
+
+DISCRETE = device_block(0, 1, 2, 3)
+POLYNOMIAL = device_block(0, 1, 2, 3, more=(_polynomial(),))
+CONDITIONS = device_block(0, 1, 4, 6)
+ALL = device_block(*range(10))
+LATE = _late()

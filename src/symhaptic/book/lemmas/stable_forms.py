@@ -6,12 +6,12 @@ derived one in these names; all is proved by normal forms, where nothing is divi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cached_property
 
 import sympy as sp
-from sympy import Expr, Ne, S, Symbol, cosh, exp, sinh
+from sympy import Expr, S, Symbol
 
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
 from symhaptic.notation.proposition import (
@@ -20,12 +20,10 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     both,
-    conjuncts,
     implied,
-    proposition,
 )
 from symhaptic.proof.theorems.judge import Case
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, weakened
+from symhaptic.proof.theorems.kernel import Theorem, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined, factor, identity, tends
 from symhaptic.proof.theorems.tactics import closed, example, for_all
 
@@ -45,6 +43,8 @@ class Block:
     """Computed on the left, derived on the right; or the limit that something computed has."""
     point: Mapping[Symbol, Expr]
     """Values of the free symbols at which all this has values."""
+    divisors: Callable[[], Iterable[Theorem]] = tuple
+    """What is divided by is not zero."""
 
     @property
     def defined(self) -> tuple[Relation, ...]:
@@ -77,11 +77,13 @@ class Block:
             values[name] = meaning.xreplace(values)
         return example(values, self.given)
 
-    def proved(self, *lemmas: Theorem) -> Theorem:
-        """The claim as a theorem; ``lemmas`` say of divisors that they are not zero."""
+    @cached_property
+    def theorem(self) -> Theorem:
+        """The claim as a theorem."""
         found = [self._pair(pair) for pair in self.pairs]
         whole = found[0] if len(found) == 1 else conjoined(*found)
-        return for_all(self.over, self.given, weakened(closed(whole, *lemmas), *self.given))
+        shown = weakened(closed(whole, *self.divisors()), *self.given)
+        return for_all(self.over, self.given, shown)
 
     def _pair(self, pair: Proposition) -> Theorem:
         """One of the equations, by the names that are in it."""
@@ -96,15 +98,9 @@ class Block:
 
 def _shown(claim: Proposition) -> Theorem:
     if isinstance(claim, Relation):
-        return _same(claim.left, claim.right)
+        return identity(claim.left, claim.right)
     assert isinstance(claim, Predicate)
     return tends(claim.of[0], claim.over[0], *claim.of[1:])
-
-
-@cache
-def _same(left: Expr, right: Expr) -> Theorem:
-    """Once, in however many forms the pair is."""
-    return identity(left, right)
 
 
 def not_zero(expr: Expr, *known: Theorem, times: Expr | None = None) -> Theorem:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import partial
 
-from sympy import Expr, I, Ne, Rational, S, Symbol, cos, diff, exp, sin, symbols, tan
+from sympy import Expr, I, Ne, Rational, S, cos, diff, exp, sin, symbols, tan
 
 from symhaptic.book.lemmas.stable_boundary import (
     BOTTOM,
@@ -14,7 +14,6 @@ from symhaptic.book.lemmas.stable_boundary import (
     LATE,
     LATE_NUMBERS,
     NUMBERS,
-    TURN,
     WHOLE,
     force,
     inside,
@@ -23,7 +22,7 @@ from symhaptic.book.lemmas.stable_boundary import (
 )
 from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
 from symhaptic.forms import max_stiffness_slope
-from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, x, y, z
+from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, y, z
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import mirrored
@@ -66,7 +65,12 @@ def _searched() -> Block:
     )
     swells = grown * ((2 * L**2 - A_2 * u_1) * W - (2 * across**2 - M_2 * w_1) * U)
     computed = (
-        *((u_1, A_1 - A_2 * t**2), (u_2, 2 * t * L), (w_1, M_1 - M_2 * t**2), (w_2, 2 * t * across)),
+        *(
+            (u_1, A_1 - A_2 * t**2),
+            (u_2, 2 * t * L),
+            (w_1, M_1 - M_2 * t**2),
+            (w_2, 2 * t * across),
+        ),
         *((U, u_1**2 + u_2**2), (W, w_1**2 + w_2**2)),
         *((v, u_1 * w_1 + u_2 * w_2), (w, u_2 * w_1 - u_1 * w_2), (q, turns), (r, swells)),
     )
@@ -76,7 +80,8 @@ def _searched() -> Block:
     where = *INSIDE, *(proposition(Ne(turned(p), 0)) for p in (LATE, BOTTOM))
     point = {theta: S.One, l: S.One} | LATE_NUMBERS
     named = *_values(True), *names, *computed
-    return Block((theta, l, *LATE_NUMBERS), where, named, (pair,), point)
+    divisors = partial(_divisors, LATE, True)
+    return Block((theta, l, *LATE_NUMBERS), where, named, (pair,), point, divisors)
 
 
 def _polynomial(top: Expr, late: bool) -> Block:
@@ -98,26 +103,8 @@ def _polynomial(top: Expr, late: bool) -> Block:
     pair = Relation(t * (rise / ((1 + t**2) * square**2)), "=", exact)
     where = (*INSIDE, proposition(Ne(turned(top), 0)))
     named = *_values(late), *names, *computed
-    return Block((theta, *numbers), where, named, (pair,), {theta: S.One} | numbers)
-
-
-SEARCHED, EARLY, UNDELAYED = _searched(), _polynomial(LATE, True), _polynomial(WHOLE, False)
-
-
-@cache
-def slope(block: Block) -> Theorem:
-    """One of these as a theorem."""
-    top = WHOLE if block is UNDELAYED else LATE
-    known = inside(top)
-    sizes = [square(top, known[2:])]
-    if block is SEARCHED:
-        alive = assume(Ne(turned(BOTTOM), 0))
-        sizes.append(square(BOTTOM, [alive, mirrored(alive)]))
-    else:
-        half = cos(theta / 2)
-        grown = fact(Relation(S.One, "!=", S.Zero))
-        sizes.append(not_zero(1 + tan(theta / 2) ** 2, grown, times=half**2))
-    return block.proved(*known, *sizes)
+    point, divisors = {theta: S.One} | numbers, partial(_divisors, top, False)
+    return Block((theta, *numbers), where, named, (pair,), point, divisors)
 
 
 def square(top: Expr, known: Sequence[Theorem]) -> Theorem:
@@ -130,3 +117,18 @@ def square(top: Expr, known: Sequence[Theorem]) -> Theorem:
     across = 1 - e if top == BOTTOM else m_2 - m_0
     size = (one - other * tangent**2) ** 2 + 4 * tangent**2 * across**2
     return not_zero(size, *known, times=cos(theta / 2) ** 4)
+
+
+def _divisors(top: Expr, searched: bool) -> list[Theorem]:
+    """What a slope is divided by, in both forms of it."""
+    known = inside(top)
+    if searched:
+        alive = assume(Ne(turned(BOTTOM), 0))
+        other = square(BOTTOM, [alive, mirrored(alive)])
+    else:
+        unit = fact(Relation(S.One, "!=", S.Zero))
+        other = not_zero(1 + tan(theta / 2) ** 2, unit, times=cos(theta / 2) ** 2)
+    return [*known, square(top, known[2:]), other]
+
+
+SEARCHED, EARLY, UNDELAYED = _searched(), _polynomial(LATE, True), _polynomial(WHOLE, False)

@@ -7,6 +7,7 @@ become hypotheses of a theorem until they are shown.  Roots and powers are princ
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -30,13 +31,31 @@ def conditions(*exprs: Expr, at: Mapping[Symbol, Expr] | None = None) -> frozens
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
     True
     """
-    found: set[Proposition] = set()
-    for expr in exprs:
-        for part in sp.preorder_traversal(expr):
-            for divisor in _divisors(part, at or {}):
-                if not differs(divisor):
-                    found.add(Relation(divisor, "!=", sp.S.Zero))
-    return frozenset(found)
+    if at and not any(_powers(expr) & at.keys() for expr in exprs):
+        at = None
+    if not at:
+        return frozenset().union(*map(_everywhere, exprs))
+    parts = (part for expr in exprs for part in sp.preorder_traversal(expr))
+    return frozenset(p for part in parts for p in _asked(part, at))
+
+
+@lru_cache(maxsize=2**15)
+def _everywhere(expr: Expr) -> frozenset[Proposition]:
+    """The conditions of an expression, those of its parts included, each found once."""
+    return frozenset(_asked(expr, {})).union(*map(_everywhere, expr.args))
+
+
+@lru_cache(maxsize=2**15)
+def _powers(expr: Expr) -> frozenset[Symbol]:
+    """The symbols in exponents, by which a power may be one that divides, or none."""
+    own = expr.exp.free_symbols if expr.is_Pow else ()
+    return frozenset(own).union(*map(_powers, expr.args))
+
+
+def _asked(part: Expr, at: Mapping[Symbol, Expr]) -> Iterable[Proposition]:
+    """What an expression asks for by itself."""
+    divisors = (divisor for divisor in _divisors(part, at) if not differs(divisor))
+    return (Relation(divisor, "!=", sp.S.Zero) for divisor in divisors)
 
 
 def _divisors(part: Expr, at: Mapping[Symbol, Expr]) -> Iterable[Expr]:
