@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
+    And,
     ForAll,
     Not,
     Proposition,
@@ -66,8 +67,15 @@ def changes_of_judgement(settled: Settled) -> Iterator[Change]:
 
 
 def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
-    """Other claims: a hypothesis dropped, a border let in, the conclusion denied."""
+    """Other claims: a hypothesis dropped, a border let in, the conclusion denied; of several that
+    are made together, one so changed or left out."""
     symbols, given, then = taken_apart(claim)
+    if isinstance(claim, And):
+        for i, part in enumerate(claim.of):
+            before, after = claim.of[:i], claim.of[i + 1 :]
+            for what, other in _others(part):
+                yield f"{what}, in part {i + 1}", And((*before, other, *after))
+            yield f"without part {i + 1}", And((*before, *after))
 
     def of(given: tuple[Proposition, ...], then: Proposition) -> Proposition:
         inner = implied(given, then)
