@@ -38,7 +38,7 @@ RESTS = {
 def blocks(form: str) -> tuple[Block, ...]:
     """The blocks of a form."""
     module, *names = FORMS[form]
-    home = import_module(f"symhaptic.book.lemmas.stable_{module}")
+    home = import_module(f".stable_{module}", __package__)
     return tuple(getattr(home, name) for name in names)
 
 
