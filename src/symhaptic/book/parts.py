@@ -84,6 +84,15 @@ PARTS = (
         "chapter says which rule to use when.",
     ),
     Part(
+        "Forms for computing",
+        ("9",),
+        "A formula that is right may still be useless to a computer: where it is 0/0, and close to "
+        "there, where what cancels takes the digits along. What is computed, and exported, is "
+        "therefore written in other functions. In this part each formula that is computed is held "
+        "against the one that was derived; of a value that is searched for, what its search goes "
+        "by. A last digit that is wrong is another matter: it is measured, and no theorem.",
+    ),
+    Part(
         "What is wrong",
         ("7",),
         "Most slips come up where the formula is derived. Those that belong to no derivation are "

@@ -17,9 +17,15 @@ from symhaptic.proof.theorems.kernel import (
 from symhaptic.proof.theorems.leaves import combined
 
 
-def _place(name: Symbol, form: Expr) -> Symbol:
-    """A symbol for the place of another and of what it stands for, complex as either may be."""
-    return sp.Symbol("c" if is_complex(name) or not real(form) else "q")
+def _place(name: Symbol, form: Expr, met: frozenset[Symbol]) -> Symbol:
+    """A symbol for the place of another and of what it stands for, complex as either may be.
+
+    It is none of those that the claim has.
+    """
+    places = map(
+        sp.Symbol, ("c", "X_d", "c_3") if is_complex(name) or not real(form) else ("q", "q_k")
+    )
+    return next(place for place in places if place not in met)
 
 
 def definitions(given: Any) -> list[Theorem]:
@@ -35,12 +41,13 @@ def renamed(theorem: Theorem, pattern: Proposition, *equations: Theorem) -> Theo
     """
     names = [e.conclusion.left for e in equations]  # type: ignore[attr-defined]
     forms = [e.conclusion.right for e in equations]  # type: ignore[attr-defined]
+    met = pattern.free.union(*(f.free_symbols for f in forms))
     for i, equation in enumerate(equations):
         name, form = names[i], forms[i]
         later: dict[Symbol, Expr] = {}
         for other, value in zip(names[i + 1 :], forms[i + 1 :], strict=True):
             later[other] = value.xreplace(later)
-        place = _place(name, form)
+        place = _place(name, form, met)
         here = {name: place} | {n: v.xreplace({name: place}) for n, v in later.items()}
         turned = combined(Relation(form, "=", name), [equation, -sp.S.One])
         theorem = substituted(pattern.at(here), place, theorem, turned)
@@ -61,7 +68,8 @@ def unnamed(theorem: Theorem, *equations: Theorem) -> list[Theorem]:
     for equation in reversed(equations):
         name = equation.conclusion.left  # type: ignore[attr-defined]
         if name in theorem.conclusion.free:
-            place = _place(name, equation.conclusion.right)  # type: ignore[attr-defined]
+            form = equation.conclusion.right  # type: ignore[attr-defined]
+            place = _place(name, form, theorem.conclusion.free | form.free_symbols)
             theorem = substituted(theorem.conclusion.at({name: place}), place, theorem, equation)
             found.append(theorem)
     return found

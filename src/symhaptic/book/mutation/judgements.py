@@ -132,8 +132,15 @@ def _here(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
 
 
 def _others(claim: Proposition) -> Iterator[tuple[str, Proposition]]:
-    """Other claims: a hypothesis dropped, a border let in, the conclusion denied."""
+    """Other claims: a hypothesis dropped, a border let in, the conclusion denied; of several that
+    are made together, one so changed or left out."""
     symbols, given, then = taken_apart(claim)
+    if isinstance(claim, And):
+        for i, part in enumerate(claim.of):
+            before, after = claim.of[:i], claim.of[i + 1 :]
+            for what, other in _others(part):
+                yield f"{what}, in part {i + 1}", And((*before, other, *after))
+            yield f"without part {i + 1}", And((*before, *after))
 
     def of(given: tuple[Proposition, ...], then: Proposition) -> Proposition:
         inner = implied(given, then)

@@ -436,8 +436,9 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
-            kept = conditions(new)
-            for condition in conditions(old, at=here):
+            asked = conditions(old, at=here)
+            kept = conditions(new) if asked else asked
+            for condition in asked:
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there

@@ -1,0 +1,82 @@
+r"""Is the late device that is computed the late device that is derived?
+
+Behind a fraction of a period a device has three numbers in place of two. They are computed from
+what the device does in the rest of the period and in its beginning; and so is what a verdict on
+stability is given.
+"""
+
+from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.stable_device import LATE, SPRING, in_parts
+from symhaptic.forms import fractional_delay
+from symhaptic.model import fractional, plant
+from symhaptic.model.parts import FULL
+from symhaptic.notation import c, gamma, m_0, m_2
+
+GIVEN = {gamma: SPRING}
+UNDEFINED = "wherever nothing in either is divided by zero"
+
+
+def derive(page):
+    page.say(
+        "Behind a fraction $\\varepsilon$ of a period the device is pushed by the force before, "
+        "for $\\varepsilon$, and by the new one for the rest. Each part of the period is a period "
+        "as long, with $\\gamma$ and $\\delta$ in its units, so that the same functions serve:"
+    )
+    late = fractional.late(plant.normalised(FULL), split=c)
+    first, last = (in_parts(x).xreplace(GIVEN) for x in fractional_delay.ends(FULL))
+    rest = r"\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)"
+    page.show(
+        "The new force moves the device as in a period of that length",
+        m_2,
+        rf"(1-\varepsilon)^2\,\mathrm{{PlantN1}}{rest}",
+        page.same("m_2", first, late.m2.xreplace(GIVEN)),
+    )
+    page.show(
+        "The force before leaves a way that is damped in the rest of the period",
+        m_0,
+        r"\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
+        r"\mathrm{PlantN0}(\gamma\varepsilon^2,\delta\varepsilon)",
+        page.same("m_0", last, late.m0.xreplace(GIVEN)),
+        because="and $m_1=n_1+n_0-m_2-m_0$",
+    )
+    page.say(
+        "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, and of three large numbers little may be "
+        "left. It is computed from what each part of the period does, with $x$, $y$, $g$ and $k$ "
+        "for the way under a force, the way that is left, their difference and the way by an "
+        "impulse, with 1 of the rest of the period and with 2 of its beginning, and with the "
+        "loss $L_1=1-e^{-\\delta(1-\\varepsilon)}$ of speed in the rest:"
+    )
+    gap = LATE.written_out()[3]
+    page.show(
+        "At $z=-1$ the numerator is made of the two parts of the period",
+        "m_2-m_1+m_0",
+        r"g_1-g_2+y_1(\delta k_2+\gamma x_2)-L_1y_2+\gamma x_1x_2-2k_1k_2",
+        page.same("gap", gap.left, gap.right),
+        because="where $M$ nearly vanishes at $-1$, each of these terms is small",
+    )
+    settle(
+        page,
+        "discretize_fractional",
+        "the computed numbers of the device, its values at $z=1$ and $z=-1$ and, behind a fraction "
+        "of a period, $m_2$, $m_1$, $m_0$ and $m_2-m_1+m_0$ are the derived ones, "
+        f"{UNDEFINED}",
+    )
+    page.say(
+        "For any delay, roots are counted from the angles at which device and wall are equally "
+        "strong; these ignore the delay, as the chapter on counted roots says. What the count is "
+        "given is proved here. The count itself is a procedure and no formula: it is compared "
+        "with roots that are enclosed."
+    )
+    settle(
+        page,
+        "unstable_roots",
+        "all numbers that the count of roots is given, of the device and of what is late, are the "
+        f"derived ones, {UNDEFINED}",
+    )
+    settle(
+        page,
+        "is_stable",
+        "all numbers that the verdict on stability is given are the derived ones, "
+        f"{UNDEFINED}: it asks for the same count, for $\\alpha>-\\gamma$, and for a device that "
+        "is not left swinging",
+    )

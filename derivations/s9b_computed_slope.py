@@ -1,0 +1,62 @@
+r"""Does the search for the stiffest stable wall go by the slope that is derived?
+
+On the explicit boundary the stiffness rises from the origin to a maximum. The search for it asks
+for the sign of a slope, which is computed as a sum of products.
+"""
+
+from sympy import I, cos, tan
+
+from symhaptic.book.lemmas import stable_slope
+from symhaptic.book.lemmas.computed import settle
+from symhaptic.model import boundary
+from symhaptic.model.passivity import on_circle
+from symhaptic.model.plant import Sampled
+from symhaptic.notation import a, d, e, n_0, n_1, t, theta, z
+
+DEVICE = Sampled(n_1, n_0, a, e)
+UNDEFINED = "wherever nothing in either is divided by zero"
+
+
+def derive(page):
+    page.say(
+        "The stiffest stable wall is searched for where $\\alpha$ no longer rises on the boundary. "
+        "With $t=\\tan(\\theta/2)$ its slope hangs on $Q$ and on how $Q$ turns:"
+    )
+    names, slope = stable_slope.derived(n_1 * z + n_0, d, 0)
+    meaning = dict(names)
+    for _ in range(2):
+        slope = slope.xreplace(meaning)
+    derived = boundary.wall(DEVICE)[0].diff(theta)
+    page.show(
+        "The derived stiffness has this slope",
+        r"\frac{d\alpha}{d\theta}",
+        r"\Re Q'-t\,\Im Q'-\tfrac12(1+t^2)\,\Im Q",
+        page.same("slope", derived, slope.xreplace({t: tan(theta / 2)})),
+        because="since $\\alpha=\\Re Q-\\Im Q\\tan(\\theta/2)$, and $Q'$ is the derivative by the "
+        "angle",
+    )
+    page.say(
+        "What the search asks for is the sign of a sum of products, which is the slope times a "
+        "positive number: of $A$ and of $M$ only their values at 1 and $-1$, $A_1$, $A_2$, "
+        "$M_1$ and $M_2$, and $L=1-e$. A quotient would be 0/0 where the boundary begins; a "
+        "difference of two stiffnesses, as in a search without the slope, would lose half of the "
+        "digits at the maximum, where both are alike. For delays below one period, and without "
+        "any, the slope is a polynomial in $t^2$, and its coefficients need no sines. That its "
+        "first zero is the farthest point of the stable region is another matter: it is compared "
+        "with whole regions, and proved for some devices only, in the chapters on the stiffest "
+        "wall."
+    )
+    c, tangent, bottom = cos(theta / 2), tan(theta / 2), on_circle(z**2 - a * z + e)
+    page.step(
+        "What the slope is multiplied by is positive where $A$ and $M$ do not vanish",
+        bottom * bottom.xreplace({I: -I}),
+        c**4 * ((1 - a + e - (1 + a + e) * tangent**2) ** 2 + 4 * tangent**2 * (1 - e) ** 2),
+        name="|A|^2",
+        because="and $|M|^2$ is as positive a number of $M_1$, $M_2$ and $m_2-m_0$",
+    )
+    settle(
+        page,
+        "max_stable_stiffness",
+        "what the search for the largest stable stiffness goes by is the slope of the derived "
+        f"stiffness, for any delay, for those below one period and for none, {UNDEFINED}",
+    )

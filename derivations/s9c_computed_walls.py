@@ -1,0 +1,86 @@
+r"""Are the computed walls that are just passive the derived ones?
+
+The envelope of the passive walls, the stiffest of them and the linear condition are quotients whose
+denominators vanish with the angle. They are computed as quotients of functions that do not.
+"""
+
+from sympy import Rational, S, cos, sin
+
+from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.stable_walls import WORST
+from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread, written_out
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, theta
+
+UNITS = {K: alpha, B: beta, T: S.One, b: delta}
+UNDEFINED = "wherever nothing in either is divided by zero"
+
+
+def derive(page):
+    stiffness, damping = (side.xreplace(UNITS) for side in passivity.envelope())
+    page.say(
+        "The wall that is just passive is a point of the envelope, where the lines of two angles "
+        "meet. Its denominator and its numerators vanish with the third power of the angle; "
+        "divided by it they are Spread, Chord and a product:"
+    )
+    push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
+    for title, left, computed, exact, shown in (
+        (
+            "Its stiffness is a quotient without a pole at 0",
+            alpha,
+            2 * delta * push / Spread(d, theta),
+            stiffness,
+            r"\frac{2\delta\,(d+1)\,\mathrm{Sinc}^2(\theta/2)\,\mathrm{SinNext}(d,\theta)}"
+            r"{\theta\,\mathrm{Spread}(d,\theta)}",
+        ),
+        (
+            "Its damping is a quotient without a pole at 0",
+            beta,
+            delta * (Chord(d, theta) - push) / Spread(d, theta),
+            damping,
+            r"\frac{\delta\,\mathrm{Chord}(d,\theta)}{\mathrm{Spread}(d,\theta)}-\frac\alpha2",
+        ),
+    ):
+        page.show(title, left, shown, page.same(title, written_out(computed), exact))
+    settle(
+        page,
+        "passivity_boundary",
+        "behind whole delays the computed wall that is just passive is the point of the envelope, "
+        f"{UNDEFINED}; behind a fraction of a period it is searched for by the need and its slope",
+    )
+    page.say(
+        "The stiffest of these walls has $\\theta=\\pi/(2(d+1))$, where $\\cos(d+1)\\theta$ "
+        "vanishes. Its stiffness is a tangent, and its damping is a difference that stays large:"
+    )
+    share = 1 / (d + 1)
+    page.show(
+        "The damping of the stiffest passive wall has one function",
+        beta,
+        r"\delta\left(\frac{2}{\pi\,\mathrm{Sinc}(\theta)}-\tan\tfrac\theta2\right)",
+        page.same(
+            "stiffest",
+            delta * (share / sin(WORST) - (1 - cos(WORST)) / sin(WORST)),
+            damping.subs(theta, WORST),
+        ),
+    )
+    settle(
+        page,
+        "max_passive_stiffness",
+        "behind whole delays the computed stiffest passive wall is the derived one, (11), with its "
+        "damping; behind a fraction of a period it is searched for by the need and its derivatives",
+    )
+    need = passivity.margin().xreplace(UNITS)
+    page.limit(
+        "For slow motions the margin is linear in the wall",
+        need,
+        theta,
+        S.Zero,
+        delta + beta - alpha * (d + Rational(1, 2)),
+        name=r"\bigl(\delta-\delta_\mathrm{min}\bigr)",
+    )
+    settle(
+        page,
+        "linear_limit",
+        "the computed stiffness of the linear condition is the derived one, (25): with it the "
+        "margin tends to 0 with the angle",
+    )

@@ -1,0 +1,108 @@
+"""What a wall needs at an angle, in entire functions, and the walls that are just passive."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from sympy import Expr, Rational, S, Symbol, cos, pi, sin, symbols
+
+from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
+from symhaptic.forms import required_damping, stable
+from symhaptic.forms.entire import Chord, Sinc, written_out
+from symhaptic.notation import alpha, beta, d, delta, epsilon, l, psi, theta, v, w, x, y
+from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.proof.theorems.familiar import sign_of
+from symhaptic.proof.theorems.kernel import Theorem, assume
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.tactics import closed, one, positive, sine_of_half
+
+HALF = Rational(1, 2)
+ANGLE = tuple(map(proposition, (theta > 0, theta < pi)))
+HALF_ANGLE = tuple(map(proposition, (psi > 0, psi < pi / 2)))
+WALL = {alpha: S.One, beta: S.Half, delta: S(2)}
+S_0, S_1, S_2, S_3, S_4, S_5, Z, Z_1, Z_2 = symbols("S_0 S_1 S_2 S_3 S_4 S_5 Z Z_1 Z_2")
+"""Of sines over their angles, and of the entire functions of a delay and an angle."""
+SINES = ((S_0, 1), (S_1, 2 * l + 1), (S_2, 2 * l + 2), (S_3, 2 * l + 3), (S_4, 2 * l + 4), (S_5, 2))
+ENTIRE = {
+    **{Sinc(order * psi): name for name, order in SINES},
+    Chord(l, 2 * psi): Z_1,
+    Chord(l + 1, 2 * psi): Z_2,
+}
+
+
+def named(expr: Expr, entire: Mapping[Expr, Symbol]) -> Expr:
+    """A computed formula with names for its entire functions; what is a cosine is one."""
+    return written_out(expr.xreplace(dict(entire)))
+
+
+def defined(entire: Mapping[Expr, Symbol]) -> Named:
+    """What they stand for."""
+    return tuple((name, written_out(function)) for function, name in entire.items())
+
+
+def kernel(order: Expr, angle: Expr) -> Expr:
+    """sin((k + 1/2) theta)/(2 sin(theta/2))."""
+    return sin((order + HALF) * angle) / (2 * sin(angle / 2))
+
+
+def straight(delay: Expr) -> Expr:
+    """What straight motions need at a whole delay."""
+    return alpha * kernel(delay, 2 * psi) - beta * cos(2 * (delay + 1) * psi)
+
+
+def _needs() -> Block:
+    """What is needed at an angle, and how that changes with the angle and with the wall."""
+    whole, later = straight(l), straight(l + 1)
+    between, steep = (1 - epsilon) * x + epsilon * y, (1 - epsilon) * v + epsilon * w
+    names = (
+        *defined(ENTIRE),
+        *((x, whole), (y, later), (v, whole.diff(psi)), (w, later.diff(psi))),
+    )
+    share = epsilon * (1 - epsilon)
+    size = alpha**2 + 4 * beta * (alpha + beta) * sin(psi) ** 2
+    cosines = (1 - epsilon) * cos(2 * (l + 1) * psi) + epsilon * cos(2 * (l + 2) * psi)
+    exact = (
+        x,
+        x + epsilon * (y - x),
+        v,
+        delta**2 - delta * between - share * size / 4,
+        delta * steep + 2 * share * beta * (alpha + beta) * sin(psi) * cos(psi),
+        share * (alpha + 2 * beta) * sin(psi) ** 2 - delta * cosines,
+    )
+    computed = (named(ours, ENTIRE) for ours, _ in required_damping.derived())
+    pairs = tuple(Relation(ours, "=", known) for ours, known in zip(computed, exact, strict=True))
+    free = psi, l, epsilon, alpha, beta, delta
+    where = *HALF_ANGLE, proposition(l >= 0)
+    point = {psi: S.One, l: S.One, epsilon: S.Half} | WALL
+    return Block(free, where, names, pairs, point, _orders)
+
+
+def _orders() -> list[Theorem]:
+    """No angle, no sine of it and no multiple of the delay is zero."""
+    wide = positive(psi < pi, [psi < pi / 2], [Rational(1, 2), number(Relation(S.Zero, "<", pi))])
+    sine = closed(sign_of(sin, psi), wide)
+    orders = (positive(2 * l + n > 0, [2, l >= 0], [n, one()]) for n in (1, 2, 3, 4))
+    return [
+        *(not_zero(2 * l + n, o, times=S.One) for n, o in enumerate(orders, start=1)),
+        not_zero(psi, assume(psi > 0), times=S.One),
+        not_zero(sin(psi), sine, times=S.One),
+        not_zero(sin(psi) / psi, sine, times=psi),
+    ]
+
+
+def half_angle() -> list[Theorem]:
+    """Neither the angle nor the sine of its half is zero."""
+    right, sine = assume(theta > 0), sine_of_half(theta)
+    return [not_zero(theta, right, times=S.One), not_zero(sin(theta / 2), sine, times=S.One)]
+
+
+def _at_an_angle() -> Block:
+    """What is left at an angle; the sine of (2 d + 1) halves of it, and the cosine."""
+    ((computed, _),) = stable.form("passivity_margin_at").equal
+    exact = delta - (alpha * kernel(d, theta) - beta * cos((d + 1) * theta))
+    pair = Relation(written_out(computed), "=", exact)
+    point = {theta: S.One, d: S.One} | WALL
+    return Block((theta, d, alpha, beta, delta), ANGLE, (), (pair,), point, half_angle)
+
+
+NEEDS, MARGIN = _needs(), _at_an_angle()
