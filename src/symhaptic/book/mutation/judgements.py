@@ -93,7 +93,8 @@ def _changed(
 ) -> Iterator[tuple[str, str, Proposition]]:
     """Every part of a claim changed at its root: kind, what was done, and the whole."""
     for kind, other in _here(claim):
-        yield kind, f"{written(other)} for {written(claim)}", put(other)
+        if other != claim:  # x <= x turned round
+            yield kind, f"{written(other)} for {written(claim)}", put(other)
     for i, part in enumerate(claim.parts):
         yield from _changed(part, partial(_replaced, claim, i, put))
 
