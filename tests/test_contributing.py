@@ -1,17 +1,23 @@
-"""The chapter that CONTRIBUTING shows runs as it stands, by README's CI too; a wrong step fails."""
+"""The recipes run as they stand: a chapter, by README's CI too, and a language; wrong ones fail."""
 
+import importlib.util
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 from symhaptic.book.chapters import BadChapter, run
+from symhaptic.cli.main import app
+from symhaptic.export import targets
 from symhaptic.notation.latex import latex
 
 TEXT = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
 VERIFY = (Path(__file__).parents[1] / "docs" / "verify.md").read_text(encoding="utf-8")
+LANGUAGE = (Path(__file__).parents[1] / "docs" / "language.md").read_text(encoding="utf-8")
 EXAMPLE, THEOREM = (block.split("```")[0] for block in TEXT.split("```python\n")[1:3])
 
 
@@ -63,3 +69,26 @@ def test_the_ci_of_somebody_else_checks_their_chapter(part, tmp_path):
         run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
         assert run.returncode == status, run.stderr
         assert "my-drift" in (tmp_path / "formulas.xml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("sine", ["sin", "cos"])
+def test_a_language_is_one_file_and_one_line(sine, tmp_path, monkeypatch):
+    if shutil.which("perl") is None:
+        pytest.skip("no perl here: the language of the recipe is not run")
+    path, out = tmp_path / "perl.py", tmp_path / "out"
+    text = LANGUAGE.split("```python\n")[1].split("```")[0]
+    wrong = text.replace('TwoProdError="', f'sin="{sine}({{0}})",\n        TwoProdError="', 1)
+    assert wrong != text
+    path.write_text(wrong, encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("perl", path)
+    perl = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(perl)
+    perl.TARGET.taken = targets.TARGETS["c"].taken
+    monkeypatch.setitem(targets.TARGETS, "perl", perl.TARGET)
+    names = ["is_stable", "max_passive_stiffness", "stability_boundary"]
+    made = CliRunner().invoke(app, ["export", *names, "--target", "perl", "-o", str(out)])
+    assert made.exit_code == 0, made.output
+    for command in perl.TARGET.commands("haptic"):
+        ran = subprocess.run(command, cwd=out, capture_output=True, text=True, check=False)
+    assert (ran.returncode == 0) == (sine == "sin"), ran.stdout + ran.stderr
+    assert ("values, 0 missed" in ran.stdout) == (sine == "sin")

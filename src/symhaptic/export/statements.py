@@ -47,7 +47,7 @@ def braces(
                 first, *others = statement.no
                 if others or not isinstance(first, Join) or first.names:
                     break
-                statement, word = first, "} else if"
+                statement, word = first, "} " + target.words.get("else if", "else if")
             lines.append(f"{pad}}} else {{")
             lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
         elif isinstance(statement, Set):
@@ -125,14 +125,15 @@ def _unpacked(target: Target, several: Several) -> list[str]:
 def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     printer = target.printing()
     states = [target.rename(s.name) for s in loop.states]
-    count = f"count_{states[0]}"
+    count = target.rename(f"count_{loop.states[0].name}")
     lines: list[str] = []
     for name, first in zip(states, loop.start, strict=True):
         given = f"{name} = {printer.doprint(first)};"
         _declared(target, lines, f"{target.changing or target.real} ", given)
     if loop.number is None:
         lines.append(target.times.format(count, loop.most))
-        inner = [f"if ({printer.doprint(loop.done)}) {{ break; }}"]
+        leave = target.words.get("break", "break")
+        inner = [f"if ({printer.doprint(loop.done)}) {{ {leave}; }}"]
     else:
         numbers = ", ".join(map(printer.doprint, loop.numbers))
         number = target.rename(loop.number.name), numbers, loop.most, target.real

@@ -91,7 +91,7 @@ class Target:
     printer: type[Printing]
     choice = "({0} ? {1} : {2})"
     words: Mapping[str, str] = MappingProxyType({})
-    """Comparisons and connectives that are written in another way."""
+    """Comparisons, connectives and words of blocks that are written in another way."""
     ignores_case = False
     taken: Callable[[], frozenset[str]] = frozenset
     """The names of all routines, which no variable may have; handed in with the list of targets."""

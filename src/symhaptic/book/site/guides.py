@@ -11,14 +11,14 @@ from symhaptic.book.site.mathml import pandoc
 
 ORDER = (
     *("tutorial", "limits", "devices", "sweep", "howto", "verify", "check", "export"),
-    *("reports", "verdicts", "found", "speed", "design"),
+    *("reports", "verdicts", "found", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""
 
 BESIDE = {"contributing": "CONTRIBUTING.md", "changelog": "CHANGELOG.md"}
 """Pages that lie beside docs/."""
 
-_LINK = re.compile(r"`([^`<]+) <(?:\.\./)?(\w+)\.md>`__")
+_LINK = re.compile(r"`([^`<]+) <(?:\.\./|docs/)?(\w+)\.md>`__")
 
 _PICTURE = re.compile(r"!\[[^\]]*\]\((\w+\.png)\)")
 
