@@ -71,6 +71,19 @@ def test_the_ci_of_somebody_else_checks_their_chapter(part, tmp_path):
         assert "my-drift" in (tmp_path / "formulas.xml").read_text(encoding="utf-8")
 
 
+def test_a_part_of_the_scene_begins_as_a_chapter(tmp_path):
+    path = tmp_path / "filtered.py"
+    part = TEXT.split("## A part of the scene")[1].split("```python\n")[1].split("```")[0]
+    path.write_text(part, encoding="utf-8")
+    assert len(run(path).page.checks) == 2
+    path.write_text(part.replace("(z - 1)),", "z),"), encoding="utf-8")
+    with pytest.raises(BadChapter, match="raises the degree"):
+        run(path)
+    path.write_text(part.replace(".subs(f, 0)", ".subs(f, 1)"), encoding="utf-8")
+    with pytest.raises(BadChapter, match="Without the filter"):
+        run(path)
+
+
 @pytest.mark.parametrize("sine", ["sin", "cos"])
 def test_a_language_is_one_file_and_one_line(sine, tmp_path, monkeypatch):
     if shutil.which("perl") is None:
