@@ -111,7 +111,7 @@ def derive(page):
         "$1+(\\ell+1)\\cos^2\\theta$ for $\\theta<\\frac\\pi2$, at most 1 beyond as $\\beta>0$: "
         "$2p_1'(1)-(\\ell+4)p_1(1)=2\\beta-\\ell\\alpha$ is positive, and so is $p_1(1)=\\alpha$",
     )
-    page.lemma("So none crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
+    page.lemma("No root crosses the half circle", no_crossing(), because="at $\\zeta=e^{j\\psi}$")
     page.lemma(
         "No root crosses the imaginary axis outside the circle",
         on_the_axis(),

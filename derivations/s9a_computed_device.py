@@ -61,8 +61,8 @@ def derive(page):
     exact = plant.sampled(plant.normalised(FULL), split=c)
     device = {n_1: exact.n1, n_0: exact.n0, a: exact.a, e: exact.e}
     page.say(
-        "The derived numbers are $n_1$, $n_0$, $a$ and $e$ of the transition matrix, which the "
-        "chapter on the sampled device finds for (14):"
+        "The derived numbers are $n_1$, $n_0$, $a$ and $e$ of the transition matrix, which "
+        "\\chapter{s4b_normalisation} finds for (14):"
     )
     for place, left, factor, function, title in NUMBERS:
         ours = COMPUTED[place].xreplace(GIVEN)

@@ -63,7 +63,7 @@ def derive(page):
     )
     page.say(
         "For any delay, roots are counted from the angles at which device and wall are equally "
-        "strong; these ignore the delay, as the chapter on counted roots says. What the count is "
+        "strong; these ignore the delay, as \\chapter{s4d_roots_counted} says. What the count is "
         "given is proved here. The count itself is a procedure and no formula: it is compared "
         "with roots that are enclosed."
     )

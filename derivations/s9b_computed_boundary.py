@@ -21,7 +21,8 @@ def derive(page):
         "parts give $\\beta=\\Im Q/\\sin\\theta$ and $\\alpha=\\Re Q-\\beta(1-\\cos\\theta)$; "
         "behind a fraction of a period it is $-z^{\\ell+1}A/M$ with $M=m_2z^2+m_1z+m_0$. With "
         "half the angle all three polynomials are made of what they are at $z=1$ and at $z=-1$. "
-        "These values are computed by functions of their own, see the chapter before:"
+        "These values are computed by functions of their own, see "
+        "\\chapter{s9a_computed_device} and \\chapter{s9a_computed_late_device}:"
     )
     page.step(
         "On the circle the denominator is made of its values at 1 and $-1$",

@@ -46,6 +46,7 @@ def equations(form):
     return found
 
 
+@cache
 def same(one, other):
     if one == other:
         return True
@@ -56,6 +57,7 @@ def same(one, other):
     return True
 
 
+@cache
 def by_poles(expr):
     """The same with c for the difference of the poles, of which the claims on devices are."""
     return written_out(expr).subs(POLES, c).subs(gamma, SPRING)

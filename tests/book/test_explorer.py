@@ -335,6 +335,7 @@ def test_pictures_are_saved(page, tmp_path):
         assert (tmp_path / id).read_bytes().startswith(begin)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [360, 1280])
 def test_axe_finds_nothing_serious(site, browser, scheme, width):

@@ -147,6 +147,7 @@ def test_formulas_have_a_size(some, opened):
     assert all(width > 2 and height > 4 for width, height in boxes)
 
 
+@pytest.mark.slow
 @browser_needed
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(some, browser, scheme):

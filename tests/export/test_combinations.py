@@ -156,6 +156,7 @@ def written(language, scene, precision, members, folder, monkeypatch):
     return target
 
 
+@pytest.mark.slow
 @named(EXPORTS)
 def test_the_self_test_passes(language, scene, precision, members, tmp_path, monkeypatch):
     target = written(language, scene, precision, members, tmp_path / "out", monkeypatch)

@@ -426,7 +426,6 @@ def _real(values: Terms) -> set[Proposition]:
 
 def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
     """Conditions of a claim's terms that are no conditions any more of what they become."""
-    bound: set[Symbol] = set()
     found: set[Proposition] = set()
     stack = [(claim, frozenset[Symbol]())]
     while stack:
@@ -436,9 +435,8 @@ def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not new.free_symbols and without_value(new):
                 continue  # the relation is false there, whatever it divides by
-            asked = conditions(old, at=here)
-            kept = conditions(new) if asked else asked
-            for condition in asked:
+            kept = conditions(new)
+            for condition in conditions(old, at=here):
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there

@@ -314,11 +314,10 @@ def none_enters(begin: Theorem, change: Any, over: Sequence[Symbol], *shown: The
         raise NotShown(f"{x} and {y} are no two real symbols of their own")
     ahead, quarter = Relation(_ZERO, "<", place), Relation(place, "<=", sp.pi / 2)
     border = (sp.I * place, {ahead, quarter}), (_ZERO, ()), (place + sp.I * sp.pi / 2, {ahead})
-    spots = zip(shown, border, strict=True)
-    hypotheses = _unmoved(f, g, variable, share, place, spots) | begin.hypotheses | _whole(powers)
+    found = _unmoved(f, g, variable, share, place, zip(shown, border, strict=True))
     outside = And((Relation(_ZERO, "<", x), Relation(sp.S.One, "<=", x**2 + y**2)))
-    value = (f + g).xreplace({variable: x + sp.I * y})
-    return hypotheses, ForAll((x, y), Implies((outside, Relation(value, "!=", _ZERO))))
+    apart = Relation((f + g).xreplace({variable: x + sp.I * y}), "!=", _ZERO)
+    return found | begin.hypotheses | _whole(powers), ForAll((x, y), Implies((outside, apart)))
 
 
 @rule
