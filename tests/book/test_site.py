@@ -5,6 +5,7 @@ import re
 import shutil
 from collections import defaultdict
 from html.parser import HTMLParser
+from xml.etree import ElementTree
 
 import pytest
 from chapters import chapter
@@ -67,6 +68,38 @@ def broken(folder):
         files = [load.partition("?")[0] for load in page.loads if load != "#"]
         found[name] += [file for file in files if not (folder / file).is_file()]
     return {name: links for name, links in found.items() if links}
+
+
+PARTS = dict.fromkeys(["mfrac", "mroot", "msub", "msup", "munder", "mover"], 2)
+PARTS |= dict.fromkeys(["msubsup", "munderover"], 3)
+"""How many elements these have by the standard; with others a browser sets them side by side."""
+
+
+def fallen_apart(html):
+    """Formulas in which a fraction, an exponent or an index is none: cos^2 x is read cos 2x."""
+    found = []
+    for text in re.findall(r"<math.*?</math>", html, re.DOTALL):
+        parts = (e for e in ElementTree.fromstring(text).iter())
+        if any(len(e) != PARTS.get(e.tag.rpartition("}")[2], len(e)) for e in parts):
+            found.append(text)
+    return found
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [r"\cos^2\frac{\theta}{2}", r"2\sin^{2d}x", r"x^2\tan^n y", r"\ln^2(x)", r"\lim_{x\to 0}x"],
+)
+def test_a_function_keeps_its_exponent_or_index(tex):
+    (html,) = turned([(tex, False)]).values()
+    assert fallen_apart(html) == []
+    end = "</msub>" if "lim" in tex else "</msup>"
+    assert fallen_apart(html.replace(end, f"<mspace />{end}", 1))
+
+
+def test_no_formula_falls_apart(some):
+    assert {p.name: fallen_apart(p.read_text("utf-8")) for p in some.glob("*.html")} == {
+        p.name: [] for p in some.glob("*.html")
+    }
 
 
 def test_every_link_leads_somewhere(some):
@@ -181,6 +214,7 @@ def whole(tmp_path_factory):
 @pytest.mark.slow
 def test_the_whole_site_is_whole_and_small(whole):
     assert broken(whole) == {}
+    assert [p.name for p in whole.glob("*.html") if fallen_apart(p.read_text("utf-8"))] == []
     assert sum(path.stat().st_size for path in whole.rglob("*") if path.is_file()) < 15e6
 
 

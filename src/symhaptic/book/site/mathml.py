@@ -12,6 +12,7 @@ import subprocess
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -57,17 +58,42 @@ def turned(wanted: Iterable[tuple[str, bool]]) -> dict[str, str]:
     return {key(tex, alone): html for (tex, alone), html in zip(listed, made, strict=True)}
 
 
-_NAMED = r"<mrow><mi[^>]*>\w+</mi><mo>&#8289;</mo></mrow>"
-"""The name of a function and the sign, of no width, that it is applied."""
+_MATHML = "http://www.w3.org/1998/Math/MathML"
+ElementTree.register_namespace("", _MATHML)
 
-_THIN = '<mspace width="0.167em"></mspace>'
+
+def _tags(*names: str) -> frozenset[str]:
+    return frozenset(f"{{{_MATHML}}}{name}" for name in names)
+
+
+_ROWS = _tags("math", "mrow", "mstyle", "mtd")
+"""What has any number of elements; a power has two, and with a space among them it is none."""
+
+_SCRIPTED = _tags("msup", "msub", "msubsup", "munder")
+_ENDS = _tags("mi", "mn", "msup", "msub", "mfrac")
+"""Behind these a function is set apart."""
 
 
 def spaced(html: str) -> str:
-    """The thin spaces that TeX puts around the name of a function."""
-    html = re.sub(rf"({_NAMED})(?!<mo[^>]*>\()", rf"\1{_THIN}", html)
-    before = r'</mi>|</mn>|</msup>|</msub>|</mfrac>|form="postfix">\)</mo>'
-    return re.sub(rf"({before})({_NAMED})", rf"\1{_THIN}\2", html)
+    """The thin spaces that TeX puts around the name of a function, its exponent included."""
+    root = ElementTree.fromstring(html)
+    for row in [e for e in root.iter() if e.tag in _ROWS]:
+        for part in [e for e in row if _named(e[0] if e.tag in _SCRIPTED else e)]:
+            at = list(row).index(part)
+            if at + 1 < len(row) and row[at + 1].text != "(":
+                row.insert(at + 1, _thin())
+            if at and (row[at - 1].tag in _ENDS or row[at - 1].text == ")"):
+                row.insert(at, _thin())
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def _named(part: ElementTree.Element) -> bool:
+    """Whether this is the name of a function and the sign, of no width, that it is applied."""
+    return len(part) == 2 and part[1].text == "\u2061"
+
+
+def _thin() -> ElementTree.Element:
+    return ElementTree.Element(f"{{{_MATHML}}}mspace", width="0.167em")
 
 
 def key(tex: str, alone: bool) -> str:

@@ -327,7 +327,8 @@ def _not_nearby(divisor: Expr, variable: Symbol, at: Expr) -> set[Proposition]:
 def roots_inside(polynomial: Any, variable: Symbol, given: Mapping[Expr, Expr]) -> Judgement:
     """All zeros of a polynomial with numbers for coefficients lie inside the circle, by balls."""
     expr = term(polynomial).xreplace(dict(given))
-    if expr.free_symbols != {variable} or not zeros_inside(expr, variable):
+    polynomial_in = expr.free_symbols == {variable} and expr.is_polynomial(variable)
+    if not polynomial_in or not zeros_inside(expr, variable):
         raise NotShown("a zero is not shown to be inside")
     return (), Predicate("stable", (variable,), (expr,))
 
