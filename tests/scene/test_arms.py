@@ -75,3 +75,9 @@ def test_pint_is_understood():
     unit = pint.UnitRegistry()
     arm = Arm(mass=500 * unit.gram, stiffness=0.04 * unit.newton / unit.millimeter)
     assert (arm.mass, arm.stiffness) == (0.5, pytest.approx(40.0))
+
+
+@pytest.mark.parametrize("arm", ["Daniel", None, 1.0])
+def test_only_an_arm_holds_a_device(arm):
+    with pytest.raises(ValueError, match=r"^arm: .+ is not allowed; an Arm is$"):
+        Scene(mass=0.3, sampling_period=1e-3).held_by(arm)

@@ -176,6 +176,8 @@ class Scene:
 
         An arm that was measured together with its device (``arm.with_device``) takes its place.
 
+        Raises :class:`ValueError` for what is no :class:`Arm`.
+
         >>> from symhaptic import Arm
         >>> alone = Scene(mass=0.072, damping=0.005, sampling_period=0.001)
         >>> held = alone.held_by(Arm.of("Lawrence and Chapel"))
@@ -183,7 +185,10 @@ class Scene:
         (0.572, 6.005, 40.0)
         """
         from symhaptic.scene.arms import UNITS as MOVED
+        from symhaptic.scene.arms import Arm as Held
 
+        if not isinstance(arm, Held):
+            raise ValueError(f"arm: {shown(arm)} is not allowed; an Arm is")
         sums = {
             name: float(
                 decimal(getattr(arm, name))

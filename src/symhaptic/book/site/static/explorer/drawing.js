@@ -4,7 +4,7 @@
   const SVG = "http://www.w3.org/2000/svg";
   const ROW = 2; // pixels
   const PARTS = 16; // of a piece with a corner
-  const MARGIN = { left: 70, right: 14, top: 14, bottom: 46 };
+  const MARGIN = { left: 70, right: 24, top: 14, bottom: 46 };
 
   explorer.element = (name, attributes = {}, text = "") => {
     const made = document.createElementNS(SVG, name);
