@@ -215,7 +215,9 @@ def _by_first_row(rows: Sequence[Sequence[Expr]]) -> Expr:
     if len(rows) == 1:
         return rows[0][0]
     minors = [[[*row[:j], *row[j + 1 :]] for row in rows[1:]] for j in range(len(rows))]
-    return sp.Add(*((-1) ** j * rows[0][j] * _by_first_row(minor) for j, minor in enumerate(minors)))
+    return sp.Add(
+        *((-1) ** j * rows[0][j] * _by_first_row(minor) for j, minor in enumerate(minors))
+    )
 
 
 # -- exact polynomials -------------------------------------------------------------------

@@ -6,7 +6,6 @@ from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize.elementwise import find_root
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric import arguments, stability
@@ -115,6 +114,8 @@ def _first_maximum(gamma: Array, delta: Array, delay: Array) -> Array:
     if np.any(inner):
         low = np.maximum(low, high * 1e-3)[inner]
         args = (steps[inner], *(v[inner] for v in numbers))
+        from scipy.optimize.elementwise import find_root  # takes as long to load as all else
+
         found[:, inner] = bordering(find_root(_rise, (low, high[inner]), args=args).x, inner)
     last = ~inner & (delay == 0)
     if np.any(last):

@@ -7,8 +7,10 @@ sampled loop does is another matter, and said of the exact boundary.
 
 from __future__ import annotations
 
+from functools import cache
+
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from symhaptic.notation import (
     B,
@@ -98,11 +100,17 @@ LATE = (0, 1)
 """The delays of Fig. 10."""
 
 
-def on_the_line(stiffness: Expr, delay: int) -> Expr:
-    """The damping beta of the wall on the line, where both sides of (25) are equal."""
+@cache
+def on_the_line_of_25(symbol: Symbol) -> Expr:
+    """What alpha, or beta, is where both sides of (25) are equal."""
     [line] = transcribed("eq25")
-    [damping] = sp.solve(sp.Eq(*line.args), beta)
-    return damping.subs({alpha: stiffness, d: delay})
+    [value] = sp.solve(sp.Eq(*line.args), symbol)
+    return sp.sympify(value)
+
+
+def on_the_line(stiffness: Expr, delay: int) -> Expr:
+    """The damping beta of the wall on the line."""
+    return on_the_line_of_25(beta).subs({alpha: stiffness, d: delay})
 
 
 def on_line(stiffness: Expr, delay: int) -> Proposition:

@@ -26,7 +26,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.device import transcribed
-from symhaptic.paper.propositions.linear import LATE
+from symhaptic.paper.propositions.linear import LATE, on_the_line_of_25
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
@@ -52,18 +52,15 @@ def on_boundary_at(delay: int) -> Proposition:
 @cache
 def error(delay: Expr | int = d) -> Expr:
     """(alpha_lin - alpha)/(alpha + gamma), whose size is (26); alpha_lin is on the line of (25)."""
-    [line] = transcribed("eq25")
-    [limit] = sp.solve(sp.Eq(*line.args), alpha)
-    signed: Expr = (limit - alpha) / (alpha + gamma)
+    signed: Expr = (on_the_line_of_25(alpha) - alpha) / (alpha + gamma)
     return signed.subs(d, delay)
 
 
 @cache
 def size(delay: Expr | int = d) -> Expr:
     """(26), as it is printed."""
-    [line], [printed] = transcribed("eq25"), transcribed("eq26")
-    [limit] = sp.solve(sp.Eq(*line.args), alpha)
-    return sp.sympify(printed).xreplace({alpha_lin: limit}).subs(d, delay)
+    [printed] = transcribed("eq26")
+    return sp.sympify(printed).xreplace({alpha_lin: on_the_line_of_25(alpha)}).subs(d, delay)
 
 
 def beside(of: Expr) -> Expr:

@@ -40,6 +40,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.linear import on_the_line_of_25
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
@@ -200,9 +201,7 @@ def marked(level: Expr) -> Proposition:
     times (alpha + gamma), which is positive.
     """
     wall, (right, up) = (theta, *BESIDE), BESIDE
-    [line] = transcribed("eq25")
-    [linear] = sp.solve(sp.Eq(*line.args), alpha)
-    gap = linear.subs(beta, up) - right - level * (right + gamma)
+    gap = on_the_line_of_25(alpha).subs(beta, up) - right - level * (right + gamma)
     near = [right + gamma > 0, gap <= READ * (right + gamma), gap >= -READ * (right + gamma)]
     on_it = on_boundary().at(dict(zip((alpha, beta), BESIDE, strict=True)))
     some = Exists(wall, both([theta > 0, theta < sp.pi, on_it, *near]))
