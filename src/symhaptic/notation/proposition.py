@@ -10,7 +10,7 @@ Propositions that differ in the names of bound symbols only are equal.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
 from typing import Any, TypeAlias
@@ -50,9 +50,43 @@ def term(of: Any) -> Expr:
             if type(part) not in _MADE:
                 _check(part)
             left += part.args[::-1]
+    if not _lasting(expr):
+        raise NoTerm(f"{expr} loses a divisor when SymPy writes it anew; write it without")
     return expr
 
 
+@lru_cache(maxsize=1 << 14)
+def _lasting(expr: Expr) -> bool:
+    """Whether all that limits where a term has a value outlives its being written anew."""
+    limits = set(_limits(expr))
+    if not limits:
+        return True
+    there = {s: sp.Dummy(s.name) for s in expr.free_symbols}
+    back = {d: s for s, d in there.items()}
+
+    def anew(part: Expr) -> Expr:
+        return part.xreplace(there).xreplace(back)
+
+    again = anew(expr)
+    if again == expr:
+        return True
+    kept = set(_limits(again))
+    factors = (f for limit in limits for f in sp.Mul.make_args(anew(limit)))
+    return all(
+        f in kept or f.as_base_exp()[0] in kept or (f.is_Rational and f != 0) for f in factors
+    )
+
+
+def _limits(expr: Expr) -> Iterator[Expr]:
+    """Bases of powers that need not have a value, and functions that need not."""
+    for part in sp.preorder_traversal(expr):
+        if part.is_Pow and not (part.exp.is_Rational and part.exp >= 0):
+            yield part.base
+        elif part.func in _PARTIAL:
+            yield part
+
+
+_PARTIAL = (sp.log, sp.tan, sp.cot, sp.tanh, sp.atan)
 _ATOMS = frozenset(map(type, (sp.I, sp.pi, sp.E, *map(sp.Rational, (0, 1, -1, "1/2", "2/3", 2)))))
 _MADE = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
 
@@ -61,10 +95,14 @@ def _check(part: Expr) -> None:
     """Raise :class:`NoTerm` of what stands in no term."""
     if part.is_Symbol:
         # an assumption would change what SymPy makes of an expression without saying so
-        if part != (part if isinstance(part, sp.Dummy) else Symbol(part.name)):
+        if type(part) not in (Symbol, sp.Dummy) or part.assumptions0 != _PLAIN:
             raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
-    elif not isinstance(part, (*FUNCTIONS, AppliedUndef)):
+        if part in _RESERVED:
+            raise NoTerm(f"the symbol {part} stands for bound ones where propositions are compared")
+    elif not isinstance(part, AppliedUndef):
         raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
+    elif set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
+        raise NoTerm(f"the function {part.func} carries assumptions; hypotheses say them here")
 
 
 def without_value(number: Expr) -> bool:
@@ -143,7 +181,9 @@ def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -
     return tuple(t.xreplace(known) for t in terms)
 
 
-_PLACES = [sp.Dummy(f"bound_{i}") for i in range(64)]
+_PLACES = tuple(sp.Dummy(f"bound_{i}") for i in range(64))
+_RESERVED = frozenset(_PLACES)
+_PLAIN = Symbol("x").assumptions0
 
 
 def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any, ...]:
