@@ -52,6 +52,7 @@ def test_what_is_given_overrides_no_symbol_of_the_box():
     with pytest.raises(NotShown, match="given a meaning as well"):
         boxes.positive(x - 4, {x: (0, 1)}, known)
     assert recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Known({h: arb(5)})))
+    assert not recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Known({h: arb("inf")})))
 
 
 class Numbers:

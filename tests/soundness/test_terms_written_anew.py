@@ -1,5 +1,7 @@
 """SymPy evaluates a term whenever symbols in it are replaced; nothing may be gained by that."""
 
+import copy
+
 import pytest
 import sympy as sp
 from sympy import I, Rational, S
@@ -10,8 +12,9 @@ from symhaptic.proof.theorems.analysis import induction
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x
 from symhaptic.proof.theorems.definedness import real
-from symhaptic.proof.theorems.kernel import NotShown, discharged, general, instance, part
-from symhaptic.proof.theorems.leaves import identity, mirrored
+from symhaptic.proof.theorems.derivation import replayed
+from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, general, instance, part
+from symhaptic.proof.theorems.leaves import identity, mirrored, number
 
 x, y, n, m = sp.symbols("x y n m")
 
@@ -124,3 +127,31 @@ def test_real_by_their_form() -> None:
     ):
         assert real(expr)
     assert mirrored(identity(sp.Abs(sp.exp(I * x)), sp.Abs(sp.exp(I * x))))
+
+
+def test_what_is_bound_is_a_symbol() -> None:
+    # for all g(u): g(u) = 1 would be equal to for all y: y = 1
+    other = sp.Function("g")(x)
+    for wrong in (other, x**2, S.One):
+        with pytest.raises(NoTerm, match="no symbol that could be bound"):
+            ForAll((wrong,), Relation(wrong, "=", S.One))
+    with pytest.raises(NotShown, match="is about"):
+        general(assume(Relation(other, "=", S.One)), other)
+    with pytest.raises(NoTerm, match="carries assumptions"):
+        ForAll((sp.Symbol("x", real=True),), Relation(x, "=", x))
+
+
+def test_what_is_kept_of_a_proposition_does_not_travel() -> None:
+    # its key says what it is equal to, its free symbols what it is about
+    claim, true = Relation(x, "<", y), Relation(S.Zero, "<", S.One)
+    claim.__dict__["key"] = true.key
+    forged = general(part(number(true), claim), x, y)
+    with pytest.raises(NotShown, match="is no part of"):
+        replayed(forged)
+    about = Relation(x, "<", S.Zero)
+    about.__dict__["free"] = frozenset()
+    with pytest.raises(NotShown, match="is about x"):
+        replayed(general(assume(about), x))
+    assert copy.deepcopy(claim).key != true.key
+    with pytest.raises(NoTerm, match="does not change"):
+        claim.__setstate__({"left": S.One})

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
-from typing import Any, TypeAlias
+from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -116,6 +116,13 @@ def is_complex(symbol: Expr) -> bool:
     return known is not None and known.domain == "complex"
 
 
+def _bindable(symbols: Iterable[Symbol]) -> None:
+    """Raise :class:`NoTerm` of what is no plain symbol, and cannot be bound."""
+    for symbol in symbols:
+        if not term(symbol).is_Symbol:
+            raise NoTerm(f"{symbol} is no symbol that could be bound")
+
+
 class Proposition:
     """Something that is true or false once its free symbols have values."""
 
@@ -129,6 +136,14 @@ class Proposition:
 
     def __hash__(self) -> int:
         return hash(self.key)
+
+    def __reduce__(self) -> tuple[type[Proposition], tuple[Any, ...]]:
+        """Made anew where it arrives, of its fields alone."""
+        kind: Any = type(self)
+        return kind, tuple(getattr(self, name) for name in field_names(kind))
+
+    def __setstate__(self, state: object) -> NoReturn:
+        raise NoTerm("a proposition does not change; it is made of its fields")
 
     @property
     def bound(self) -> tuple[Symbol, ...]:
@@ -199,6 +214,12 @@ def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any
 
 
 @cache
+def field_names(kind: type[Any]) -> tuple[str, ...]:
+    """What a kind of proposition is made of."""
+    return tuple(field.name for field in fields(kind))
+
+
+@cache
 def _own(kind: type[Any]) -> tuple[str, ...]:
     """The fields of a proposition that are text: its sign or its name."""
     return tuple(f.name for f in fields(kind) if f.type == "str")
@@ -248,6 +269,7 @@ class Predicate(Proposition):
         if (len(self.over), len(self.of)) != (symbols, terms):
             raise NoTerm(f"{self.name} has {symbols} bound symbols and {terms} terms")
         object.__setattr__(self, "of", tuple(term(t) for t in self.of))
+        _bindable(self.over)
         for bounded in self.of[1:] if self.over else ():
             if set(self.over) & bounded.free_symbols:
                 raise NoTerm(f"{self.name}: {bounded} holds a symbol that is bound")
@@ -436,6 +458,7 @@ class _Quantified(Proposition):
     def __post_init__(self) -> None:
         if not self.over or len(set(self.over)) < len(self.over):
             raise NoTerm(f"{self.over} are no symbols to quantify over")
+        _bindable(self.over)
 
     @property
     def bound(self) -> tuple[Symbol, ...]:

@@ -147,7 +147,7 @@ def _on(claim: Positive) -> Callable[[list[arb]], arb]:
         balls |= given(balls)
         found = run(*(balls[s] for s in symbols))
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
-        return found.real if real else arb("nan")
+        return found.real if real and found.is_finite() else arb("nan")
 
     return value
 

@@ -13,8 +13,7 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import fields
-from functools import cache, wraps
+from functools import wraps
 from importlib import import_module
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
@@ -38,6 +37,7 @@ from symhaptic.notation.proposition import (
     Terms,
     both,
     conjuncts,
+    field_names,
     is_complex,
     negated,
     proposition,
@@ -159,18 +159,13 @@ def _exactly(part: Any) -> Any:
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
-        names = _fields(type(part))  # type: ignore[arg-type]
+        names = field_names(type(part))  # type: ignore[arg-type]
         return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
     if isinstance(part, (str, int, NoneType)):
         return type(part).__name__, part
     if isinstance(part, Mapping):
         return _exactly(("at", *part.items()))
     return None
-
-
-@cache
-def _fields(kind: type[Any]) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
 
 
 def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
@@ -219,7 +214,7 @@ def without(symbols: Iterable[Symbol], *parts: Iterable[Proposition]) -> None:
     """Nothing, where no hypothesis, or other proposition, is about one of the symbols."""
     for claim in (p for some in parts for p in some):
         for symbol in symbols:
-            if symbol in claim.free:
+            if symbol in claim.free or not symbol.is_Symbol:
                 raise NotShown(f"{claim} is about {symbol}")
 
 
