@@ -260,3 +260,39 @@ def test_a_function_may_give_the_first_of_several_results():
     assert found.missing == ()
     with pytest.raises(ValueError, match="3 numbers; K, B are"):
         compared(CHECKED["eq11"], callers.called(lambda b, T, d: (b, T, d), 2), 8, 50)
+
+
+def test_what_is_not_looked_at_does_not_agree(mine):
+    wrong = """
+import sys
+from math import nan, pi, tan
+
+asked = 0
+
+def seldom(b, T, d):
+    # B is wrong; at one point there is no B, so that only K would be compared
+    global asked
+    asked += 1
+    K = 2*b/T*tan(pi/(4*(d + 1)))
+    return (K,) if asked == 7 else (K, 123.0)
+
+def leaves(b, T, d):
+    sys.exit(0)
+
+def nothing(b, T, d):
+    return nan, nan
+"""
+    (mine / "mine.py").write_text(MINE + wrong)
+    (mine / "early.py").write_text("import sys\nsys.exit(0)\n")
+    for options, said in (
+        (("eq11", "seldom"), "1 numbers at one point and 2 at another"),
+        (("eq11", "leaves"), "it ends the program (0)"),
+        (("eq11", "nothing", "--ulp", "inf"), "--ulp: inf is not allowed"),
+        (("eq11", "right", "--python", "early:f"), "'early' ends the program (0)"),
+    ):
+        done = checked(mine, *options)
+        assert done.returncode == 2, done.stdout
+        assert said in done.stderr
+        assert len(done.stderr.splitlines()) == 1
+    with pytest.raises(ValueError, match="ulp: inf is not allowed"):
+        Agreement("eq11").agrees(lambda b, T, d: math.nan, ulp=math.inf, points=50)

@@ -1,5 +1,7 @@
 """The machinery that changes what was proved: it finds a checker that is too friendly."""
 
+import json
+from collections import Counter
 from dataclasses import replace
 
 import pytest
@@ -259,3 +261,13 @@ def test_the_digits_of_a_table_are_changed(monkeypatch, tmp_path):
     assert sum(outcome.values()) == 2
     assert all(("unused" in what) is accepted for what, accepted in outcome.items())
     assert len(outcome) == 6
+
+
+def test_a_record_of_another_sympy_has_the_same_statements(tmp_path):
+    found = [trials.Trial("one", {"eq5": Counter(sign=3)})]
+    path = tmp_path / "mutants.json"
+    record = json.loads(trials.committed(found))
+    path.write_text(json.dumps(record | {"sympy": "0"}), encoding="utf-8")
+    assert not trials.stale(path, found)
+    path.write_text(json.dumps(record | {"sympy": "0", "chapters": {}}), encoding="utf-8")
+    assert trials.stale(path, found)

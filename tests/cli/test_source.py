@@ -53,6 +53,13 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
     assert "DIFFERS  drift:end: proved, but the ledger says misprint" in run.stdout
 
 
+def test_an_emptied_ledger_is_not_none(notes):
+    (notes / "ledger.json").write_text('{"statements": []}', encoding="utf-8")
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 1
+    assert "DIFFERS  drift:end: misprint, but the ledger says nothing" in run.stdout
+
+
 def test_what_no_chapter_settles_is_undecided(notes):
     more = SOURCE.replace(
         '{mv}{2c}",)),\n', '{mv}{2c}",)),\n    Statement("drift:late", "(3)", "never late"),\n'

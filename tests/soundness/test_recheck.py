@@ -5,13 +5,17 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 from flint import arb
-from sympy import I, Rational, S, cos, oo, pi, sqrt
+from sympy import I, Rational, S, cos, oo, pi, sqrt, tan
 
 from symhaptic import recheck
+from symhaptic.notation import alpha, delta, gamma
 from symhaptic.proof import box as boxes
 from symhaptic.proof.certificate import Known, Largest, Positive, Zero
+from symhaptic.proof.plants import Named
 from symhaptic.proof.roots import zero
 from symhaptic.proof.sign import NotShown
+from symhaptic.proof.theorems import kernel
+from symhaptic.proof.theorems.leaves import on_plants
 
 x, y, h = sp.symbols("x y h")
 ENDS = [
@@ -48,6 +52,7 @@ def test_what_is_given_overrides_no_symbol_of_the_box():
     with pytest.raises(NotShown, match="given a meaning as well"):
         boxes.positive(x - 4, {x: (0, 1)}, known)
     assert recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Known({h: arb(5)})))
+    assert not recheck(Positive(h - 4, {x: (0, 1)}, ".", 96, Known({h: arb("inf")})))
 
 
 class Numbers:
@@ -102,6 +107,25 @@ def test_the_bounds_of_a_maximum_are_real_numbers():
         replace(found, upper=oo, below=replace(found.below, expr=oo - x)),
     ):
         assert not recheck(wrong)
+
+
+def test_a_bound_is_a_number_and_what_it_bounds_is_defined():
+    # tan has a pole at pi/2, and 1/x at 0; of tan x + 1 or 1/x + 1 there is 1 left
+    for expr, ends in ((tan(x), (0, 2)), (1 / x, (-1, 1)), (x, (0, 1))):
+        certain = Positive(S.One, {x: ends}, ".", 96)
+        assert not recheck(Largest(expr, certain, {x: S.One}, S.Zero, expr + 1))
+
+
+def test_what_is_given_is_computed_on_each_piece():
+    # alpha < 1/2 is false on [-1, 1]; the lower half is looked at first, for the same device
+    meant = Named({h: alpha})
+    point = {gamma: (HALF, HALF), delta: (HALF, HALF)}
+    wrong = Positive(HALF - h, {alpha: (-S.One, S.One), **point}, "0..", 96, meant)
+    assert not recheck(wrong)
+    with pytest.raises(kernel.NotShown):
+        on_plants(wrong)
+    with pytest.raises(NotShown):
+        boxes.positive(HALF - h, wrong.box, meant)
 
 
 HALF = Rational(1, 2)

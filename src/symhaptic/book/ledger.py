@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +15,10 @@ from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.record import Settled
 from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
 from symhaptic.notation.latex import latex
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
 from symhaptic.paper.statement import Source
-from symhaptic.proof.settle import Settlement
+from symhaptic.proof.settle import WEIGHED, Settlement
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
@@ -112,18 +113,22 @@ def judged_again(entry: Entry) -> str | None:
     The theorems were derived again when they arrived; here they are held against what the
     statement claims.
     """
-    judged, statement = entry.judged, entry.statement
-    if judged is None:
-        return None
+    judged, statement, kind = entry.judged, entry.statement, entry.verdict.kind
     known, claim = STATEMENTS.get(statement.id), entry.claim
-    claimed = CLAIMED.get(statement.id) if known else None if claim is None else lambda _: claim
+    if judged is None:
+        compared = (known or statement).printed or (known and known.quoted)
+        if kind not in WEIGHED or (compared and statement.id not in CLAIMED):
+            return None
+        return f"{statement.id}: {kind} without a theorem, of what is not compared with a formula"
+    own = None if claim is None else partial(of_print, claim)
+    claimed = CLAIMED.get(statement.id) if known else own
     try:
         again = replace(judged, told=False)
         found = Settlement(judged=again, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
-    numbers = entry.verdict.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
-    same = found.kind is entry.verdict.kind or numbers
+    numbers = kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    same = found.kind is kind or numbers
     if not same or found.condition != entry.verdict.condition:
         return f"{statement.id}: judged again it is {found.kind}"
     return None

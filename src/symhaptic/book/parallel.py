@@ -21,6 +21,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
+from symhaptic.book.arrivals import arrived as read
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, untouched
 from symhaptic.book.ledger import Entry, of_derivation
@@ -101,7 +102,7 @@ def each(
             if arrived and not busy:
                 number, sent = arrived.popleft()
                 done += 1
-                yield number, pickle.loads(sent)
+                yield number, read(sent, paths[number])
             for ready in wait(list(running), 0 if busy or arrived else PAUSE):
                 assert isinstance(ready, Connection)
                 number, process = running.pop(ready)

@@ -25,6 +25,8 @@ def python(name: str, results: int) -> Caller:
         function = getattr(importlib.import_module(module), attribute)
     except (ImportError, AttributeError, ValueError) as wrong:
         raise ValueError(f"--python: {name!r} is not found ({wrong}); MODULE:NAME is") from None
+    except SystemExit as early:
+        raise ValueError(f"--python: {module!r} ends the program ({early.code})") from None
     return called(function, results)
 
 
@@ -52,6 +54,11 @@ def called(function: Callable[..., Any], results: int) -> Caller:
             except TypeError as wrong:
                 given = ", ".join(map(str, point))
                 raise ValueError(f"--python: called with {given} it fails ({wrong})") from None
+            except SystemExit as early:
+                given = ", ".join(map(str, point))
+                raise ValueError(
+                    f"--python: called with {given} it ends the program ({early.code})"
+                ) from None
             many = value if isinstance(value, tuple | list) else (value,)
             try:
                 found.append(tuple(float(v) for v in many))

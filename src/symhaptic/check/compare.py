@@ -68,11 +68,15 @@ def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
 
     A function that gives the first of several results is held against these.
     """
+    if not 0 <= ulp < math.inf:
+        raise ValueError(f"ulp: {ulp} is not allowed; finite numbers >= 0 are")
     some = points(checked, count)
     got, many = call(some), len(checked.results)
-    given = min(map(len, got))
-    if not given or max(map(len, got)) > many:
-        raise ValueError(f"gives {max(map(len, got))} numbers; {', '.join(checked.results)} are")
+    given, most_given = min(map(len, got)), max(map(len, got))
+    if given != most_given:
+        raise ValueError(f"gives {given} numbers at one point and {most_given} at another")
+    if not given or given > many:
+        raise ValueError(f"gives {given} numbers; {', '.join(checked.results)} are")
     checked = replace(checked, results=checked.results[:given])
     got = [g[:given] for g in got]
     places = _looked(checked, some, got)

@@ -89,8 +89,8 @@ def check(
         return
     if len(given) != 1:
         refuse("--python, --library, --command: exactly one of them is needed")
-    if not ulp >= 0:
-        refuse(f"--ulp: {ulp} is not allowed; numbers >= 0 are")
+    if not 0 <= ulp < float("inf"):
+        refuse(f"--ulp: {ulp} is not allowed; finite numbers >= 0 are")
     begin = perf_counter()
     try:
         call = _caller(checked, python, library, command, arguments)

@@ -134,12 +134,12 @@ def verify(
     wanted = ids or []
     if source is not None:
         own, shipped = chapters_in(source), list[Path]()
-        known = committed_beside(source)
+        known: dict[str, str] | None = committed_beside(source)
     else:
         own = own_chapters(derivation)
         known = ledger.expected(chapters.expected_ledger())
     for id in wanted if not own else []:
-        if id not in known:
+        if known is not None and id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
     if source is None:
         given = {path.resolve() for path in own}
@@ -167,10 +167,7 @@ def verify(
             if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
-    if source is None or known:
-        surprises = ledger.surprises(entries, known, whole=not wanted)
-    else:
-        surprises = []
+    surprises = [] if known is None else ledger.surprises(entries, known, whole=not wanted)
     surprises += filter(None, map(ledger.judged_again, found))
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     text = {
@@ -188,13 +185,13 @@ def verify(
         raise typer.Exit(1)
 
 
-def committed_beside(source: Path) -> dict[str, str]:
-    """The verdicts that a user has committed, or none."""
+def committed_beside(source: Path) -> dict[str, str] | None:
+    """The verdicts that a user has committed; None where no file is."""
     from symhaptic.book import ledger
 
     path = source / "ledger.json"
     try:
-        return ledger.expected(path) if path.is_file() else {}
+        return ledger.expected(path) if path.is_file() else None
     except (ValueError, KeyError, TypeError):
         refuse(f"{path}: is no ledger; `symhaptic verify --format json -o` writes one")
 

@@ -10,10 +10,10 @@ Propositions that differ in the names of bound symbols only are equal.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
-from typing import Any, TypeAlias
+from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -50,9 +50,43 @@ def term(of: Any) -> Expr:
             if type(part) not in _MADE:
                 _check(part)
             left += part.args[::-1]
+    if not _lasting(expr):
+        raise NoTerm(f"{expr} loses a divisor when SymPy writes it anew; write it without")
     return expr
 
 
+@lru_cache(maxsize=1 << 14)
+def _lasting(expr: Expr) -> bool:
+    """Whether all that limits where a term has a value outlives its being written anew."""
+    limits = set(_limits(expr))
+    if not limits:
+        return True
+    there = {s: sp.Dummy(s.name) for s in expr.free_symbols}
+    back = {d: s for s, d in there.items()}
+
+    def anew(part: Expr) -> Expr:
+        return part.xreplace(there).xreplace(back)
+
+    again = anew(expr)
+    if again == expr:
+        return True
+    kept = set(_limits(again))
+    factors = (f for limit in limits for f in sp.Mul.make_args(anew(limit)))
+    return all(
+        f in kept or f.as_base_exp()[0] in kept or (f.is_Rational and f != 0) for f in factors
+    )
+
+
+def _limits(expr: Expr) -> Iterator[Expr]:
+    """Bases of powers that need not have a value, and functions that need not."""
+    for part in sp.preorder_traversal(expr):
+        if part.is_Pow and not (part.exp.is_Rational and part.exp >= 0):
+            yield part.base
+        elif part.func in _PARTIAL:
+            yield part
+
+
+_PARTIAL = (sp.log, sp.tan, sp.cot, sp.tanh, sp.atan)
 _ATOMS = frozenset(map(type, (sp.I, sp.pi, sp.E, *map(sp.Rational, (0, 1, -1, "1/2", "2/3", 2)))))
 _MADE = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
 
@@ -61,10 +95,14 @@ def _check(part: Expr) -> None:
     """Raise :class:`NoTerm` of what stands in no term."""
     if part.is_Symbol:
         # an assumption would change what SymPy makes of an expression without saying so
-        if part != (part if isinstance(part, sp.Dummy) else Symbol(part.name)):
+        if type(part) not in (Symbol, sp.Dummy) or part.assumptions0 != _PLAIN:
             raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
-    elif not isinstance(part, (*FUNCTIONS, AppliedUndef)):
+        if part in _RESERVED:
+            raise NoTerm(f"the symbol {part} stands for bound ones where propositions are compared")
+    elif not isinstance(part, AppliedUndef):
         raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
+    elif set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
+        raise NoTerm(f"the function {part.func} carries assumptions; hypotheses say them here")
 
 
 def without_value(number: Expr) -> bool:
@@ -76,6 +114,13 @@ def is_complex(symbol: Expr) -> bool:
     """Whether a symbol stands for a complex number."""
     known = SYMBOLS.get(symbol.name)
     return known is not None and known.domain == "complex"
+
+
+def _bindable(symbols: Iterable[Symbol]) -> None:
+    """Raise :class:`NoTerm` of what is no plain symbol, and cannot be bound."""
+    for symbol in symbols:
+        if not term(symbol).is_Symbol:
+            raise NoTerm(f"{symbol} is no symbol that could be bound")
 
 
 class Proposition:
@@ -92,13 +137,13 @@ class Proposition:
     def __hash__(self) -> int:
         return hash(self.key)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Its fields, of which it is made anew where it arrives.
+    def __reduce__(self) -> tuple[type[Proposition], tuple[Any, ...]]:
+        """Made anew where it arrives, of its fields alone."""
+        kind: Any = type(self)
+        return kind, tuple(getattr(self, name) for name in field_names(kind))
 
-        What it found out about itself stays behind: its key holds symbols of this process, and is
-        what equality asks.
-        """
-        return type(self), tuple(getattr(self, f.name) for f in fields(self))  # type: ignore[arg-type]
+    def __setstate__(self, state: object) -> NoReturn:
+        raise NoTerm("a proposition does not change; it is made of its fields")
 
     @property
     def bound(self) -> tuple[Symbol, ...]:
@@ -151,7 +196,9 @@ def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -
     return tuple(t.xreplace(known) for t in terms)
 
 
-_PLACES = [sp.Dummy(f"bound_{i}") for i in range(64)]
+_PLACES = tuple(sp.Dummy(f"bound_{i}") for i in range(64))
+_RESERVED = frozenset(_PLACES)
+_PLAIN = Symbol("x").assumptions0
 
 
 def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any, ...]:
@@ -164,6 +211,12 @@ def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any
         tuple(t.xreplace(places) for t in of.terms) if places else of.terms,
         tuple(_key(p, places, depth) for p in of.parts),
     )
+
+
+@cache
+def field_names(kind: type[Any]) -> tuple[str, ...]:
+    """What a kind of proposition is made of."""
+    return tuple(field.name for field in fields(kind))
 
 
 @cache
@@ -216,6 +269,7 @@ class Predicate(Proposition):
         if (len(self.over), len(self.of)) != (symbols, terms):
             raise NoTerm(f"{self.name} has {symbols} bound symbols and {terms} terms")
         object.__setattr__(self, "of", tuple(term(t) for t in self.of))
+        _bindable(self.over)
         for bounded in self.of[1:] if self.over else ():
             if set(self.over) & bounded.free_symbols:
                 raise NoTerm(f"{self.name}: {bounded} holds a symbol that is bound")
@@ -404,6 +458,7 @@ class _Quantified(Proposition):
     def __post_init__(self) -> None:
         if not self.over or len(set(self.over)) < len(self.over):
             raise NoTerm(f"{self.over} are no symbols to quantify over")
+        _bindable(self.over)
 
     @property
     def bound(self) -> tuple[Symbol, ...]:

@@ -108,7 +108,12 @@ class Named:
     _known: dict[tuple[object, ...], dict[sp.Symbol, acb]] = field(
         default_factory=dict, repr=False, compare=False
     )
-    of: Sequence[sp.Symbol] = (gamma, delta)
+
+    @property
+    def of(self) -> Sequence[sp.Symbol]:
+        """Gamma, delta and what else the expressions are made of."""
+        made = set().union(*(expr.free_symbols for expr in self.meanings.values()))
+        return gamma, delta, *sorted(made - {gamma, delta, *NUMBERS, *SLOPES}, key=str)
 
     def numbers(self, at: Balls) -> Balls:
         """Balls of the plant's numbers and of their slopes."""

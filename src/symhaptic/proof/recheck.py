@@ -147,7 +147,7 @@ def _on(claim: Positive) -> Callable[[list[arb]], arb]:
         balls |= given(balls)
         found = run(*(balls[s] for s in symbols))
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
-        return found.real if real else arb("nan")
+        return found.real if real and found.is_finite() else arb("nan")
 
     return value
 
@@ -157,9 +157,11 @@ def _given(given: Given) -> Callable[[Balls], Balls]:
     needs = {s: sorted(expr.free_symbols, key=str) for s, expr in given.meanings.items()}
     programs = {s: program(expr, needs[s]) for s, expr in given.meanings.items()}
     known: dict[tuple[object, ...], Balls] = {}
+    made = {*given.of, *(s for some in needs.values() for s in some)}
 
     def values(balls: Balls) -> Balls:
-        ends = [end for s in given.of for end in (balls[s].real.lower(), balls[s].real.upper())]
+        of = (balls[s].real for s in balls if s in made)
+        ends = [end for x in of for end in (x.lower(), x.upper())]
         key = tuple(end.man_exp() for end in ends)
         if key not in known:
             numbers = given.numbers(balls)
@@ -198,7 +200,9 @@ def _zero(claim: Zero) -> bool:
 
 def _largest(claim: Largest) -> bool:
     """The bound from above is of the same expression, and a value of the box reaches the other."""
-    below = claim.below
+    if any(not isinstance(x, Expr) or x.free_symbols for x in (claim.upper, claim.lower)):
+        return False
+    below = replace(claim.below, defined=(*claim.below.defined, claim.expr))
     if below.expr != claim.upper - claim.expr or set(claim.where) != set(below.box):
         return False
     if not _positive(below):

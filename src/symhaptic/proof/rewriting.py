@@ -66,7 +66,8 @@ def _check_mirrored(expr: Expr, real: AbstractSet[Expr]) -> None:
     elif isinstance(expr, AppliedUndef):
         if expr.func.__name__ not in FUNCTIONS:
             raise Unsupported(f"the conjugate of {expr}, an unknown function")
-    elif expr.func not in _MIRRORED:
+    elif expr.func not in _MIRRORED or (isinstance(expr, sp.im) and expr.has(sp.I)):
+        # im w is real, and im of the conjugate of w is -im w
         raise Unsupported(f"the conjugate of {expr}, which need not be real")
     for arg in expr.args:
         _check_mirrored(arg, real)

@@ -32,7 +32,7 @@ from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 ACCEPTED = PASSES | {Kind.QUALIFIED}
 """Verdicts of what is right, with a condition or without."""
 
-_WEIGHED = ACCEPTED | {Kind.MISPRINT, Kind.REFUTED}
+WEIGHED = ACCEPTED | {Kind.MISPRINT, Kind.REFUTED}
 """Verdicts that need more than words."""
 
 WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
@@ -80,7 +80,7 @@ class Settlement:
     def decide(self, printed: Printed) -> Verdict:
         """The verdict on a printed form; *argued* where words join what was checked."""
         found = self.found(printed)
-        if self.judged is not None or found.kind not in _WEIGHED or not self._rests_on_words(found):
+        if self.judged is not None or found.kind not in WEIGHED or not self._rests_on_words(found):
             return found
         return replace(found, kind=Kind.ARGUED, argued_for=found.kind)
 

@@ -141,10 +141,19 @@ def committed(found: Iterable[Trial]) -> str:
 
 
 def stale(path: Path, found: Iterable[Trial]) -> bool:
-    """Whether a committed record is not that of these trials; another SymPy's is not asked."""
+    """Whether a committed record is not that of these trials.
+
+    Of another SymPy's only the statements are asked, for the changes are others.
+    """
     if not path.is_file():
         return True
     text = path.read_text(encoding="utf-8")
-    if json.loads(text).get("sympy") != sp.__version__:
-        return False
-    return text != committed(found)
+    record, ours = json.loads(text), committed(found)
+    if record.get("sympy") != sp.__version__:
+        return _statements(record) != _statements(json.loads(ours))
+    return text != ours
+
+
+def _statements(record: dict[str, Any]) -> dict[str, list[str]]:
+    """The statements that were changed, chapter by chapter."""
+    return {name: sorted(one["statements"]) for name, one in record["chapters"].items()}

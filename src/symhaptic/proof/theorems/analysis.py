@@ -28,6 +28,7 @@ from symhaptic.proof.theorems.kernel import (
     Judgement,
     NotShown,
     Theorem,
+    lost,
     predicate,
     relation,
     rule,
@@ -150,6 +151,8 @@ def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
 @rule
 def induction(claim: Proposition, number: Symbol, start: Theorem, step: Theorem) -> Judgement:
     """p(0), and p(n) => p(n + 1) for whole n, give p(n) for every whole n."""
+    if lost({number: _ZERO}, claim) or lost({number: number + 1}, claim):
+        raise NotShown(f"a divisor of {claim} is lost on the way")
     following = Implies((both([whole(number), claim]), claim.at({number: number + 1})))
     if start.conclusion != claim.at({number: _ZERO}) or step.conclusion != following:
         raise NotShown("the start or the step is another claim")

@@ -22,10 +22,13 @@ _REAL = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.a
 _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
-def conditions(*exprs: Expr, at: Mapping[Symbol, Expr] | None = None) -> frozenset[Proposition]:
+def conditions(
+    *exprs: Expr, at: Mapping[Symbol, Expr] | None = None, but: Symbol | None = None
+) -> frozenset[Proposition]:
     """Relations that together are sufficient for all the expressions to have a value.
 
-    ``at`` are values of symbols: a power that is not negative there asks for nothing.
+    ``at`` are values of symbols: a power that is not negative there asks for nothing.  Those that
+    know a symbol are left out (``but``), such as that z != 0 for a polynomial in z.
 
     >>> x = sp.Symbol("x")
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
@@ -33,7 +36,7 @@ def conditions(*exprs: Expr, at: Mapping[Symbol, Expr] | None = None) -> frozens
     """
     if at:
         return frozenset(c for expr in exprs for c in _conditions(expr, at))
-    return frozenset().union(*map(_anywhere, exprs))
+    return frozenset(c for expr in exprs for c in _anywhere(expr) if but not in c.free)
 
 
 @lru_cache(maxsize=1 << 14)
@@ -116,6 +119,10 @@ def mirrors(expr: Expr) -> bool:
         if power.is_Integer:
             return mirrors(base)
         return bool(base.is_Rational and base > 0) and mirrors(power)
+    if isinstance(expr, sp.atan):
+        return real(expr.args[0])  # elsewhere it has cuts
     if expr.is_Add or expr.is_Mul or isinstance(expr, _REAL):
         return all(mirrors(a) for a in expr.args)
-    return isinstance(expr, _ALWAYS_REAL)
+    if not expr.has(sp.I):
+        return isinstance(expr, _ALWAYS_REAL)
+    return isinstance(expr, (sp.Abs, sp.re)) and mirrors(expr.args[0])

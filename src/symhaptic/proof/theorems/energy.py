@@ -18,7 +18,6 @@ from symhaptic.notation.proposition import (
     Iff,
     Implies,
     Predicate,
-    Proposition,
     Relation,
     term,
     whole,
@@ -52,7 +51,7 @@ def toeplitz(response: Any, variable: Symbol, damping: Any, angle: Symbol) -> Ju
         raise NotShown("the angle and the variable are bound")
     if not real(damping):
         raise NotShown(f"{damping} is not real by its form")
-    hypotheses: set[Proposition] = set(conditions(damping))
+    hypotheses = set(conditions(damping, response, but=variable))
     static, margin = _ZERO, damping
     for exponent, coefficient in summands(response, variable):
         hypotheses |= {whole(-exponent), *conditions(coefficient)}

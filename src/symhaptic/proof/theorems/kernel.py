@@ -13,8 +13,7 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import fields
-from functools import cache, wraps
+from functools import wraps
 from importlib import import_module
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
@@ -36,7 +35,9 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     Terms,
+    both,
     conjuncts,
+    field_names,
     is_complex,
     negated,
     proposition,
@@ -158,18 +159,13 @@ def _exactly(part: Any) -> Any:
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
-        names = _fields(type(part))  # type: ignore[arg-type]
+        names = field_names(type(part))  # type: ignore[arg-type]
         return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
     if isinstance(part, (str, int, NoneType)):
         return type(part).__name__, part
     if isinstance(part, Mapping):
         return _exactly(("at", *part.items()))
     return None
-
-
-@cache
-def _fields(kind: type[Any]) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
 
 
 def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
@@ -215,11 +211,11 @@ def predicate(theorem: Theorem, name: str) -> Predicate:
 
 
 def without(symbols: Iterable[Symbol], *parts: Iterable[Proposition]) -> None:
-    """Nothing, where no hypothesis is about one of the symbols."""
+    """Nothing, where no hypothesis, or other proposition, is about one of the symbols."""
     for claim in (p for some in parts for p in some):
         for symbol in symbols:
-            if symbol in claim.free:
-                raise NotShown(f"a hypothesis is about {symbol}")
+            if symbol in claim.free or not symbol.is_Symbol:
+                raise NotShown(f"{claim} is about {symbol}")
 
 
 # -- hypotheses ------------------------------------------------------------------------
@@ -245,8 +241,7 @@ def discharged(theorem: Theorem, *given: Any) -> Judgement:
     if not found:
         raise NotShown("nothing to discharge")
     left = theorem.hypotheses - {c for p in found for c in conjuncts(p)} - set(found)
-    given_ = found[0] if len(found) == 1 else And(found)
-    return left, Implies((given_, theorem.conclusion))
+    return left, Implies((both(found), theorem.conclusion))
 
 
 @rule
@@ -285,10 +280,8 @@ def _covers(known: Proposition, wanted: Proposition) -> bool:
 @rule
 def conjoined(*theorems: Theorem) -> Judgement:
     """p and q give p /\\ q."""
-    return (
-        frozenset().union(*(t.hypotheses for t in theorems)),
-        And(tuple(t.conclusion for t in theorems)),
-    )
+    hypotheses = frozenset[Proposition]().union(*(t.hypotheses for t in theorems))
+    return hypotheses, And(tuple(t.conclusion for t in theorems))
 
 
 @rule
@@ -336,7 +329,7 @@ def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
     if not found:
         return hypotheses, FALSE
     left = hypotheses - {c for p in found for c in conjuncts(p)} - set(found)
-    return left, Not((found[0] if len(found) == 1 else And(found),))
+    return left, Not((both(found),))
 
 
 def _against(claim: Relation) -> set[Proposition]:
@@ -395,7 +388,7 @@ def instance(theorem: Theorem, values: Terms) -> Judgement:
     sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
     extra = _real({s: v for s, v in values.items() if s not in sided})
     extra |= conditions(*(term(v) for s, v in values.items() if s not in said))
-    return theorem.hypotheses | extra | _lost(values, claim.body), claim.body.at(values)
+    return theorem.hypotheses | extra | lost(values, claim.body), claim.body.at(values)
 
 
 @rule
@@ -413,7 +406,7 @@ def placed(theorem: Theorem, values: Terms) -> Judgement:
 
 def _allowed(values: Terms, claim: Proposition) -> set[Proposition]:
     """What has to hold so that a claim at these terms is the claim at their values."""
-    return _real(values) | set(conditions(*map(term, values.values()))) | _lost(values, claim)
+    return _real(values) | set(conditions(*map(term, values.values()))) | lost(values, claim)
 
 
 def _real(values: Terms) -> set[Proposition]:
@@ -424,7 +417,7 @@ def _real(values: Terms) -> set[Proposition]:
     return set()
 
 
-def _lost(values: Terms, claim: Proposition) -> set[Proposition]:
+def lost(values: Terms, claim: Proposition) -> set[Proposition]:
     """Conditions of a claim's terms that are no conditions any more of what they become."""
     found: set[Proposition] = set()
     stack = [(claim, frozenset[Symbol]())]
@@ -474,7 +467,7 @@ def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement
     """p(a), for real terms a, gives that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
         raise NotShown("no value for each of the symbols")
-    if _lost(values, wanted.body) or wanted.body.at(values) != theorem.conclusion:
+    if lost(values, wanted.body) or wanted.body.at(values) != theorem.conclusion:
         raise NotShown(f"{theorem.conclusion} is not {wanted} at these values")
     return theorem.hypotheses | _allowed(values, wanted.body), wanted
 

@@ -143,7 +143,7 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     inners = [inner(falling, order) for order in range(1 + degree % 2, degree, 2)]
     positive = [*half_planes(falling[::-1]), *map(determinant, inners)]
     wanted = And(tuple(Relation(_ZERO, "<", sp.expand(p)) for p in positive))
-    return conditions(*falling), Iff((_zeros(polynomial, variable), wanted))
+    return conditions(polynomial, but=variable), Iff((_zeros(polynomial, variable), wanted))
 
 
 @rule
@@ -158,11 +158,9 @@ def hurwitz(polynomial: Any, variable: Symbol) -> Judgement:
     degree = len(falling) - 1
     if degree < 1 or not all(real(c) for c in falling):
         raise NotShown(f"{polynomial} has no zeros, or is not real by its form")
-
-    wanted = And(_minors(falling, degree))
     zeros = Predicate("hurwitz", (variable,), (polynomial,))
-    defined = {c for c in conditions(polynomial, *falling) if variable not in c.free}
-    return defined | {Relation(_ZERO, "<", falling[0])}, Iff((zeros, wanted))
+    hypotheses = conditions(polynomial, but=variable) | {Relation(_ZERO, "<", falling[0])}
+    return hypotheses, Iff((zeros, And(_minors(falling, degree))))
 
 
 def _minors(falling: Sequence[Expr], count: int) -> tuple[Proposition, ...]:
@@ -295,7 +293,7 @@ def _unmoved(
         _says(theorem, "!=", _at(f, variable, w) + share * _at(g, variable, w))
         hypotheses |= theorem.hypotheses.difference(within, part_way)
     without([share, place], hypotheses)
-    return hypotheses
+    return hypotheses | conditions(f, g, but=variable)
 
 
 @rule
@@ -307,8 +305,8 @@ def none_enters(begin: Theorem, change: Any, over: Sequence[Symbol], *shown: The
     are real, and p(v^2) is of higher degree than g; that exponents are whole is a hypothesis.
     ``over`` are v, q, t, x and y.
     """
-    claim, g, (variable, share, place, x, y) = predicate(begin, "stable"), term(change), over
-    powers = _powers(*claim.of, *claim.over)
+    g, (variable, share, place, x, y) = term(change), over
+    powers = _powers(_stable(begin, variable), variable)
     f = sp.Add(*(c * variable ** (2 * e) for e, c in powers.items()))
     if x == y or not (real(x) and real(y)) or {x, y} & (f.free_symbols | g.free_symbols):
         raise NotShown(f"{x} and {y} are no two real symbols of their own")
@@ -361,7 +359,7 @@ def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
     if power not in powers or not all(_seen_whole(gap) for gap in gaps):
         raise NotShown(f"{power} is not seen to be the highest power")
     hypotheses = _whole(powers) | {whole(s) for gap in gaps for s in gap.free_symbols}
-    hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(*powers.values())}
+    hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(polynomial, but=variable)}
     return hypotheses, Predicate("degree", (variable,), (polynomial, power))
 
 
@@ -383,6 +381,7 @@ def not_of_degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
 def _stable(theorem: Theorem, variable: Symbol) -> Expr:
     """The polynomial of which a theorem says that all its zeros lie inside."""
     claim = predicate(theorem, "stable")
+    without([variable], [claim])
     return claim.of[0].xreplace({claim.over[0]: variable})
 
 

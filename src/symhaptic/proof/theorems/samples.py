@@ -54,7 +54,7 @@ def held_answer(
     """
     mass, damping, stiffness, z, found = (term(v) for v in (*device, at, answer))
     periods, rest = (term(v) for v in delay)
-    if variable in Relation(z, "=", found + mass + damping + stiffness + periods + rest).free:
+    if any(variable in v.free_symbols for v in (mass, damping, stiffness, z, periods, rest)):
         raise NotShown(f"{variable} is bound")
     phi, held = Matrix(2, 2, [term(v) for v in motion[:4]]), Matrix([term(v) for v in motion[4:]])
     hypotheses = _moves(mass, damping, stiffness, phi, held, time)
@@ -90,7 +90,7 @@ def _moves(
 ) -> set[Proposition]:
     """Conditions under which Phi and Gamma obey the differential equation, from their starts."""
     forms = [*phi, *held]
-    if time in (mass + damping + stiffness).free_symbols:
+    if any(time in v.free_symbols for v in (mass, damping, stiffness)):
         raise NotShown(f"the device changes with {time}")
     if any(f.has(sp.Abs, sp.re, sp.im, sp.conjugate, AppliedUndef) for f in forms):
         raise NotShown("a motion is not differentiable by its form")

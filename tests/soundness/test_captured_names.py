@@ -1,0 +1,97 @@
+"""A symbol that a rule binds stands for nothing else, and what limits a term is not dropped."""
+
+import pytest
+import sympy as sp
+from sympy import I, Rational, S, exp
+
+from symhaptic.notation import X, s, z
+from symhaptic.notation.proposition import ForAll, Relation
+from symhaptic.proof.theorems.axioms import known
+from symhaptic.proof.theorems.axioms import x as axiom_x
+from symhaptic.proof.theorems.energy import toeplitz
+from symhaptic.proof.theorems.kernel import NotShown, Theorem, assume, instance, unfolded
+from symhaptic.proof.theorems.roots import (
+    all_inside,
+    degree,
+    hurwitz,
+    jury,
+    none_enters,
+    roots_stay,
+)
+from symhaptic.proof.theorems.samples import held_answer
+
+v, q, t, x, y, w = sp.symbols("v q t x y w")
+
+
+def zero_at(place: sp.Expr) -> Theorem:
+    """-1 < place < 1 |- all zeros of z - place lie inside."""
+    return unfolded(instance(known("linear"), {axiom_x: place}))
+
+
+def test_a_product_does_not_capture() -> None:
+    # z - 3v has its zero inside for v = 0; in v it would be -2v, and z - v^2 + 2 a wrong polynomial
+    for place in (v, 3 * v, v**2 - 2):
+        with pytest.raises(NotShown, match="is about"):
+            all_inside(v, 0, zero_at(place))
+    assert all_inside(w, 0, zero_at(3 * v)).conclusion.terms == (w - 3 * v,)
+
+
+def never(*claims: sp.Expr) -> list[Theorem]:
+    """That these are not zero, from what knows of neither q nor t."""
+    some = (Relation(claim, "!=", S.Zero) for claim in claims)
+    return [instance(assume(ForAll((q, t), claim)), {q: q, t: t}) for claim in some]
+
+
+def test_a_path_does_not_capture() -> None:
+    # z - v at z = v^2, or z times it, would be v^2 - v; v^2 - v - 1 has a zero outside, v = 1.6
+    f, g = v**2 - v, S.NegativeOne
+    circle, right = exp(2 * I * t) - exp(I * t) - q, -exp(2 * t) - I * exp(t) - q
+    inside = all_inside(z, 1, zero_at(v))
+    with pytest.raises(NotShown, match="is about"):
+        roots_stay(f, g, v, q, t, *never(circle, -q), inside)
+    with pytest.raises(NotShown, match="is about"):
+        none_enters(zero_at(v), g, (v, q, t, x, y), *never(circle, -q, right))
+
+
+@pytest.mark.parametrize(
+    ("device", "answer"),
+    [((1 + s, 2 - s, 0), X), ((1, s, -s), X), ((2 + s, 1, -s), X)],
+)
+def test_a_response_does_not_capture(device: tuple[sp.Expr, ...], answer: sp.Expr) -> None:
+    # of m = 1 + s and b = 2 - s the sum does not know s
+    with pytest.raises(NotShown, match="bound"):
+        held_answer(device, (0, 0), s, z, answer, [1, 0, 0, 1, 0, 0], t)
+
+
+def test_a_device_does_not_change_where_its_sum_stays() -> None:
+    with pytest.raises(NotShown, match="changes with t"):
+        held_answer((1 + t, 1 - t, 0), (0, 0), s, z, X, [1, 0, 0, 1, 0, 0], t)
+
+
+CANCELS = (x**2 - 1) / (4 * (x - 1))
+"""(x + 1)/4 but for x = 1, where it has no value; a polynomial with it has no zeros there."""
+
+
+def test_a_polynomial_without_a_value_is_not_stable() -> None:
+    limit = Relation(4 * x - 4, "!=", S.Zero)
+    assert limit in jury(z - CANCELS, z).hypotheses
+    assert limit in hurwitz(s + CANCELS, s).hypotheses
+
+
+EXPANDS = w * (1 + 1 / w)
+"""w + 1 for SymPy, once it is multiplied out, but without a value for w = 0."""
+
+
+def test_what_is_multiplied_out_keeps_its_divisors() -> None:
+    limit = Relation(w, "!=", S.Zero)
+    assert limit in toeplitz(EXPANDS + 1 / z, z, 5, t).hypotheses
+    assert limit in degree(z + EXPANDS, z, 1).hypotheses
+    path = never(exp(I * t) + q * (w + 1), 1 + q * (w + 1))
+    assert limit in roots_stay(z, EXPANDS, z, q, t, *path, zero_at(S.Zero)).hypotheses
+
+
+def test_what_is_free_of_the_bound_symbol_goes_on() -> None:
+    half = Rational(1, 2)
+    found = all_inside(z, 1, zero_at(half))
+    assert found.conclusion.terms == (z * (z - half),)
+    assert jury(z - x / 4, z).hypotheses == frozenset()
