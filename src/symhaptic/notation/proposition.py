@@ -61,20 +61,26 @@ def _lasting(expr: Expr) -> bool:
     limits = set(_limits(expr))
     if not limits:
         return True
-    there = {s: sp.Dummy(s.name) for s in expr.free_symbols}
+    there = {s: _other(s) for s in expr.free_symbols}
+    if {limit.xreplace(there) for limit in limits} <= set(_limits(expr.xreplace(there))):
+        return True
     back = {d: s for s, d in there.items()}
 
     def anew(part: Expr) -> Expr:
         return part.xreplace(there).xreplace(back)
 
-    again = anew(expr)
-    if again == expr:
-        return True
-    kept = set(_limits(again))
+    # other names may turn signs; in these names a divisor may have become several
+    kept = set(_limits(anew(expr)))
     factors = (f for limit in limits for f in sp.Mul.make_args(anew(limit)))
     return all(
         f in kept or f.as_base_exp()[0] in kept or (f.is_Rational and f != 0) for f in factors
     )
+
+
+@lru_cache(maxsize=1 << 10)
+def _other(symbol: Symbol) -> Symbol:
+    """A symbol that stands for another one, always the same, of which SymPy then knows."""
+    return sp.Dummy(symbol.name)
 
 
 def _limits(expr: Expr) -> Iterator[Expr]:
