@@ -46,7 +46,7 @@ class ArrayApi(Target):
         "while with yield match case xp np numpy selftest math sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
-        "plant work inside limits guarded most yes no"
+        "plant work inside limits guarded most yes no add series"
     )
     modules = standard.PYTHON
     operations = single = called(

@@ -27,6 +27,10 @@ BLOCK = 25_000
 """Elements of NumPy arrays worked on at a time: few calls, and each branch fits the caches."""
 
 
+INVERSE_FACTORIAL = tuple(1/math.factorial(n) for n in range(40))
+"""1/n!, the coefficients of all power series here."""
+
+
 class Limits(NamedTuple):
     """What an argument may be at most."""
 
@@ -274,6 +278,27 @@ def repeat(xp, most, over, step, start, given):
     else:
         pieces.append((places, states))
     return tuple(_together(xp, shape[0], pieces))
+
+
+def series(xp, add, count, brief, first, few, last, step, given):
+    """``count`` states, 0 at first, after ``add`` of 1/n! for n from ``first`` down to ``last``.
+
+    Where it is ``brief``, for n from ``few`` on: what is before is too small to count.
+    """
+
+    def nothing(*given):
+        return (0.0,)*count
+
+    def begun(*given):
+        states = nothing()
+        for number in INVERSE_FACTORIAL[first:few:-step]:
+            states = add(*states, number, *given)
+        return states
+
+    states = select(xp, brief, nothing, given, begun, given)
+    for number in INVERSE_FACTORIAL[few:last - 1:-step]:
+        states = add(*states, number, *given)
+    return states
 
 
 def square_root(xp, x):

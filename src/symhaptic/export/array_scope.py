@@ -174,19 +174,30 @@ class Scope:
         return [*lines, "", f"{pad}{states} = {call}"]
 
     def _sum(self, loop: Repeat, depth: int) -> list[str]:
-        """A loop over numbers, which are the same for all elements."""
+        """A loop over numbers, which are the same for all elements; a helper lets some wait."""
         pad = "    " * depth
-        inside = Scope(self.target, tuple(Assign(*s) for s in loop.steps))
-        inside.names = dict(self.names)
-        start = ", ".join(self.printer.doprint(first) for first in loop.start)
-        states = ", ".join(self.named(loop.states))
-        numbers = ", ".join(self.printer.doprint(number) for number in loop.numbers)
-        return [
-            f"{pad}{states} = {start}",
-            f"{pad}for {self.target.rename(str(loop.number))} in ({numbers}):",
-            *inside.written(depth + 1),
-            f"{pad}    {states} = {', '.join(inside.named(loop.next))}",
-        ]
+        states, given = ", ".join(self.named(loop.states)), loop.factorials
+        number = self.target.rename(str(loop.number))
+        if loop.brief == sp.false:
+            inside = Scope(self.target, tuple(Assign(*s) for s in loop.steps))
+            inside.names = dict(self.names)
+            return [
+                f"{pad}{states} = {', '.join(self.printer.doprint(first) for first in loop.start)}",
+                f"{pad}for {number} in INVERSE_FACTORIAL[{given[0]}:{given.stop}:{given.step}]:",
+                *inside.written(depth + 1),
+                f"{pad}    {states} = {', '.join(inside.named(loop.next))}",
+            ]
+        block: Block = (*(Assign(*s) for s in loop.steps), Return(loop.next))
+        assert loop.number is not None
+        outer = sorted(set(inputs(block)) - {*loop.states, loop.number}, key=str)
+        inside = Scope(self.target, block)
+        wanted = [*loop.states, loop.number, *outer]
+        terms = f"{given[0]}, {loop.few}, {given[-1]}, {-given.step}"
+        call = (
+            f"series(xp, add, {len(loop.states)}, {self.condition(loop.brief)}, {terms}, "
+            f"{_listed(self.named(outer))})"
+        )
+        return ["", *self._function("add", inside, wanted, depth), "", f"{pad}{states} = {call}"]
 
     def _last_uses(self) -> dict[int, list[Symbol]]:
         """For each statement, the variables of this body that are used there for the last time.

@@ -27,7 +27,7 @@ from symhaptic.export import (
 )
 from symhaptic.export.fused import fused, merged
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Step, choose
+from symhaptic.export.routine import Repeat, Routine, Step, choose
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
 from symhaptic.forms.stable import Form
 
@@ -41,6 +41,12 @@ class Library:
     forms: tuple[Form, ...]
     helpers: tuple[Routine, ...]
     public: tuple[Routine, ...]
+
+    @property
+    def factorials(self) -> int:
+        """How many inverse factorials its series take, from 1/0! on."""
+        loops = (s for helper in self.helpers for s in helper.steps if isinstance(s, Repeat))
+        return max((n + 1 for loop in loops for n in loop.factorials), default=0)
 
     def needed(self, routine: Routine) -> Iterator[Routine]:
         """The helpers that a routine calls, or one of these does, in their order."""

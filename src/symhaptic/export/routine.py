@@ -45,8 +45,16 @@ class Repeat:
     most: int
     done: Boolean
     number: Symbol | None = None
-    numbers: tuple[Expr, ...] = ()
-    """Of the sum of a series: what ``number`` is, one each time, until there is none."""
+    """Of the sum of a series: 1/n! for each n of ``factorials``."""
+    factorials: range = range(0)
+    brief: Boolean = sp.false
+    """Where the sum may begin with ``few``, since the terms before are too small to count."""
+    few: int = 0
+
+    @property
+    def numbers(self) -> tuple[Expr, ...]:
+        """What ``number`` is, one each time, until there is none."""
+        return tuple(1 / sp.factorial(n) for n in self.factorials)
 
     @property
     def turned(self) -> tuple[tuple[Symbol, Symbol], ...]:
@@ -57,7 +65,7 @@ class Repeat:
     @property
     def expressions(self) -> tuple[Expr, ...]:
         """All of its right-hand sides, and its condition."""
-        return (*self.start, *(e for _, e in self.steps), self.done)
+        return (*self.start, *(e for _, e in self.steps), self.done, self.brief)
 
     def xreplace(self, known: Mapping[Symbol, Expr]) -> Repeat:
         """The same with symbols replaced that are known before."""
@@ -66,6 +74,7 @@ class Repeat:
             start=tuple(e.xreplace(known) for e in self.start),
             steps=tuple((s, e.xreplace(known)) for s, e in self.steps),
             done=self.done.xreplace(known),
+            brief=self.brief.xreplace(known),
         )
 
     @property
@@ -201,15 +210,18 @@ class Steps:
         self,
         start: dict[str, Expr],
         step: Callable[[Steps, tuple[Symbol, ...], Symbol], Iterable[Expr]],
-        numbers: Iterable[Expr],
+        factorials: range,
+        brief: Boolean = sp.false,
+        few: int = 0,
     ) -> tuple[Symbol, ...]:
-        """The same once for each of the numbers, such as coefficients of a series."""
-        number, given = self.fresh("number"), tuple(map(sp.sympify, numbers))
+        """The same for a series: a step with 1/n! for each n, from ``few`` on where it is brief."""
+        number = self.fresh("number")
         states = self.repeat(start, lambda do, states: step(do, states, number),
-                             lambda _: sp.false, len(given))  # fmt: skip
+                             lambda _: sp.false, len(factorials))  # fmt: skip
         loop = self.done[-1]
         assert isinstance(loop, Repeat)
-        self.done[-1] = replace(loop, number=number, numbers=given)
+        loop = replace(loop, number=number, factorials=factorials, brief=brief, few=few)
+        self.done[-1] = loop
         return states
 
     def several(self, names: Iterable[str], routine: str, *arguments: Expr) -> tuple[Symbol, ...]:

@@ -135,9 +135,8 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
         leave = target.words.get("break", "break")
         inner = [f"if ({printer.doprint(loop.done)}) {{ {leave}; }}"]
     else:
-        numbers = ", ".join(map(printer.doprint, loop.numbers))
-        number = target.rename(loop.number.name), numbers, loop.most, target.real
-        lines += [line.format(*number) for line in target.each]
+        head = target.series(loop)
+        lines += [line.format(**head) for line in target.each]
         inner = []
     for n, e in loop.steps:
         given = f"{target.rename(n.name)} = {printer.doprint(e)};"
@@ -162,7 +161,7 @@ class Words:
     """With the condition."""
     looped: str
     each: tuple[str, ...]
-    """Instead of a loop once for each of some numbers: a name, all of them, how many."""
+    """Instead of a loop for the sum of a series, as in Target."""
 
 
 def worded(
@@ -199,9 +198,8 @@ def _turned(target: Target, loop: Repeat, words: Words) -> list[str]:
         lines.append(words.loop.format(states[0], loop.most))
         lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
     else:
-        numbers = ", ".join(map(printer.doprint, loop.numbers))
-        name = target.rename(loop.number.name)
-        lines += [line.format(name, numbers, loop.most) for line in words.each]
+        head = target.series(loop)
+        lines += [line.format(**head) for line in words.each]
     done = [(target.rename(n.name), printer.doprint(e)) for n, e in loop.steps]
     done += [(target.rename(s.name), target.rename(n.name)) for s, n in loop.turned]
     lines += [f"  {name} = {value}{words.end}" for name, value in done]

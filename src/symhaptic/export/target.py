@@ -17,7 +17,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
@@ -126,7 +126,9 @@ class Target:
     times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
     """The head of what is repeated, in such a language."""
     each: tuple[str, ...] = ()
-    """The same once for each of some numbers: a name, all of them, how many, and the type."""
+    """The head of the sum of a series: ``{name}`` is 1/n! for n = ``{first}`` down to ``{last}``
+    in steps of ``{step}``.  All of these are ``{numbers}``, ``{count}`` of them, whose first
+    ``{left_out}`` are left out where they are too small; ``{real}`` is the type."""
 
     # -- expressions -------------------------------------------------------------------
 
@@ -159,6 +161,26 @@ class Target:
         printer = self.printer()
         printer.target = self
         return printer
+
+    def series(self, loop: Repeat) -> dict[str, str]:
+        """The words that the head of a sum is made of."""
+        printer, given = self.printing(), loop.factorials
+        first, left_out = str(given[0]), "0"
+        if loop.brief != sp.false:
+            brief, less = printer.doprint(loop.brief), str(given.index(loop.few))
+            first = self.choice.format(brief, loop.few, first)
+            left_out = self.choice.format(brief, less, "0")
+        assert loop.number is not None
+        return {
+            "name": self.rename(loop.number.name), "first": first, "last": str(given[-1]),
+            "step": str(-given.step), "left_out": left_out, "count": str(len(given)),
+            "numbers": ", ".join(map(printer.doprint, loop.numbers)), "real": self.real,
+        }  # fmt: skip
+
+    def table(self, library: Library) -> str:
+        """1/n! from n = 0 on, as far as a library needs them; nothing if it needs none."""
+        printer = self.printing()
+        return ", ".join(printer.doprint(1 / sp.factorial(n)) for n in range(library.factorials))
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """Statements that give names to all results of a routine."""
