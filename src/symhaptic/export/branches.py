@@ -86,13 +86,26 @@ class _Lazy:
             steps, _ = self._steps([s for e in results for s in _free(e)], done, facts)
             return (*steps, Return(results))
         condition = next(parted(r)[0] for r in results if isinstance(r, Piecewise))
-        steps, done = self._steps((condition,), done, facts)
+        sides = [[_side(r, condition, side) for r in results] for side in (1, 2)]
+        common = self._common(condition, sides, done, facts)
+        steps, done = self._steps((condition, *common), done, facts)
         yes, no = (
-            self.returned(tuple(_side(r, condition, side) for r in results), done,
-                          facts | self._decided(condition, value))
-            for side, value in ((1, sp.true), (2, sp.false))
-        )  # fmt: skip
+            self.returned(tuple(side), done, facts | self._decided(condition, value))
+            for side, value in zip(sides, (sp.true, sp.false), strict=True)
+        )
         return (*steps, Choice(condition, yes, no))
+
+    def _common(
+        self, condition: Boolean, sides: Iterable[list[Expr]], done: set[Symbol], facts: Facts
+    ) -> set[Symbol]:
+        """Steps that both sides of a choice need whatever they choose in their turn."""
+        needs: list[set[Symbol]] = []
+        for side in sides:
+            closure = self._closure(side, done)
+            exprs = {s: self.known[s].xreplace(facts) for s in closure if s in self.known}
+            needs.append(self._always(side, exprs, done))
+        both = set.intersection(*needs)
+        return both - self._asking(both, condition, done)
 
     def _steps(
         self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts

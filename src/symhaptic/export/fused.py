@@ -10,7 +10,16 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export.routine import Routine, Several, Step, computed, expm1, fresh, names
+from symhaptic.export.routine import (
+    Routine,
+    Several,
+    Step,
+    choose,
+    computed,
+    expm1,
+    fresh,
+    names,
+)
 from symhaptic.export.target import code_name
 from symhaptic.forms.entire import CosNext, Entire, SinNext
 from symhaptic.forms.entire_device import (
@@ -21,6 +30,7 @@ from symhaptic.forms.entire_device import (
     PlantN1,
     PlantTrace,
 )
+from symhaptic.forms.implicit import FractionalPart, SomePart, WholePart
 from symhaptic.forms.response import Ahead, Compensated, InPhase, KickLow
 from symhaptic.forms.slopes import (
     Coast,
@@ -42,8 +52,29 @@ MERGED = (
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
+def _with_parts(user: Routine) -> Routine:
+    """The routine with whole periods and fraction of the delay as steps of its own.
+
+    Beside a whole delay the fraction is 1/2 where another branch counts.
+    """
+    kinds = WholePart, FractionalPart, SomePart
+    asked = set().union(*(e.atoms(*kinds) for e in user.expressions))
+    if not asked:
+        return user
+    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
+    ((delay,),) = {call.args for call in asked}
+    whole, part = fresh("whole", taken), fresh("part", taken)
+    known = {WholePart(delay): whole, FractionalPart(delay): part}
+    known[SomePart(delay)] = choose(sp.Eq(part, 0), sp.S.Half, part)
+    steps = [(whole, sp.floor(delay)), (part, delay - whole)]
+    steps += [(name, expr.xreplace(known)) for name, expr in user.assignments]
+    results = tuple((name, expr.xreplace(known)) for name, expr in user.results)
+    return replace(user, steps=tuple(steps), results=results)
+
+
 def merged(user: Routine) -> Routine:
     """The routine with one call for all that several of MERGED find from the same arguments."""
+    user = _with_parts(user)
     taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
     calls: dict[Expr, Symbol] = {}
     steps: list[tuple[Symbol, Expr]] = []

@@ -26,12 +26,13 @@ def crossing(
     high: Expr,
     close: Expr,
     wanted: Boolean = sp.true,
+    factor: Expr = sp.S.One,
 ) -> Expr:
-    """Where ``f`` changes from positive to negative, to the relative distance ``close``.
+    """``factor`` times where ``f`` changes from positive to negative, as ``close`` to that.
 
     An end stands for the root where ``f`` does not change: ``low`` where it is not positive there
     already, ``high`` where it is positive even there.  Nothing is searched where it is not
-    ``wanted``.
+    ``wanted``.  The distance is relative.
     """
 
     def first(at: Expr) -> Expr:
@@ -48,7 +49,8 @@ def crossing(
         MOST,
     )
     best = choose(sp.Abs(fa) < sp.Abs(fb), a, b)
-    return do("root", choose(above <= 0, low, choose(below >= 0, high, best)))
+    ends = factor * low, factor * high
+    return choose(above <= 0, ends[0], choose(below >= 0, ends[1], factor * best))
 
 
 def _least(states: tuple[Symbol, ...], close: Expr) -> Expr:
