@@ -16,6 +16,7 @@ from sympy import Expr, Symbol
 
 from symhaptic.export import standard
 from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
+from symhaptic.export.array_precision import of_both
 from symhaptic.export.array_scope import ArrayPrinter, Scope
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
@@ -78,21 +79,30 @@ class ArrayApi(Target):
         return [self.rename(s.name) for s in symbols]
 
     def _helper(self, routine: Routine, brief: Routine | None) -> list[str]:
-        """A function; before it the one for single precision, where that has other steps."""
+        """A function; before it the one for single precision, where that has other steps.
+
+        Where only numbers are others, these get names.
+        """
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
         head = [*wrapped([f"def {name}({arguments}):"]), *_documented([routine.about])]
-        short = ", ".join(["xp", *self._named((brief or routine).arguments)])
-        if brief is not None:
-            head += [f"    if {given[0]}.dtype == xp.float32:",
-                     *wrapped([f"        return {name}_single({short})"])]  # fmt: skip
-        lines = [*head, *self._body(routine, 1)]
+        body = self._body(routine, 1)
         if brief is None:
-            return lines
-        single = wrapped([f"def {name}_single({short}):"])
-        single += _documented(["The same in single precision."])
-        single += self._body(brief, 1)
-        return [*single, "", "", *lines]
+            return [*head, *_narrow(body)]
+        other = self._body(brief, 1)
+        if (both := of_both(body, other, given)) is not None:
+            found, numbers = both
+            if numbers:
+                names, double, single = (", ".join(column) for column in zip(*numbers, strict=True))
+                pair = (double, single) if len(numbers) == 1 else (f"({double})", f"({single})")
+                asked = f"if {given[0]}.dtype == xp.float32 else"
+                head += _narrow([f"    {names} = {pair[1]} {asked} {pair[0]}"])
+            return [*head, *_narrow(found)]
+        head += [f"    if {given[0]}.dtype == xp.float32:",
+                 *wrapped([f"        return {name}_single({arguments})"])]  # fmt: skip
+        apart = wrapped([f"def {name}_single({arguments}):"])
+        apart += _documented(["The same in single precision."])
+        return [*apart, *_narrow(other), "", "", *head, *_narrow(body)]
 
     def _public(self, form: Form, routine: Routine) -> list[str]:
         about = describe(form, self.precision)
@@ -136,8 +146,7 @@ class ArrayApi(Target):
         return self._written(lazy(routine), depth)
 
     def _written(self, block: Block, depth: int) -> list[str]:
-        lines = Scope(self, functional(block)).written(depth)
-        return [line for long in lines for line in in_brackets(long)]
+        return Scope(self, functional(block)).written(depth)
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """From a tuple."""
@@ -162,6 +171,10 @@ class ArrayApi(Target):
     def commands(self, name: str) -> list[list[str]]:
         """Run; a warning is an error."""
         return [["python", "-W", "error", "selftest.py"]]
+
+
+def _narrow(lines: Iterable[str]) -> list[str]:
+    return [line for long in lines for line in in_brackets(long)]
 
 
 def _documented(about: list[str]) -> list[str]:

@@ -98,14 +98,25 @@ class _Lazy:
     def _common(
         self, condition: Boolean, sides: Iterable[list[Expr]], done: set[Symbol], facts: Facts
     ) -> set[Symbol]:
-        """Steps that both sides of a choice need whatever they choose in their turn."""
+        """Steps that both sides of a choice need whatever they choose in their turn.
+
+        No call for several results is put before one that stays behind the choice.
+        """
         needs: list[set[Symbol]] = []
         for side in sides:
             closure = self._closure(side, done)
             exprs = {s: self.known[s].xreplace(facts) for s in closure if s in self.known}
             needs.append(self._always(side, exprs, done))
         both = set.intersection(*needs)
-        return both - self._asking(both, condition, done)
+        both -= self._asking(both, condition, done)
+        left = set.union(*needs) - both
+        first = min((self.order[s] for s in left if s in self.several), default=len(self.order))
+        late = {s for s in both if s in self.several and self.order[s] > first}
+        return {s for s in both if not self._closure((s,), done) & late}
+
+    def _works(self, step: Symbol) -> bool:
+        """Whether it is more than a few operations."""
+        return step in self.several or _calls(self.known[step])
 
     def _steps(
         self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts
@@ -170,7 +181,7 @@ class _Lazy:
     def _costs(self, condition: Boolean, done: set[Symbol]) -> bool:
         """Whether it takes a call to find out."""
         steps = self._closure((condition,), done)
-        return any(s in self.several or _calls(self.known[s]) for s in steps)
+        return any(map(self._works, steps))
 
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
@@ -254,9 +265,9 @@ class _Lazy:
         if expr not in self.cheap:
             _, yes, no = parted(expr)
             own = self._closure((yes,), set()) ^ self._closure((no,), set())
-            self.cheap[expr] = not any(
-                s in self.several or _calls(self.known[s]) for s in own
-            ) and (sum(_operations(self.known[s]) for s in own) <= _FEW)
+            self.cheap[expr] = not any(map(self._works, own)) and (
+                sum(_operations(self.known[s]) for s in own) <= _FEW
+            )
         return self.cheap[expr]
 
 

@@ -41,6 +41,7 @@ from symhaptic.forms.slopes import (
     PlantN0Drop,
     PlantN1Drop,
 )
+from symhaptic.notation import delta, gamma
 
 MERGED = (
     NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
@@ -48,6 +49,12 @@ MERGED = (
     CosNext, SinNext, Ahead, InPhase,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
+
+_PLANT = {gamma, delta}
+"""What a device is made of, which is asked for first."""
+
+_TOGETHER = {("CosNext", "SinNext"): "NextWave"}
+"""Routines that find several results of their own."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
@@ -109,8 +116,9 @@ def merged(user: Routine) -> Routine:
             done.append((symbol, expr))
         elif symbol == next(iter(together.values())):
             several = sorted(together)
-            joint = sp.Function("_".join(several))(*expr.args)
+            joint = sp.Function(_TOGETHER.get(tuple(several)) or "_".join(several))(*expr.args)
             done.append(Several(tuple(together[name] for name in several), joint))
+    done.sort(key=lambda step: not isinstance(step, Several) or not step.free_symbols <= _PLANT)
     return replace(user, steps=tuple(done), results=results)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from sympy import Symbol
+
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
@@ -122,6 +124,14 @@ def _unpacked(target: Target, several: Several) -> list[str]:
     return target.unpacked(names, target.call(call.func.__name__), args)
 
 
+def _at_once(loop: Repeat) -> tuple[Symbol, Symbol] | None:
+    """A state that the last step may replace, since nothing asks for either of them any more."""
+    last = loop.steps[-1][0]
+    states = [state for state, after in loop.turned if after == last]
+    read = [after for state, after in loop.turned if state not in states]
+    return (states[0], last) if len(states) == 1 and states[0] not in read else None
+
+
 def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     printer = target.printing()
     states = [target.rename(s.name) for s in loop.states]
@@ -135,14 +145,20 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
         leave = target.words.get("break", "break")
         inner = [f"if ({printer.doprint(loop.done)}) {{ {leave}; }}"]
     else:
-        head = target.series(loop)
-        lines += [line.format(**head) for line in target.each]
-        inner = []
+        words = target.series(loop)
+        head, *first = (line.format(**words) for line in target.each)
+        lines.append(head)
+        inner = [line.strip() for line in first]
+    last = _at_once(loop)
     for n, e in loop.steps:
-        given = f"{target.rename(n.name)} = {printer.doprint(e)};"
-        _declared(target, inner, f"{declare} ", given)
+        value = printer.doprint(e)
+        if last and n == last[1]:
+            inner.append(f"{target.rename(last[0].name)} = {value};")
+        else:
+            _declared(target, inner, f"{declare} ", f"{target.rename(n.name)} = {value};")
     for s, n in loop.turned:
-        _beside(target, inner, "", f"{target.rename(s.name)} = {target.rename(n.name)};")
+        if (s, n) != last:
+            _beside(target, inner, "", f"{target.rename(s.name)} = {target.rename(n.name)};")
     return [*lines, *(f"    {line}" for line in inner), "}"]
 
 
