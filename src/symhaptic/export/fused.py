@@ -20,7 +20,7 @@ from symhaptic.export.routine import (
     fresh,
     names,
 )
-from symhaptic.export.target import code_name
+from symhaptic.export.target import brief, code_name
 from symhaptic.forms.entire import CosNext, Entire, SinNext
 from symhaptic.forms.entire_device import (
     DenominatorAtMinusOne,
@@ -171,7 +171,7 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
             found[own] = step(f"{code_name(own)}_of", named(last))
         return found[own]
 
-    results = tuple((code_name(part), result(part)) for part in parts)
+    results = tuple((brief(code_name(part)), result(part)) for part in parts)
     used = Counter(s for made in order for e in computed(made) for s in e.free_symbols)
     last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
     results = tuple((name, last.get(s, s)) for name, s in results)

@@ -39,6 +39,13 @@ _LONGEST = 60
 
 _CODE_NAMES = {"C": "cosh_root", "S": "sinhc_root"}
 
+_BRIEF = {
+    "denominator_at_minus_one": "at_minus_one", "numerator_at_one": "together",
+    "numerator_gap": "n_gap", "plant_n0": "n0", "plant_n1": "n1", "plant_trace": "trace",
+    "cos_next": "cosine", "sin_next": "sine",
+}  # fmt: skip
+"""What a result of a routine is called where it is used."""
+
 
 def vocabulary(text: str) -> frozenset[str]:
     """The words of a text."""
@@ -66,6 +73,18 @@ def code_name(name: str) -> str:
     ('plant_n0_series', 'cosh_root')
     """
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower())
+
+
+def brief(name: str) -> str:
+    """The name of a variable that has the result of a routine, or its part of a joint name.
+
+    >>> brief("plant_n1_of"), brief("plant_n1_of2"), brief("plant_n1"), brief("kick_of")
+    ('n1', 'n1_2', 'n1', 'kick_of')
+    """
+    base, of, number = name.partition("_of")
+    if base not in _BRIEF or (of and number and not number.isdigit()):
+        return name
+    return f"{_BRIEF[base]}_{number}" if number else _BRIEF[base]
 
 
 def routine_name(name: str) -> str:
@@ -142,7 +161,10 @@ class Target:
 
     def call(self, name: str) -> str:
         """The name of a routine in source code, which is no keyword and not too long for it."""
-        plain = code_name(name)
+        plain, parts = code_name(name), name.split("_")
+        if len(parts) > 1:
+            short = [brief(code_name(part)) for part in parts]
+            plain = "_".join(["device"] * (short[0] != "ahead") + short)
         for letters in (3, 2, 1):
             if len(plain) > _LONGEST:
                 plain = "_".join(word[:letters] for word in code_name(name).split("_"))
@@ -150,6 +172,7 @@ class Target:
 
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
+        name = brief(name)
         return f"{name}_" if self.reserves(name) or name in self.taken() else name
 
     def reserves(self, name: str) -> bool:
