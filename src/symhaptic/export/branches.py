@@ -23,7 +23,7 @@ from symhaptic.export.blocks import (
     direct,
     expressions,
 )
-from symhaptic.export.routine import Routine, names
+from symhaptic.export.routine import Routine, names, plain
 
 
 @cache
@@ -42,7 +42,8 @@ def guarded(routine: Routine) -> Block:
 
     NaN makes every comparison false: what is asked is what is true inside, and never its opposite.
     """
-    block = told(lazy(routine)) if routine.truth else lazy(routine)
+    block = lazy(plain(routine))
+    block = told(block) if routine.truth else block
     if not routine.within:
         return block
     outside = sp.Not(sp.And(*routine.within), evaluate=False)

@@ -218,9 +218,9 @@ def passive_angle(precision: Precision = DOUBLE) -> Routine:
     high = pi / (2 * (l + epsilon + 1))
     slope = sp.Function("PassiveSlope")
     low = high / 10**6
-    found = crossing(do, lambda _, at: slope(at, l, epsilon), low, high, precision.close, factor=2)
+    half = crossing(do, lambda _, at: slope(at, l, epsilon), low, high, precision.close)
     return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
-                      (l, epsilon), found)  # fmt: skip
+                      (l, epsilon), 2 * half)  # fmt: skip
 
 
 def pushed() -> Routine:

@@ -102,7 +102,43 @@ class Several:
         return set(self.call.free_symbols)
 
 
-Step = tuple[Symbol, Expr] | Repeat | Several
+@dataclass(frozen=True)
+class Search:
+    """``name`` is where ``value`` of ``at`` changes from positive to negative, between two ends.
+
+    An end stands for it where it does not change.  A target that has no way of its own to search
+    does ``steps``, after which ``found`` is the same.
+    """
+
+    name: Symbol
+    at: Symbol
+    value: Expr
+    low: Expr
+    high: Expr
+    close: Expr
+    """How near it has to be, relatively."""
+    steps: tuple[Step, ...]
+    found: Expr
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """What it computes in either way."""
+        inner = tuple(e for step in self.steps for e in computed(step))
+        return (self.low, self.high, self.value, *inner, self.found)
+
+    def xreplace(self, known: Mapping[Symbol, Expr]) -> Search:
+        """The same with symbols replaced that are known before."""
+        value, low, high = (e.xreplace(known) for e in (self.value, self.low, self.high))
+        return replace(self, value=value, low=low, high=high)
+
+    @property
+    def free_symbols(self) -> set[Symbol]:
+        """What has to be known before."""
+        inner = self.value.free_symbols - {self.at}
+        return set(inner | self.low.free_symbols | self.high.free_symbols)
+
+
+Step = tuple[Symbol, Expr] | Repeat | Several | Search
 """``name = expr``, or what makes more than one name known."""
 
 
@@ -110,6 +146,8 @@ def names(step: Step) -> tuple[Symbol, ...]:
     """What a step makes known."""
     if isinstance(step, tuple):
         return step[:1]
+    if isinstance(step, Search):
+        return (step.name,)
     return step.states if isinstance(step, Repeat) else step.names
 
 
@@ -117,7 +155,7 @@ def computed(step: Step) -> tuple[Expr, ...]:
     """What a step computes."""
     if isinstance(step, tuple):
         return step[1:]
-    return step.expressions if isinstance(step, Repeat) else (step.call,)
+    return (step.call,) if isinstance(step, Several) else step.expressions
 
 
 @dataclass(frozen=True)
@@ -155,6 +193,32 @@ class Routine:
         for step in self.steps:
             found += computed(step)
         return found + tuple(e for _, e in self.results)
+
+
+def plain(routine: Routine) -> Routine:
+    """The routine with its searches written out."""
+    if not any(isinstance(step, Search) for step in routine.steps):
+        return routine
+    steps: list[Step] = []
+    known: dict[Symbol, Expr] = {}
+    for step in routine.steps:
+        if isinstance(step, Search):
+            steps += step.steps
+            known[step.name] = step.found
+        elif isinstance(step, tuple):
+            steps.append((step[0], step[1].xreplace(known)))
+        else:
+            steps.append(step.xreplace(known))
+    results = tuple((name, _chosen(expr.xreplace(known))) for name, expr in routine.results)
+    return replace(routine, steps=tuple(steps), results=results)
+
+
+def _chosen(expr: Expr) -> Expr:
+    """A number times a choice as a choice of products."""
+    factor, choice = expr.as_coeff_Mul()
+    if factor == 1 or not isinstance(choice, Piecewise):
+        return expr
+    return Piecewise(*((_chosen(factor * value), condition) for value, condition in choice.args))
 
 
 def fresh(name: str, taken: set[str]) -> Symbol:
@@ -287,6 +351,7 @@ def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:
 __all__ = [
     "Repeat",
     "Routine",
+    "Search",
     "Several",
     "Steps",
     "TwoProdError",
@@ -295,6 +360,7 @@ __all__ = [
     "expm1",
     "fast_two_sum",
     "fresh",
+    "plain",
     "product",
     "quotient",
     "two_diff",

@@ -162,7 +162,7 @@ class Target:
     def call(self, name: str) -> str:
         """The name of a routine in source code, which is no keyword and not too long for it."""
         plain, parts = code_name(name), name.split("_")
-        if len(parts) > 1:
+        if len(parts) > 1 and name[0].isupper():
             short = [brief(code_name(part)) for part in parts]
             plain = "_".join(["device"] * (short[0] != "ahead") + short)
         for letters in (3, 2, 1):
