@@ -124,9 +124,7 @@ class ArrayApi(Target):
         apart += _documented(["The same in single precision."])
         return [*apart, *_narrow(other), "", "", *head, *_narrow(body)]
 
-    def _public(
-        self, form: Form, routine: Routine, conditions: Mapping[Boolean, str]
-    ) -> list[str]:
+    def _public(self, form: Form, routine: Routine, conditions: Mapping[Boolean, str]) -> list[str]:
         about = describe(form, self.precision)
         names = self._named(routine.arguments)
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
@@ -153,9 +151,7 @@ class ArrayApi(Target):
             lines.append(f"    return {call}" if part is work else f"    {results} = {call}")
         return [line for long in lines for line in in_brackets(long)]
 
-    def _asked(
-        self, form: Form, part: Routine, conditions: Mapping[Boolean, str]
-    ) -> Iterable[str]:
+    def _asked(self, form: Form, part: Routine, conditions: Mapping[Boolean, str]) -> Iterable[str]:
         """What its arguments are asked for, by the names of the conditions."""
         known = zip(form.arguments, form.within, strict=True)
         return (conditions[c] for s, c in known if s in part.arguments)

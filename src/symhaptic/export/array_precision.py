@@ -39,8 +39,10 @@ def of_both(
 
     found = []
     for one, other in zip(double, single, strict=True):
-        values = _NUMBER.finditer(other)
-        found.append(_NUMBER.sub(lambda number, left=values: named(number, next(left)), one))
+        shown, end = "", 0
+        for pair in zip(_NUMBER.finditer(one), _NUMBER.finditer(other), strict=True):
+            shown, end = f"{shown}{one[end : pair[0].start()]}{named(*pair)}", pair[0].end()
+        found.append(shown + one[end:])
     return found, [(name, *pair) for pair, name in names.items()]
 
 

@@ -312,11 +312,11 @@ class Scope:
         return self.named(expr.free_symbols)
 
 
-_OF_NUMBERS = "FastTwoSum", "TwoDiff"
+_OF_NUMBERS = "FastTwoSum", "TwoDiff", "ScaledSum"
 """Routines that take numbers beside arrays."""
 
 
-_BRIEF = 48
+_BRIEF = 64
 """Characters of a function that needs no name."""
 
 

@@ -244,6 +244,9 @@ class _Lazy:
         for other in self.limits if isinstance(condition, sp.StrictLessThan) else ():
             if other.lhs == condition.lhs and (other.rhs >= condition.rhs) == value:
                 facts |= {other: value, sp.Not(other): sp.Not(value)}
+        if value == sp.false and condition in self.limits and condition.rhs > 0:
+            (size,) = condition.lhs.args if isinstance(condition.lhs, sp.Abs) else [condition.lhs]
+            facts[sp.Eq(size, 0)] = sp.false
         return facts
 
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:

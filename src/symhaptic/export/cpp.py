@@ -66,7 +66,8 @@ class Cpp(Target):
         if table := self.table(library):
             lines += ["// 1/n!", f"constexpr {self.real} inverse_factorial[] = {{{table}}};", ""]
         for helper in library.helpers:
-            lines += [f"// {helper.about}", *self._written(helper)]
+            first, *others = self._written(helper)
+            lines += [f"// {helper.about}", f"inline {first}", *others]
         lines += ["}", "", f"namespace {library.name} {{", ""]
         for routine in library.public:
             lines += self._written(routine)

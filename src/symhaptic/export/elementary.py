@@ -53,28 +53,54 @@ def decay() -> Routine:
 
 
 def number_and(
-    do: Steps, fall: Expr, number: Expr, series: str, *arguments: Expr, low: Expr = sp.S.Zero
+    fall: Expr, number: Expr, series: str, *arguments: Expr, low: Expr = sp.S.Zero
 ) -> Expr:
-    """(fall + low) (number + series), the sum in brackets not rounded."""
-    rest = do("rest", sp.Function(series)(*arguments))
-    total, lost = two_diff(do, rest, -number)
-    found, missed = product(do, do("envelope", fall), total, lost)
-    return found + (do("low", missed + low * total) if low != 0 else missed)
+    """(fall + low) (number + series), rounded once."""
+    return sp.Function("ScaledSum")(fall, low, sp.Function(series)(*arguments), number)
+
+
+def scaled_sum() -> Routine:
+    """Of a float or a pair, and a sum that is not rounded."""
+    do = Steps()
+    fall, fall_low = sp.symbols("fall fall_low")
+    total, lost = two_diff(do, y, -z)
+    found, missed = product(do, fall, total, lost)
+    low = do("low", missed + fall_low * total)
+    return do.routine("ScaledSum", "(fall + fall_low) (y + z), rounded once",
+                      (fall, fall_low, y, z), found + low)  # fmt: skip
 
 
 def creep() -> Routine:
     """The series of PlantN1 without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
+    near = number_and(exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
     far = (1 - Decay(x)) / do.nonzero(x)
     return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
 
 
-def fade() -> Routine:
-    """The series of PlantN0 without a spring, q = 0."""
+def fade_series(precision: Precision = DOUBLE) -> Routine:
+    """Of exp, without its first terms: all others are positive; fewer serve for a small x."""
     do = Steps()
-    near = number_and(do, exp(-x), sp.S.Half, "PlantN0Series", sp.S.Zero, choose(x >= 2, 0, x))
+    small, all_ = sp.Rational(1, 8), sp.Integer(2)
+
+    def terms(size: Expr) -> int:
+        return precision.terms(lambda k: 4 * size**k / factorial(k + 2)) + 1
+
+    (total,) = do.sum(
+        {"total": sp.S.Zero},
+        lambda _, states, number: [number + x * states[0]],
+        range(terms(all_), 2, -1),
+        x < small,
+        terms(small),
+    )
+    return do.routine("FadeSeries", "(exp(x) - 1 - x)/x^2, less 1/2", (x,), x * total)
+
+
+def fade() -> Routine:
+    """exp(-x) times a series, for small x."""
+    do = Steps()
+    near = number_and(exp(-x), sp.S.Half, "FadeSeries", choose(x >= 2, 0, x))
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
@@ -83,7 +109,7 @@ def lag() -> Routine:
     """The series of NumeratorGap without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
+    near = number_and(exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
     whole = do("whole", Max(x, 2))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
@@ -245,6 +271,7 @@ def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
 
 
 ROUTINES = (
-    decay, creep, fade, lag, sinc, cosh_root, sinhc_root, cos_next, sin_next, spread, chord,
+    decay, scaled_sum, creep, fade, lag, sinc, cosh_root, sinhc_root, cos_next, sin_next, spread,
+    chord,
 )  # fmt: skip
-PRECISE = (gap, next_wave)
+PRECISE = (gap, next_wave, fade_series)

@@ -53,7 +53,7 @@ MERGED = (
 _PLANT = {gamma, delta}
 """What a device is made of, which is asked for first."""
 
-_TOGETHER = {("CosNext", "SinNext"): "NextWave"}
+_TOGETHER: dict[tuple[str, ...], str] = {("CosNext", "SinNext"): "NextWave"}
 """Routines that find several results of their own."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)

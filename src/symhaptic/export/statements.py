@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from sympy import Symbol
 
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set
 from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
+from symhaptic.export.wrapping import WIDTH
 
 
 def braces(
@@ -31,7 +32,7 @@ def braces(
             head = f"{pad}if ({printer.doprint(statement.condition)}) {{"
             inner = braces(target, statement.yes, ends, declare, depth + 1)
             short = f"{head} {inner[0].lstrip()} }}"
-            if target.shares and len(inner) == 1 and len(short) <= _SHORT:
+            if target.shares and len(inner) == 1 and len(short) <= WIDTH:
                 lines.append(short)
             else:
                 lines += [head, *inner, f"{pad}}}"]
@@ -55,7 +56,7 @@ def braces(
         elif isinstance(statement, Set):
             name = target.rename(statement.name.name)
             _beside(target, lines, pad, f"{name} = {printer.doprint(statement.expr)};")
-        else:
+        elif isinstance(statement, Return):
             shown = [printer.doprint(r) for r in statement.results]
             for end in ends:
                 _beside(target, lines, pad, end.format(*shown))
@@ -90,14 +91,14 @@ def _value(target: Target, block: Block) -> str:
 
 
 _SHORT = 88
-"""Characters up to which declarations share a line."""
+"""Characters up to which short statements share a line."""
 
 
 def _declared(target: Target, lines: list[str], head: str, name: str) -> None:
     """One more declaration, on the line of those before if that stays short."""
     before = lines[-1] if lines else ""
     joined = f"{before[:-1]}, {name}"
-    if target.shares and before.startswith(head) and len(joined) <= _SHORT:
+    if target.shares and before.startswith(head) and len(joined) <= WIDTH:
         lines[-1] = joined
     else:
         lines.append(head + name)
@@ -199,7 +200,7 @@ def worded(
             lines.append(before + words.otherwise)
             lines += worded(target, statement.no, results, words, pad, depth + 1)
             lines.append(before + words.decided)
-        else:
+        elif isinstance(statement, Return):
             for name, value in zip(results, statement.results, strict=True):
                 lines.append(f"{before}{name} = {printer.doprint(value)}{words.end}")
     return lines
