@@ -304,19 +304,18 @@ def series(xp, add, count, brief, first, few, last, step, given):
     Where it is ``brief``, for n from ``few`` on: what is before is too small to count.
     """
 
-    def nothing(*given):
-        return (0.0,)*count
-
-    def begun(*given):
-        states = nothing()
-        for number in INVERSE_FACTORIAL[first:few:-step]:
+    def after(states, factorials, *given):
+        for number in factorials:
             states = add(*states, number, *given)
+            states = states if isinstance(states, tuple) else (states,)
         return states
 
-    states = select(xp, brief, nothing, given, begun, given)
-    for number in INVERSE_FACTORIAL[few:last - 1:-step]:
-        states = add(*states, number, *given)
-    return states
+    def begun(*given):
+        return after((0.0,)*count, INVERSE_FACTORIAL[first:few:-step], *given)
+
+    states = select(xp, brief, lambda *_: (0.0,)*count, given, begun, given)
+    states = states if isinstance(states, tuple) else (states,)
+    return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
 '''
 
 CROSSING = '''def crossing(xp, value, low, high, close, given):

@@ -13,7 +13,7 @@ from symhaptic.export.branches import guarded
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
-from symhaptic.export.routine import Repeat, Routine, Several
+from symhaptic.export.routine import Repeat, Routine, Several, plain
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import wrapped
@@ -136,7 +136,7 @@ class Fortran(Target):
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
         declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
-        if any(isinstance(step, Repeat) for step in routine.steps):
+        if any(isinstance(step, Repeat) for step in plain(routine).steps):
             declared.append("    integer :: count_")
         lines = [
             head,

@@ -43,17 +43,39 @@ from symhaptic.forms.slopes import (
 )
 from symhaptic.notation import delta, gamma
 
+
+class LateFirst(sp.Function):  # type: ignore[misc]
+    """m2 of a device behind a fraction of a period."""
+
+    nargs = 3
+
+
+class LateLast(sp.Function):  # type: ignore[misc]
+    """m0 of it."""
+
+    nargs = 3
+
+
+class LateApart(sp.Function):  # type: ignore[misc]
+    """m2 - m1 + m0 of it."""
+
+    nargs = 3
+
+
 MERGED = (
     NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
     Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
-    CosNext, SinNext, Ahead, InPhase,
+    CosNext, SinNext, Ahead, InPhase, LateFirst, LateLast, LateApart,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
 
 _PLANT = {gamma, delta}
 """What a device is made of, which is asked for first."""
 
-_TOGETHER: dict[tuple[str, ...], str] = {("CosNext", "SinNext"): "NextWave"}
+_TOGETHER: dict[tuple[str, ...], str] = {
+    ("CosNext", "SinNext"): "NextWave",
+    ("LateApart", "LateFirst", "LateLast"): "LateDevice",
+}
 """Routines that find several results of their own."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)

@@ -91,14 +91,14 @@ def _value(target: Target, block: Block) -> str:
 
 
 _SHORT = 88
-"""Characters up to which short statements share a line."""
+"""Characters up to which declarations and short statements share a line."""
 
 
 def _declared(target: Target, lines: list[str], head: str, name: str) -> None:
     """One more declaration, on the line of those before if that stays short."""
     before = lines[-1] if lines else ""
     joined = f"{before[:-1]}, {name}"
-    if target.shares and before.startswith(head) and len(joined) <= WIDTH:
+    if target.shares and before.startswith(head) and len(joined) <= _SHORT:
         lines[-1] = joined
     else:
         lines.append(head + name)
