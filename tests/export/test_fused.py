@@ -5,6 +5,7 @@ from functools import cache, partial
 
 import mpmath
 import numpy as np
+import oracle
 import pytest
 import sympy as sp
 from export.inlining import inlined
@@ -21,7 +22,11 @@ PLAIN = request.chosen([], delay=2)
 FORMS = [*PLAIN, with_derivatives(PLAIN[0], differentiable(PLAIN[0]))]
 MERGED = {form.name: fused.merged(routine(form)) for form in FORMS}
 JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.steps
-                if isinstance(step, Several)})  # fmt: skip
+                if isinstance(step, Several)} - {"LateDevice"})  # fmt: skip
+
+
+OWN = {"NextWave": ["CosNext", "SinNext"]}
+"""Routines that are written as one."""
 
 
 @cache
@@ -65,9 +70,37 @@ def test_each_result_is_that_of_the_routine_alone(name):
     for point in POINTS[count]:
         with mpmath.workdps(40):
             numbers = [mpf(x) for x in point]
-            theirs = [alone(part, *numbers) for part in name.split("_")]
+            parts = OWN.get(name) or name.split("_")
+            theirs = [alone(part, *numbers) for part in parts]
             for one, other in zip(run(name, *numbers), theirs, strict=True):
                 assert abs(one - other) <= 1e-35 * abs(other)
+
+
+@pytest.mark.parametrize("part", ["0.1", "0.5", "0.93"])
+@pytest.mark.parametrize("point", POINTS[2])
+def test_a_late_device_is_made_of_two_parts_of_a_period(point, part):
+    """Beside the closed forms of the whole period and of both parts."""
+    with mpmath.workdps(50):
+        gamma, delta, late = (mpf(x) for x in (*point, part))
+        rest = 1 - late
+        first = rest**2 * oracle.numbers(gamma * rest**2, delta * rest)[0]
+        last = late**2 * oracle.numbers(gamma * late**2, delta * late)[1]
+        last *= mpmath.exp(-delta * rest)
+        apart = 2 * (first + last) - sum(oracle.numbers(gamma, delta)[:2])
+        for one, other in zip(
+            run("LateDevice", gamma, delta, late), (apart, first, last), strict=True
+        ):
+            assert abs(one - other) <= 1e-18 * abs(first)
+
+
+@pytest.mark.parametrize("name", ["is_stable", "stability_boundary"])
+def test_a_fraction_of_a_period_is_one_call(name):
+    (form,) = (f for f in PLAIN if f.name == name)
+    made = library("some", "", [form], TARGET)
+    (public,) = made.public
+    calls = [step.call.func.__name__ for step in public.steps if isinstance(step, Several)]
+    assert calls.count("LateDevice") == 1
+    assert not any("Kick" in call for call in calls)
 
 
 def test_there_are_some_with_all_kinds_of_arguments():

@@ -137,14 +137,10 @@ def test_the_series_have_enough_terms(name, precision):
     """The next term of the divided difference of exp at three nodes of the largest size."""
     assert device.STIFF <= device_series.NEAR**2
     routine = known(precision)[name]
-    (loop,) = (step for step in routine.steps if isinstance(step, Repeat))  # for quick poles alone
-    near = {c for s in routine.steps if isinstance(s, tuple) for c in s[1].atoms(sp.Rational)}
-    near -= {1 / sp.Integer(k) for k in range(1, 257)} | {-1}  # limits of regions
+    (loop,) = (step for step in routine.steps if isinstance(step, Repeat))
     sizes = []
-    for numbers, size in zip((near, loop.numbers), (device_series.TINY, device_series.NEAR),
-                             strict=True):  # fmt: skip
-        smallest = min(abs(number) for number in numbers if number)
-        terms = next(n for n in range(60) if sp.factorial(n + 1) == 1 / smallest)
+    for largest, size in ((loop.few, device_series.TINY), (loop.factorials[0], device_series.NEAR)):
+        terms = largest - 1
         sizes.append(terms)
         missed = size**terms * (terms + 1) / sp.factorial(terms + 2)
         assert missed < precision.last / 1000

@@ -7,22 +7,31 @@ elements that count.
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
 import sympy as sp
 from sympy import Expr, Symbol
+from sympy.logic.boolalg import Boolean
 
 from symhaptic.export import standard
-from symhaptic.export.array_prelude import HALVES, PRELUDE, PRODUCT_ERROR, SELFTEST
+from symhaptic.export.array_precision import of_both
+from symhaptic.export.array_prelude import (
+    CROSSING,
+    HALVES,
+    PRELUDE,
+    PRODUCT_ERROR,
+    SELFTEST,
+    SERIES,
+)
 from symhaptic.export.array_scope import ArrayPrinter, Scope
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
 from symhaptic.export.hoist_plant import hoisted
 from symhaptic.export.module import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Routine, Step
+from symhaptic.export.routine import Routine, Step, fresh
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
@@ -43,10 +52,10 @@ class ArrayApi(Target):
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
         "finally for from global if import in is lambda nonlocal not or pass raise return try "
-        "while with yield match case xp np numpy selftest math sys array_namespace device "
+        "while with yield match case xp np numpy selftest math operator sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
-        "plant work inside limits guarded most yes no"
+        "plant work inside limits guarded most yes no add series value crossing"
     )
     modules = standard.PYTHON
     operations = single = called(
@@ -61,7 +70,10 @@ class ArrayApi(Target):
 
     def source(self, library: Library) -> dict[str, str]:
         """NAME.py."""
+        taken: set[str] = set()
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
+        if library.factorials:
+            lines += [*SERIES.splitlines(), "", ""]
         for helper in map(_without_numbers, library.helpers):
             if helper.name == "TwoProdError":
                 lines += [*HALVES.splitlines(), "", "", *PRODUCT_ERROR.splitlines(), "", ""]
@@ -70,31 +82,49 @@ class ArrayApi(Target):
             if precise(helper.name):
                 brief = _without_numbers(named(helper.name, known(SINGLE)))
             lines += [*self._helper(helper, brief), "", ""]
+            if helper.name == "NextGuess":
+                lines += [*CROSSING.splitlines(), "", ""]
+        conditions: dict[Boolean, str] = {}
+        for form in library.forms:
+            for symbol, condition in zip(form.arguments, form.within, strict=True):
+                if condition not in conditions:
+                    conditions[condition] = fresh(symbol.name, taken).name
+        if conditions:
+            lines += [*self._conditions(conditions), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [*self._public(form, routine), "", ""]
+            lines += [*self._public(form, routine, conditions), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
         return [self.rename(s.name) for s in symbols]
 
     def _helper(self, routine: Routine, brief: Routine | None) -> list[str]:
-        """A function; before it the one for single precision, where that has other steps."""
+        """A function; before it the one for single precision, where that has other steps.
+
+        Where only numbers are others, these get names.
+        """
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
         head = [*wrapped([f"def {name}({arguments}):"]), *_documented([routine.about])]
-        short = ", ".join(["xp", *self._named((brief or routine).arguments)])
-        if brief is not None:
-            head += [f"    if {given[0]}.dtype == xp.float32:",
-                     *wrapped([f"        return {name}_single({short})"])]  # fmt: skip
-        lines = [*head, *self._body(routine, 1)]
+        body = self._body(routine, 1)
         if brief is None:
-            return lines
-        single = wrapped([f"def {name}_single({short}):"])
-        single += _documented(["The same in single precision."])
-        single += self._body(brief, 1)
-        return [*single, "", "", *lines]
+            return [*head, *_narrow(body)]
+        other = self._body(brief, 1)
+        if (both := of_both(body, other, given)) is not None:
+            found, numbers = both
+            if numbers:
+                names, double, single = (", ".join(column) for column in zip(*numbers, strict=True))
+                pair = (double, single) if len(numbers) == 1 else (f"({double})", f"({single})")
+                asked = f"if {given[0]}.dtype == xp.float32 else"
+                head += _narrow([f"    {names} = {pair[1]} {asked} {pair[0]}"])
+            return [*head, *_narrow(found)]
+        head += [f"    if {given[0]}.dtype == xp.float32:",
+                 *wrapped([f"        return {name}_single({arguments})"])]  # fmt: skip
+        apart = wrapped([f"def {name}_single({arguments}):"])
+        apart += _documented(["The same in single precision."])
+        return [*apart, *_narrow(other), "", "", *head, *_narrow(body)]
 
-    def _public(self, form: Form, routine: Routine) -> list[str]:
+    def _public(self, form: Form, routine: Routine, conditions: Mapping[Boolean, str]) -> list[str]:
         about = describe(form, self.precision)
         names = self._named(routine.arguments)
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
@@ -102,8 +132,6 @@ class ArrayApi(Target):
         if not names:
             return [*lines, "    (xp,) = arrays()", *self._body(routine, 1)]
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
-        if any(c.has(LARGEST, LONGEST, BELOW_PI) for c in form.within):
-            lines.append(f"    most = limits(xp, {names[0]})")
         plant, work = hoisted(routine)
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
@@ -113,31 +141,35 @@ class ArrayApi(Target):
             if part is work and form.truth:
                 block = told(block)
             lines += ["", f"    def {name}({given}):", *self._written(block, 2)]
-            inside = f"        return {self._inside(form, part)}"
-            lines += ["", f"    def inside({given}):", inside, ""]
+            lines.append("")
+            inside = " ".join(self._asked(form, part, conditions))
             outside = form.outside if part is work else sp.nan
             shown = {sp.nan: "math.nan", sp.false: "False"}.get(outside, str(outside))
             many = len(part.results)
-            call = f"guarded(xp, {name}, inside, {many}, {shown}, {given})"
+            call = f'guarded(xp, {name}, "{inside}", {many}, {shown}, {given})'
             results = ", ".join(self._named(Symbol(n) for n, _ in part.results))
             lines.append(f"    return {call}" if part is work else f"    {results} = {call}")
         return [line for long in lines for line in in_brackets(long)]
 
-    def _inside(self, form: Form, part: Routine) -> str:
-        """Which elements of its arguments are; numbers of a plant that is not are NaN."""
-        own = [c for s, c in zip(form.arguments, form.within, strict=True) if s in part.arguments]
-        found = [s for s in part.arguments if s not in form.arguments]
-        scope = Scope(self, ())
-        shown = [scope.printer.doprint(c.xreplace(_MOST)) for c in own]
-        shown += [f"~xp.isnan({name})" for name in self._named(found[:1])]
-        return " & ".join(text if text.startswith("~") else f"({text})" for text in shown)
+    def _asked(self, form: Form, part: Routine, conditions: Mapping[Boolean, str]) -> Iterable[str]:
+        """What its arguments are asked for, by the names of the conditions."""
+        known = zip(form.arguments, form.within, strict=True)
+        return (conditions[c] for s, c in known if s in part.arguments)
+
+    def _conditions(self, names: Mapping[Boolean, str]) -> list[str]:
+        """A table of all conditions by name."""
+        lines = ["INSIDE = {"]
+        for condition, name in names.items():
+            (symbol,) = condition.free_symbols - set(_MOST)
+            shown = Scope(self, ()).printer.doprint(condition.xreplace(_MOST))
+            lines.append(f'    "{name}": lambda xp, most, {self.rename(symbol.name)}: {shown},')
+        return [*lines, "}", '"""What is true of each argument inside its domain alone."""']
 
     def _body(self, routine: Routine, depth: int) -> list[str]:
         return self._written(lazy(routine), depth)
 
     def _written(self, block: Block, depth: int) -> list[str]:
-        lines = Scope(self, functional(block)).written(depth)
-        return [line for long in lines for line in in_brackets(long)]
+        return Scope(self, functional(block)).written(depth)
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """From a tuple."""
@@ -162,6 +194,10 @@ class ArrayApi(Target):
     def commands(self, name: str) -> list[list[str]]:
         """Run; a warning is an error."""
         return [["python", "-W", "error", "selftest.py"]]
+
+
+def _narrow(lines: Iterable[str]) -> list[str]:
+    return [line for long in lines for line in in_brackets(long)]
 
 
 def _documented(about: list[str]) -> list[str]:

@@ -1,6 +1,7 @@
 """What every Python export begins with: how functions of numbers become functions of arrays."""
 
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
+from symhaptic.export.search import MOST
 
 
 def _limits(precision: Precision) -> str:
@@ -9,6 +10,7 @@ def _limits(precision: Precision) -> str:
 
 PRELUDE = '''import functools
 import math
+import operator
 import sys
 from typing import NamedTuple
 
@@ -113,11 +115,19 @@ def elementwise(xp, work, *values):
     return _broadcast(xp, functools.partial(_without_nan, xp, work), values)
 
 
-def guarded(xp, work, inside, count, outside, *values):
-    """The same where all values are ``inside``, elsewhere ``count`` results that are ``outside``.
+def guarded(xp, work, names, count, outside, *values):
+    """The same where all values are inside, elsewhere ``count`` results that are ``outside``.
 
-    ``work`` gets no value that is outside.
+    ``names`` are those of the conditions in ``INSIDE``, one for each of the first values; a number
+    of a plant that is not inside is NaN.  ``work`` gets no value that is outside.
     """
+    names, most = names.split(), limits(xp, values[0])
+
+    def inside(*values):
+        true = [INSIDE[name](xp, most, v) for name, v in zip(names, values, strict=False)]
+        true += [~xp.isnan(v) for v in values[len(names):len(names) + 1]]
+        return functools.reduce(operator.and_, true)
+
     return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
 
 
@@ -283,6 +293,63 @@ def square_root(xp, x):
     positive = x > 0
     return xp.where(positive, xp.sqrt(xp.where(positive, x, 1.0)), 0.0)
 '''.replace("DOUBLE_LIMITS", _limits(DOUBLE)).replace("SINGLE_LIMITS", _limits(SINGLE))
+
+SERIES = '''INVERSE_FACTORIAL = tuple(1/math.factorial(n) for n in range(40))
+"""1/n!, the coefficients of all power series here."""
+
+
+def series(xp, add, count, brief, first, few, last, step, given):
+    """``count`` states, 0 at first, after ``add`` of 1/n! for n from ``first`` down to ``last``.
+
+    Where it is ``brief``, for n from ``few`` on: what is before is too small to count.
+    """
+
+    def after(states, factorials, *given):
+        for number in factorials:
+            states = add(*states, number, *given)
+            states = states if isinstance(states, tuple) else (states,)
+        return states
+
+    def begun(*given):
+        return after((0.0,)*count, INVERSE_FACTORIAL[first:few:-step], *given)
+
+    states = select(xp, brief, lambda *_: (0.0,)*count, given, begun, given)
+    states = states if isinstance(states, tuple) else (states,)
+    return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
+'''
+
+CROSSING = '''def crossing(xp, value, low, high, close, given):
+    """Where a value changes from positive to negative between two ends, by Chandrupatla's method.
+
+    An end stands for it where it does not change.
+    """
+    like = next((v for v in (low, high) if is_array_api_obj(v)), given[0])
+    low, high = (v if is_array_api_obj(v) else xp.full_like(like, v) for v in (low, high))
+
+    def over(b, fb, a, fa, c, fc, *given):
+        same = ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0))
+        return same | (xp.abs(a - b) <= close*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
+
+    def step(b, fb, a, fa, c, fc, *given):
+        new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, close))
+        found = value(new, *given)
+        same = ((fa < 0.0) & (found < 0.0)) | ((fa > 0.0) & (found > 0.0))
+        kept = xp.where(same, b, a), xp.where(same, fb, fa)
+        return *kept, new, found, xp.where(same, a, b), xp.where(same, fa, fb)
+
+    def between(low, above, high, below, *given):
+        start = low, above, high, below, high, below
+        b, fb, a, fa, _, _ = repeat(xp, MOST, over, step, start, given)
+        return xp.where(xp.abs(fa) < xp.abs(fb), a, b)
+
+    def beyond(low, above, high, *given):
+        below = value(high, *given)
+        known = low, above, high, below, *given
+        return select(xp, below >= 0.0, lambda high: high, (high,), between, known)
+
+    above = value(low, *given)
+    return select(xp, above <= 0.0, lambda low: low, (low,), beyond, (low, above, high, *given))
+'''.replace("MOST", str(MOST))
 
 HALVES = '''def halves(xp, y):
     """A number as two of half its digits, whose products are exact.

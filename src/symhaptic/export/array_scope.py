@@ -18,8 +18,9 @@ from symhaptic.export.blocks import (
     inputs,
 )
 from symhaptic.export.printing import Printing
-from symhaptic.export.routine import Repeat, Routine, Several, TwoProdError
+from symhaptic.export.routine import Repeat, Routine, Search, Several, TwoProdError
 from symhaptic.export.target import Target, calls
+from symhaptic.export.wrapping import depth
 
 
 class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
@@ -89,6 +90,7 @@ class Scope:
         """The statements."""
         pad, lines = "    " * depth, []
         often, last = self._often(), self._last_uses()
+        ended = _ended(self.block)
         idle: dict[str, list[str]] = {}
         for i, statement in enumerate(self.block):
             shown = expressions(statement)
@@ -102,6 +104,11 @@ class Scope:
                     lines.append(f"{pad}{name} = {value}")
             elif isinstance(statement, Repeat):
                 lines += (self._repeat if statement.number is None else self._sum)(statement, depth)
+            elif isinstance(statement, Search):
+                lines += self._search(statement, depth)
+                if ended:
+                    lines[-1] = lines[-1].replace(f"{self.name(statement.name)} =", "return", 1)
+                    break
             elif isinstance(statement, Several):
                 name, args = self._called(statement.call)
                 self._retired(last.get(i, ()), idle)
@@ -146,10 +153,12 @@ class Scope:
         for name, block in (("yes", choice.yes), ("no", choice.no)):
             wanted = inputs(block) or _first(choice.condition)
             inside = Scope(self.target, block)
-            lines += ["", *self._function(name, inside, wanted, depth)]
-            given.append(_listed(self.named(wanted)))
-        end = f"{start} select(xp, {condition}, yes, {given[0]}, no, {given[1]})"
-        return [*lines, "", end]
+            made = self._function(name, inside, wanted, depth)
+            side = _short(made)
+            lines += ["", *made] * (not side)
+            given.append(f"{side or name}, {_listed(self.named(wanted))}")
+        end = f"{start} select(xp, {condition}, {given[0]}, {given[1]})"
+        return [*lines, *[""] * bool(lines), end]
 
     def _function(self, name: str, inside: Scope, given: list[Symbol], depth: int) -> list[str]:
         head = f"{'    ' * depth}def {name}({', '.join(inside.named(given))}):"
@@ -173,20 +182,41 @@ class Scope:
         )
         return [*lines, "", f"{pad}{states} = {call}"]
 
+    def _search(self, search: Search, depth: int) -> list[str]:
+        """What is searched for as a function, which a helper calls."""
+        pad, block = "    " * depth, (Return((search.value,)),)
+        outer = sorted(search.value.free_symbols - {search.at}, key=str)
+        inside = Scope(self.target, block)
+        made = self._function("value", inside, [search.at, *outer], depth)
+        ends = (self.printer.doprint(e) for e in (search.low, search.high, search.close))
+        call = f"crossing(xp, value, {', '.join(ends)}, {_listed(self.named(outer))})"
+        return ["", *made, "", f"{pad}{self.name(search.name)} = {call}"]
+
     def _sum(self, loop: Repeat, depth: int) -> list[str]:
-        """A loop over numbers, which are the same for all elements."""
+        """A loop over numbers, which are the same for all elements; a helper lets some wait."""
         pad = "    " * depth
-        inside = Scope(self.target, tuple(Assign(*s) for s in loop.steps))
-        inside.names = dict(self.names)
-        start = ", ".join(self.printer.doprint(first) for first in loop.start)
-        states = ", ".join(self.named(loop.states))
-        numbers = ", ".join(self.printer.doprint(number) for number in loop.numbers)
-        return [
-            f"{pad}{states} = {start}",
-            f"{pad}for {self.target.rename(str(loop.number))} in ({numbers}):",
-            *inside.written(depth + 1),
-            f"{pad}    {states} = {', '.join(inside.named(loop.next))}",
-        ]
+        states, given = ", ".join(self.named(loop.states)), loop.factorials
+        number = self.target.rename(str(loop.number))
+        if loop.brief == sp.false:
+            inside = Scope(self.target, tuple(Assign(*s) for s in loop.steps))
+            inside.names = dict(self.names)
+            return [
+                f"{pad}{states} = {', '.join(self.printer.doprint(first) for first in loop.start)}",
+                f"{pad}for {number} in INVERSE_FACTORIAL[{given[0]}:{given.stop}:{given.step}]:",
+                *inside.written(depth + 1),
+                f"{pad}    {states} = {', '.join(inside.named(loop.next))}",
+            ]
+        block: Block = (*(Assign(*s) for s in loop.steps), Return(loop.next))
+        assert loop.number is not None
+        outer = sorted(set(inputs(block)) - {*loop.states, loop.number}, key=str)
+        inside = Scope(self.target, block)
+        wanted = [*loop.states, loop.number, *outer]
+        terms = f"{given[0]}, {loop.few}, {given[-1]}, {-given.step}"
+        call = (
+            f"series(xp, add, {len(loop.states)}, {self.condition(loop.brief)}, {terms}, "
+            f"{_listed(self.named(outer))})"
+        )
+        return ["", *self._function("add", inside, wanted, depth), "", f"{pad}{states} = {call}"]
 
     def _last_uses(self) -> dict[int, list[Symbol]]:
         """For each statement, the variables of this body that are used there for the last time.
@@ -282,8 +312,35 @@ class Scope:
         return self.named(expr.free_symbols)
 
 
-_OF_NUMBERS = "FastTwoSum", "TwoDiff"
+_OF_NUMBERS = "FastTwoSum", "TwoDiff", "ScaledSum"
 """Routines that take numbers beside arrays."""
+
+
+_BRIEF = 64
+"""Characters of a function that needs no name."""
+
+
+def _short(lines: list[str]) -> str:
+    """A function that returns something at once as a lambda, if that is short; else nothing."""
+    if len(lines) != 2:
+        return ""
+    head, value = (line.strip() for line in lines)
+    value = value.removeprefix("return ")
+    shown = f"({value})" if _several(value) else value
+    text = f"lambda {head[head.index('(') + 1 : -2]}: {shown}"
+    return text if len(text) <= _BRIEF else ""
+
+
+def _several(text: str) -> bool:
+    """Whether a comma stands outside of all brackets."""
+    return any(c == "," and depth(text[:at]) == 0 for at, c in enumerate(text))
+
+
+def _ended(block: Block) -> bool:
+    """Whether all that is left is what a search finds."""
+    *before, last = block
+    searched = before and isinstance(before[-1], Search) and before[-1].name
+    return isinstance(last, Return) and last.results == (searched,)
 
 
 def _first(condition: Expr) -> list[Symbol]:

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.routine import Repeat, Several
+from symhaptic.export.routine import Repeat, Search, Several
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Return:
     results: tuple[sp.Basic, ...]
 
 
-Statement = Assign | Repeat | Several | Choice | Join | Set | Return
+Statement = Assign | Repeat | Several | Search | Choice | Join | Set | Return
 Block = tuple[Statement, ...]
 
 
@@ -68,6 +68,8 @@ def expressions(statement: Statement) -> tuple[Expr, ...]:
         return statement.start
     if isinstance(statement, Several):
         return (statement.call,)
+    if isinstance(statement, Search):
+        return statement.low, statement.high
     return statement.results if isinstance(statement, Return) else (statement.condition,)
 
 
@@ -115,7 +117,7 @@ def _replaced(statement: Statement, known: Mapping[Symbol, Expr]) -> Statement:
         return Set(statement.name, statement.expr.xreplace(known))
     if isinstance(statement, Return):
         return Return(tuple(r.xreplace(known) for r in statement.results))
-    if isinstance(statement, (Repeat, Several)):
+    if isinstance(statement, (Repeat, Several, Search)):
         return statement.xreplace(known)
     yes, no = (direct(tuple(_replaced(s, known) for s in b)) for b in (statement.yes, statement.no))
     return replace(statement, condition=statement.condition.xreplace(known), yes=yes, no=no)
@@ -171,7 +173,7 @@ def inputs(block: Block) -> list[Symbol]:
             needed |= expr.free_symbols - done
         if isinstance(statement, (Choice, Join)):
             needed |= {s for b in (statement.yes, statement.no) for s in inputs(b)} - done
-        elif isinstance(statement, Repeat):
+        elif isinstance(statement, (Repeat, Search)):
             needed |= statement.free_symbols - done
         done |= set(made(statement))
     return sorted(needed, key=str)
@@ -183,4 +185,4 @@ def made(statement: Statement) -> tuple[Symbol, ...]:
         return statement.states
     if isinstance(statement, (Join, Several)):
         return statement.names
-    return (statement.name,) if isinstance(statement, (Assign, Set)) else ()
+    return (statement.name,) if isinstance(statement, (Assign, Set, Search)) else ()

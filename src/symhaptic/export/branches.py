@@ -23,7 +23,7 @@ from symhaptic.export.blocks import (
     direct,
     expressions,
 )
-from symhaptic.export.routine import Routine, names
+from symhaptic.export.routine import Routine, names, plain
 
 
 @cache
@@ -42,7 +42,8 @@ def guarded(routine: Routine) -> Block:
 
     NaN makes every comparison false: what is asked is what is true inside, and never its opposite.
     """
-    block = told(lazy(routine)) if routine.truth else lazy(routine)
+    block = lazy(plain(routine))
+    block = told(block) if routine.truth else block
     if not routine.within:
         return block
     outside = sp.Not(sp.And(*routine.within), evaluate=False)
@@ -86,13 +87,37 @@ class _Lazy:
             steps, _ = self._steps([s for e in results for s in _free(e)], done, facts)
             return (*steps, Return(results))
         condition = next(parted(r)[0] for r in results if isinstance(r, Piecewise))
-        steps, done = self._steps((condition,), done, facts)
+        sides = [[_side(r, condition, side) for r in results] for side in (1, 2)]
+        common = self._common(condition, sides, done, facts)
+        steps, done = self._steps((condition, *common), done, facts)
         yes, no = (
-            self.returned(tuple(_side(r, condition, side) for r in results), done,
-                          facts | self._decided(condition, value))
-            for side, value in ((1, sp.true), (2, sp.false))
-        )  # fmt: skip
+            self.returned(tuple(side), done, facts | self._decided(condition, value))
+            for side, value in zip(sides, (sp.true, sp.false), strict=True)
+        )
         return (*steps, Choice(condition, yes, no))
+
+    def _common(
+        self, condition: Boolean, sides: Iterable[list[Expr]], done: set[Symbol], facts: Facts
+    ) -> set[Symbol]:
+        """Steps that both sides of a choice need whatever they choose in their turn.
+
+        No call for several results is put before one that stays behind the choice.
+        """
+        needs: list[set[Symbol]] = []
+        for side in sides:
+            closure = self._closure(side, done)
+            exprs = {s: self.known[s].xreplace(facts) for s in closure if s in self.known}
+            needs.append(self._always(side, exprs, done))
+        both = set.intersection(*needs)
+        both -= self._asking(both, condition, done)
+        left = set.union(*needs) - both
+        first = min((self.order[s] for s in left if s in self.several), default=len(self.order))
+        late = {s for s in both if s in self.several and self.order[s] > first}
+        return {s for s in both if not self._closure((s,), done) & late}
+
+    def _works(self, step: Symbol) -> bool:
+        """Whether it is more than a few operations."""
+        return step in self.several or _calls(self.known[step])
 
     def _steps(
         self, wanted: Iterable[Expr], done: set[Symbol], facts: Facts
@@ -157,7 +182,7 @@ class _Lazy:
     def _costs(self, condition: Boolean, done: set[Symbol]) -> bool:
         """Whether it takes a call to find out."""
         steps = self._closure((condition,), done)
-        return any(s in self.several or _calls(self.known[s]) for s in steps)
+        return any(map(self._works, steps))
 
     def _closure(self, wanted: Iterable[Expr], done: set[Symbol]) -> set[Symbol]:
         """Steps that the expressions may need."""
@@ -219,6 +244,9 @@ class _Lazy:
         for other in self.limits if isinstance(condition, sp.StrictLessThan) else ():
             if other.lhs == condition.lhs and (other.rhs >= condition.rhs) == value:
                 facts |= {other: value, sp.Not(other): sp.Not(value)}
+        if value == sp.false and condition in self.limits and condition.rhs > 0:
+            (size,) = condition.lhs.args if isinstance(condition.lhs, sp.Abs) else [condition.lhs]
+            facts[sp.Eq(size, 0)] = sp.false
         return facts
 
     def _heavy(self, expr: Piecewise, done: set[Symbol]) -> bool:
@@ -241,9 +269,9 @@ class _Lazy:
         if expr not in self.cheap:
             _, yes, no = parted(expr)
             own = self._closure((yes,), set()) ^ self._closure((no,), set())
-            self.cheap[expr] = not any(
-                s in self.several or _calls(self.known[s]) for s in own
-            ) and (sum(_operations(self.known[s]) for s in own) <= _FEW)
+            self.cheap[expr] = not any(map(self._works, own)) and (
+                sum(_operations(self.known[s]) for s in own) <= _FEW
+            )
         return self.cheap[expr]
 
 

@@ -30,7 +30,10 @@ class Cpp(Target):
     name, title, keywords, printer = "cpp", "C++17", CPP_KEYWORDS, _Printer
     shares = True
     modules = standard.CPP
-    each = ("for (const {3} {0} : {{{1}}}) {{",)
+    each = (
+        "for (int n = {first}; n >= {last}; n -= {step}) {{",
+        "    const {real} {name} = inverse_factorial[n];",
+    )
     operations = single = called(
         "std::",
         Abs="std::fabs({0})",
@@ -60,8 +63,11 @@ class Cpp(Target):
                   *heads, "}", ""]  # fmt: skip
         lines = [f'#include "{library.name}.hpp"', "", "#include <cmath>", "#include <limits>", "",
                  *STRICT.split("\n"), "namespace {", ""]  # fmt: skip
+        if table := self.table(library):
+            lines += ["// 1/n!", f"constexpr {self.real} inverse_factorial[] = {{{table}}};", ""]
         for helper in library.helpers:
-            lines += [f"// {helper.about}", *self._written(helper)]
+            first, *others = self._written(helper)
+            lines += [f"// {helper.about}", f"inline {first}", *others]
         lines += ["}", "", f"namespace {library.name} {{", ""]
         for routine in library.public:
             lines += self._written(routine)

@@ -120,6 +120,24 @@ def _called(name: str, small: Boolean, *arguments: Expr) -> Expr:
     return sp.Function(name)(*(choose(small, argument, 0) for argument in arguments))
 
 
+def _n1_near(small: Boolean, *given: Expr) -> Expr:
+    """n1 from its power series, of the pair exp(-half), half and w."""
+    fall, low, half, w = (choose(small, argument, 0) for argument in given)
+    return number_and(fall, sp.S.Half, "PlantN1Series", half, w, low=low)
+
+
+def _one_near(small: Boolean, half: Expr, w: Expr, envelope: Expr | None = None) -> Expr:
+    """The same of n1 + n0; of a device that swings exp(-half) is there."""
+    half, w = choose(small, half, 0), choose(small, w, 0)
+    return 2 * number_and(envelope or exp(-half), sp.S.Half, "NumeratorAtOneSeries", half, w)
+
+
+def _gap_near(small: Boolean, half: Expr, w: Expr, envelope: Expr | None = None) -> Expr:
+    """The same of (n1 - n0)/delta."""
+    half, w = choose(small, half, 0), choose(small, w, 0)
+    return number_and(envelope or exp(-half), SIXTH, "NumeratorGapSeries", half, w)
+
+
 # -- of poles that creep ------------------------------------------------------------------------
 
 
@@ -156,7 +174,7 @@ def plant_n1_creep() -> Routine:
     rest = do("rest", top_low + (s.mean_low - pulled_low))
     creep, missed = quotient(do, top, _P[0], rest, _P[1])
     given = _REACH, *_FADE, _HALF, _W, *_P, *_all(s), far.mean, far.mean_low
-    near = _called("PlantN1Near", _REACH < SOFT, *_FADE, _HALF, _W)
+    near = _n1_near(_REACH < SOFT, *_FADE, _HALF, _W)
     return do.routine("PlantN1Creep", "n1 of a creeping device", given,
                       choose(_REACH < SOFT, near, creep + missed))  # fmt: skip
 
@@ -201,7 +219,7 @@ def numerator_at_one_creep() -> Routine:
     moved_low = do("moved_low", moved_low + s.mean_low * gone)
     creep, rest = quotient(do, moved, _P[0], moved_low, _P[1])
     given = _REACH, _HALF, _W, *_P, *_all(s), far.fall, far.fall_low
-    near = _called("NumeratorAtOneNear", _REACH < 1, _HALF, _W)
+    near = _one_near(_REACH < 1, _HALF, _W)
     return do.routine("NumeratorAtOneCreep", "n1 + n0 of a creeping device", given,
                       choose(_REACH < 1, near, creep + rest))  # fmt: skip
 
@@ -243,7 +261,7 @@ def numerator_gap_creep() -> Routine:
     low = do("low", top_low + rest)
     found = (top + low) / do.nonzero(_P[0] * delta)
     known = s.fall, s.mean, s.mean_low, far.fall, far.mean, far.mean_low
-    near = _called("NumeratorGapNear", _REACH < 1, _HALF, _W)
+    near = _gap_near(_REACH < 1, _HALF, _W)
     return do.routine("NumeratorGapCreep", "(n1 - n0)/delta of a creeping device",
                       (_REACH, _HALF, _W, delta, _P[0], *known),
                       choose(_REACH < 1, near, found))  # fmt: skip
@@ -293,9 +311,7 @@ def plant_n1_swing() -> Routine:
     left, left_low = product(do, _ENVELOPE, both, lost + (v.even_low + odd_low))
     top, lost = fast_two_sum(do, sp.S.One, -left)
     swing, more = quotient(do, top, do.nonzero(gamma), lost - left_low)
-    found = _chosen(
-        _REACH < SOFT, _called("PlantN1Near", _REACH < SOFT, *_FADE, _HALF, _W), swing + more
-    )
+    found = _chosen(_REACH < SOFT, _n1_near(_REACH < SOFT, *_FADE, _HALF, _W), swing + more)
     return do.routine("PlantN1Swing", "n1 of a swinging device", _CLOSED, found)
 
 
@@ -342,7 +358,7 @@ def numerator_at_one_swing() -> Routine:
     do = Steps()
     total, low = _squares(do, sin)
     found, missed = quotient(do, total, do.nonzero(gamma), low)
-    near = _called("NumeratorAtOneNear", _REACH < 1, _HALF, _W)
+    near = _one_near(_REACH < 1, _HALF, _W, _ENVELOPE)
     given = _REACH, _HALF, _W, _W_LOW, _ENVELOPE, _ROOT, gamma, _NEAR, _KNOWN
     return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
                       _chosen(_REACH < 1, near, 4 * (found + missed)))  # fmt: skip
@@ -377,7 +393,7 @@ def numerator_gap_swing() -> Routine:
     top, rest = two_diff(do, mean, turn)
     swing, missed = quotient(do, top, do.nonzero(gamma), rest - turn_low)
     given = _REACH, _HALF, _W, _ENVELOPE, v.odd, v.odd_low, gamma, delta
-    near = _called("NumeratorGapNear", _REACH < 1, _HALF, _W)
+    near = _gap_near(_REACH < 1, _HALF, _W, _ENVELOPE)
     return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,
                       choose(_REACH < 1, near, swing + missed))  # fmt: skip
 
@@ -395,47 +411,19 @@ def slow_fade() -> Routine:
                       {"fade": choose(small, fall, 0), "low": choose(small, low, 0)})  # fmt: skip
 
 
-def plant_n1_near() -> Routine:
-    """From its power series."""
-    do = Steps()
-    given = *_FADE, _HALF, _W
-    found = number_and(do, _FADE[0], sp.S.Half, "PlantN1Series", _HALF, _W, low=_FADE[1])
-    return do.routine("PlantN1Near", "n1 of a device with slow poles", given, found)
-
-
 def plant_n0_near() -> Routine:
     """From its power series."""
     do = Steps()
     fall, low = product(do, _FADE[0], _FADE[0], 2 * _FADE[1])
-    found = number_and(do, fall, sp.S.Half, "PlantN0Series", gamma, delta, low=low)
+    found = number_and(fall, sp.S.Half, "PlantN0Series", gamma, delta, low=low)
     return do.routine(
         "PlantN0Near", "n0 of a device with slow poles", (*_FADE, gamma, delta), found
     )
 
 
-def numerator_at_one_near() -> Routine:
-    """From its power series."""
-    do = Steps()
-    given = _HALF, _W
-    found = number_and(do, exp(-_HALF), sp.S.Half, "NumeratorAtOneSeries", *given)
-    return do.routine("NumeratorAtOneNear", "n1 + n0 of a device with slow poles", given, 2 * found)
-
-
-def numerator_gap_near() -> Routine:
-    """From its power series."""
-    do = Steps()
-    given = _HALF, _W
-    found = number_and(do, exp(-_HALF), SIXTH, "NumeratorGapSeries", *given)
-    return do.routine(
-        "NumeratorGapNear", "(n1 - n0)/delta of a device with slow poles", given, found
-    )
-
-
-def _asked(
-    name: str, small: Boolean, given: tuple[Expr, ...], m: Motion, swing: Expr, creep: Expr
-) -> Expr:
+def _asked(small: Boolean, near: Expr, m: Motion, swing: Expr, creep: Expr) -> Expr:
     """Its series first: of a function alone nothing else is found in vain then."""
-    return choose(small, _called(name, small, *given), choose(m.w < 0, swing, creep))
+    return choose(small, near, choose(m.w < 0, swing, creep))
 
 
 def _turned(do: Steps, m: Motion) -> tuple[Expr, Expr, Expr, Expr]:
@@ -453,7 +441,7 @@ def plant_n1() -> Routine:
     own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *_all(c.slow)
     own = *own, c.apart.mean, c.apart.mean_low
     creep = sp.Function("PlantN1Creep")(*own)
-    found = _asked("PlantN1Near", m.reach < SOFT, (*fade, m.half, m.w), m, swing, creep)
+    found = _asked(m.reach < SOFT, _n1_near(m.reach < SOFT, *fade, m.half, m.w), m, swing, creep)
     return do.routine("PlantN1", "n1, how far a unit force moves the device in a period",
                       (gamma, delta), found)  # fmt: skip
 
@@ -469,7 +457,8 @@ def plant_n0() -> Routine:
     swing = sp.Function("PlantN0Swing")(*(value for s, value in given if s != _W))
     own = m.reach, *fade, gamma, delta, m.p, m.p_low, *_all(c.slow), *_all(c.apart)
     creep = sp.Function("PlantN0Creep")(*own)
-    found = _asked("PlantN0Near", m.reach < SOFT, (*fade, gamma, delta), m, swing, creep)
+    near_ = _called("PlantN0Near", m.reach < SOFT, *fade, gamma, delta)
+    found = _asked(m.reach < SOFT, near_, m, swing, creep)
     return do.routine("PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
                       (gamma, delta), found)  # fmt: skip
 
@@ -484,7 +473,7 @@ def numerator_at_one() -> Routine:
     swing = sp.Function("NumeratorAtOneSwing")(*given)
     own = m.reach, m.half, m.w, m.p, m.p_low, *_all(c.slow), c.apart.fall, c.apart.fall_low
     creep = sp.Function("NumeratorAtOneCreep")(*own)
-    found = _asked("NumeratorAtOneNear", m.reach < 1, (m.half, m.w), m, swing, creep)
+    found = _asked(m.reach < 1, _one_near(m.reach < 1, m.half, m.w), m, swing, creep)
     return do.routine("NumeratorAtOne", "n1 + n0",
                       (gamma, delta), found)  # fmt: skip
 
@@ -527,7 +516,7 @@ def numerator_gap() -> Routine:
     wave = v.envelope, v.wave.odd, v.wave.odd_low, gamma, delta
     swing = sp.Function("NumeratorGapSwing")(m.reach, m.half, m.w, *wave)
     return do.routine("NumeratorGap", "(n1 - n0)/delta", (gamma, delta),
-                      _asked("NumeratorGapNear", m.reach < 1, (m.half, m.w), m,
+                      _asked(m.reach < 1, _gap_near(m.reach < 1, m.half, m.w), m,
                              swing, creep))  # fmt: skip
 
 
@@ -535,8 +524,8 @@ ROUTINES = (
     device_motion, real_poles, plant_n1_creep, plant_n0_creep, fast_fall, numerator_at_one_creep,
     denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep, plant_n1_swing,
     plant_n0_swing, half_squares, numerator_at_one_swing, denominator_at_minus_one_swing,
-    plant_trace_swing, numerator_gap_swing, slow_fade, plant_n1_near, plant_n0_near,
-    numerator_at_one_near, numerator_gap_near, plant_n1, plant_n0, numerator_at_one,
+    plant_trace_swing, numerator_gap_swing, slow_fade, plant_n0_near, plant_n1, plant_n0,
+    numerator_at_one,
     denominator_at_minus_one, plant_trace, numerator_gap,
 )  # fmt: skip
 PRECISE: tuple[Callable[[Precision], Routine], ...] = ()

@@ -13,7 +13,6 @@ from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     Routine,
     Steps,
-    choose,
     product,
     two_diff,
 )
@@ -53,51 +52,45 @@ def _slow(half: Expr, square: Expr) -> Boolean:
 
 
 def _powers(
-    do: Steps, slow: Boolean, start: tuple[str, ...], numbers: list[Expr], few: int,
+    do: Steps, slow: Boolean, start: tuple[str, ...], terms: tuple[int, int], first: range,
     step: Callable[[Steps, tuple[Symbol, ...], Expr], Iterable[Expr]],
 ) -> tuple[Symbol, ...]:  # fmt: skip
-    """Horner's scheme from the last coefficient on; for slow poles from an earlier one.
+    """Horner's scheme from the last term on; for slow poles from an earlier one.
 
-    The steps for slow poles are no loop: a processor that mistakes its end stops what it has begun.
+    ``first`` are the n of the first two terms, each of which has the coefficient 1/n!.
     """
-    far = do.sum(dict.fromkeys(start, sp.S.Zero), step, numbers[: few - 1 : -1])
-    states = tuple(do(name, choose(slow, 0, value)) for name, value in zip(start, far, strict=True))
-    for number in numbers[few - 1 :: -1]:
-        after = step(do, states, number)
-        states = tuple(
-            expr if expr.is_Symbol else do(name, expr)
-            for name, expr in zip(start, after, strict=True)
-        )
-    return states
+    few, all_ = (first.start + (count - 1) * first.step for count in terms)
+    factorials = range(all_, first.start - 1, -first.step)
+    return do.sum(dict.fromkeys(start, sp.S.Zero), step, factorials, slow, few)
 
 
 def plant_n1_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at h, sqrt w and -sqrt w, less 1/2."""
     do = Steps()
     few, all_ = _sizes(precision, _simplex)
-    numbers = [1 / factorial(k + 2) if k else sp.S.Zero for k in range(all_)]
 
     def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
         total, one, two = states
         even = do("even", number + w * two)
         return even + h * total, even, one
 
-    total, *_ = _powers(do, _slow(h, w), ("total", "one", "two"), numbers, few, step)
+    names, terms = ("total", "one", "two"), (few - 1, all_ - 1)
+    total, _, two = _powers(do, _slow(h, w), names, terms, range(3, 5), step)
     return do.routine("PlantN1Series", "divided difference of exp at h and +-sqrt(w), less 1/2",
-                      (h, w), total)  # fmt: skip
+                      (h, w), w * two + h * total)  # fmt: skip
 
 
 def plant_n0_series(precision: Precision = DOUBLE) -> Routine:
     """Divided difference of exp at 0, p and q, with p + q = delta and p q = gamma, less 1/2."""
     do = Steps()
     few, all_ = (size - _CAREFUL for size in _sizes(precision, _simplex))
-    numbers = [1 / factorial(k + _CAREFUL + 2) for k in range(all_)]
 
     def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
         one, two = states
         return number + delta * one - gamma * two, one
 
-    one, two = _powers(do, _slow(delta / 2, gamma), ("one", "two"), numbers, few, step)
+    first = range(_CAREFUL + 2, _CAREFUL + 4)
+    one, two = _powers(do, _slow(delta / 2, gamma), ("one", "two"), (few, all_), first, step)
     one_low: Expr = sp.S.Zero
     two_low: Expr = sp.S.Zero
     for k in range(_CAREFUL - 1, -1, -1):
@@ -135,7 +128,6 @@ def numerator_at_one_series(precision: Precision = DOUBLE) -> Routine:
 def _mixed(do: Steps, first: int, precision: Precision) -> Expr:
     """Sum over i and j, not both 0, of (h^2)^j w^i/(2 (i + j) + first)!."""
     few, all_ = _sizes(precision, partial(_square, first))
-    numbers = [1 / factorial(2 * k + first) if k else sp.S.Zero for k in range(all_)]
     y = do("y", h * h)
 
     def step(do: Steps, states: tuple[Symbol, ...], number: Expr) -> Iterable[Expr]:
@@ -143,7 +135,9 @@ def _mixed(do: Steps, first: int, precision: Precision) -> Expr:
         inner = do("own", number + w * inner)
         return inner + y * total, inner
 
-    return _powers(do, _slow(h, w), ("total", "inner"), numbers, few, step)[0]
+    names, terms = ("total", "inner"), (few - 1, all_ - 1)
+    total, inner = _powers(do, _slow(h, w), names, terms, range(first + 2, first + 6, 2), step)
+    return w * inner + y * total
 
 
 def numerator_gap_series(precision: Precision = DOUBLE) -> Routine:

@@ -7,10 +7,11 @@ the leading terms are added without rounding.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, cos, exp, factorial, sin
+from sympy import Expr, Symbol, cos, exp, factorial, sin
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
@@ -151,20 +152,27 @@ def waving_pair() -> Routine:
                       "-square is the square of the angle", given, found)  # fmt: skip
 
 
-def polynomial(do: Steps, at: Expr, coefficients: list[Expr]) -> Expr:
-    """The sum of coefficient k times at^k, its even and its odd half side by side."""
+def polynomial(do: Steps, at: Expr, factorials: range) -> Expr:
+    """The sum of at^k/n! for the n of a range, its even and its odd half side by side."""
     square = do("square", at * at)
-    halves: list[Expr] = [sp.S.Zero, sp.S.Zero]
-    for k in range(len(coefficients) - 1, -1, -1):
-        halves[k % 2] = coefficients[k] + square * halves[k % 2]
-    return halves[0] + at * halves[1]
+
+    def step(inner: Steps, states: tuple[Symbol, ...], number: Symbol) -> Iterable[Expr]:
+        one, two = states
+        return inner("both", number + square * two), one
+
+    start = dict.fromkeys(("one", "two"), sp.S.Zero)
+    one, two = do.sum(start, step, factorials[:0:-1])
+    return 1 / factorial(factorials[0]) + at * one + square * two
 
 
 def decay_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
     count = precision.terms(lambda k: BRIEF**k / factorial(k + 3))
-    total = polynomial(do, -x, [1 / factorial(k + 3) for k in range(count)])
+    square, halves = do("square", x * x), [sp.S.Zero, sp.S.Zero]
+    for k in range(count - 1, -1, -1):  # no loop: the slowest part of a slow device
+        halves[k % 2] = 1 / factorial(k + 3) + square * halves[k % 2]
+    total = halves[0] - x * halves[1]
     return do.routine("DecaySeries", "((1 - exp(-x))/x - 1 + x/2)/x^2", (x,), total)
 
 
@@ -172,7 +180,7 @@ def cos_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
     count = precision.terms(lambda k: SLOW**k / factorial(2 * k + 4))
-    total = polynomial(do, w, [1 / factorial(2 * k + 4) for k in range(count)])
+    total = polynomial(do, w, range(4, 2 * count + 4, 2))
     return do.routine("CosSeries", "(cosh(sqrt(w)) - 1 - w/2)/w^2", (w,), total)
 
 
@@ -180,7 +188,7 @@ def sin_series(precision: Precision = DOUBLE) -> Routine:
     """From its second term on."""
     do = Steps()
     count = precision.terms(lambda k: SLOW**k / factorial(2 * k + 3))
-    total = polynomial(do, w, [1 / factorial(2 * k + 3) for k in range(count)])
+    total = polynomial(do, w, range(3, 2 * count + 3, 2))
     return do.routine("SinSeries", "(sinh(sqrt(w))/sqrt(w) - 1)/w", (w,), total)
 
 

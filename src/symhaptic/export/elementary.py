@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sympy as sp
 from sympy import Expr, Max, cos, exp, factorial, floor, sin, sqrt
-from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
@@ -54,28 +53,54 @@ def decay() -> Routine:
 
 
 def number_and(
-    do: Steps, fall: Expr, number: Expr, series: str, *arguments: Expr, low: Expr = sp.S.Zero
+    fall: Expr, number: Expr, series: str, *arguments: Expr, low: Expr = sp.S.Zero
 ) -> Expr:
-    """(fall + low) (number + series), the sum in brackets not rounded."""
-    rest = do("rest", sp.Function(series)(*arguments))
-    total, lost = two_diff(do, rest, -number)
-    found, missed = product(do, do("envelope", fall), total, lost)
-    return found + (do("low", missed + low * total) if low != 0 else missed)
+    """(fall + low) (number + series), rounded once."""
+    return sp.Function("ScaledSum")(fall, low, sp.Function(series)(*arguments), number)
+
+
+def scaled_sum() -> Routine:
+    """Of a float or a pair, and a sum that is not rounded."""
+    do = Steps()
+    fall, fall_low = sp.symbols("fall fall_low")
+    total, lost = two_diff(do, y, -z)
+    found, missed = product(do, fall, total, lost)
+    low = do("low", missed + fall_low * total)
+    return do.routine("ScaledSum", "(fall + fall_low) (y + z), rounded once",
+                      (fall, fall_low, y, z), found + low)  # fmt: skip
 
 
 def creep() -> Routine:
     """The series of PlantN1 without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
+    near = number_and(exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
     far = (1 - Decay(x)) / do.nonzero(x)
     return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
 
 
-def fade() -> Routine:
-    """The series of PlantN0 without a spring, q = 0."""
+def fade_series(precision: Precision = DOUBLE) -> Routine:
+    """Of exp, without its first terms: all others are positive; fewer serve for a small x."""
     do = Steps()
-    near = number_and(do, exp(-x), sp.S.Half, "PlantN0Series", sp.S.Zero, choose(x >= 2, 0, x))
+    small, all_ = sp.Rational(1, 8), sp.Integer(2)
+
+    def terms(size: Expr) -> int:
+        return precision.terms(lambda k: 4 * size**k / factorial(k + 2)) + 1
+
+    (total,) = do.sum(
+        {"total": sp.S.Zero},
+        lambda _, states, number: [number + x * states[0]],
+        range(terms(all_), 2, -1),
+        x < small,
+        terms(small),
+    )
+    return do.routine("FadeSeries", "(exp(x) - 1 - x)/x^2, less 1/2", (x,), x * total)
+
+
+def fade() -> Routine:
+    """exp(-x) times a series, for small x."""
+    do = Steps()
+    near = number_and(exp(-x), sp.S.Half, "FadeSeries", choose(x >= 2, 0, x))
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
@@ -84,7 +109,7 @@ def lag() -> Routine:
     """The series of NumeratorGap without a spring, w = h^2."""
     do = Steps()
     half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(do, exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
+    near = number_and(exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
     whole = do("whole", Max(x, 2))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
@@ -105,11 +130,13 @@ def gap(precision: Precision = DOUBLE) -> Routine:
     do = Steps()
     near = do("near", choose(sp.Abs(x) >= 2, 0, x))
     square = do("square", -near * near)
-    total: Expr = sp.S.Zero
     sixth, low = precision.parts(sp.Rational(1, 6))  # what the float misses goes into the next term
     terms = precision.terms(lambda k: 6 * sp.Integer(4) ** k / factorial(2 * k + 3))
-    for i in range(terms - 1, 0, -1):
-        total = 1 / factorial(2 * i + 3) + square * total
+    (total,) = do.sum(
+        {"total": sp.S.Zero},
+        lambda _, states, number: [number + square * states[0]],
+        range(2 * terms + 1, 4, -2),
+    )
     rest = do("rest", square * total + low)
     total = do("total", sixth + rest)
     whole = do("whole", choose(sp.Abs(x) < 2, 2, x))
@@ -150,27 +177,37 @@ def _root(do: Steps) -> tuple[Expr, Expr, Expr]:
     return root, do("low", left / some / 2), some
 
 
-def cos_next(precision: Precision = DOUBLE) -> Routine:
-    """cos((k + 1) x) with the rounding of sum and product put back."""
+def next_wave(precision: Precision = DOUBLE) -> Routine:
+    """Both with the rounding of sum and product put back."""
     do = Steps()
     if precision.bits < DOUBLE.bits:
         turn, sine, cosine = _turned(do, precision)
-        value = do("value", choose(_odd(turn), sine, cosine))
-        result = choose(sp.And(turn >= 1, turn <= 2), -value, value)
-        return do.routine("CosNext", "cos((k + 1) x)", (k, x), result)
-    cosine, sine, off = _next(do)
-    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine - off * sine)
+        odd = sp.Or(sp.Eq(turn, 1), sp.Eq(turn, 3))
+        even_wave, odd_wave = (do("value", choose(odd, *pair))
+                               for pair in ((sine, cosine), (cosine, sine)))  # fmt: skip
+        cosine = choose(sp.And(turn >= 1, turn <= 2), -even_wave, even_wave)
+        sine = choose(turn >= 2, -odd_wave, odd_wave)
+    else:
+        angle, off, missed = _next_parts(do)
+        off = do("off", off + missed * x)
+        wave, still = do("sine", sin(angle)), do("cosine", cos(angle))
+        cosine, sine = still - off * wave, wave + off * still
+    return do.routine("NextWave", "cos((k + 1) x) and sin((k + 1) x)", (k, x),
+                      {"cosine": cosine, "sine": sine})  # fmt: skip
 
 
-def sin_next(precision: Precision = DOUBLE) -> Routine:
-    """sin((k + 1) x) with the rounding of sum and product put back."""
+def cos_next() -> Routine:
+    """One of both."""
     do = Steps()
-    if precision.bits < DOUBLE.bits:
-        turn, sine, cosine = _turned(do, precision)
-        value = do("value", choose(_odd(turn), cosine, sine))
-        return do.routine("SinNext", "sin((k + 1) x)", (k, x), choose(turn >= 2, -value, value))
-    cosine, sine, off = _next(do)
-    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine + off * cosine)
+    cosine, _ = do.several(("cosine", "sine"), "NextWave", k, x)
+    return do.routine("CosNext", "cos((k + 1) x)", (k, x), cosine)
+
+
+def sin_next() -> Routine:
+    """The other one."""
+    do = Steps()
+    _, sine = do.several(("cosine", "sine"), "NextWave", k, x)
+    return do.routine("SinNext", "sin((k + 1) x)", (k, x), sine)
 
 
 def spread() -> Routine:
@@ -204,14 +241,6 @@ def _delayed(do: Steps) -> tuple[Expr, Expr, Expr, Expr]:
     return do("order", 2 * (k + 1)), turn, angle, some
 
 
-def _next(do: Steps) -> tuple[Expr, Expr, Expr]:
-    """Cosine and sine of the rounded angle, and what the rounding has taken from it."""
-    angle, off, missed = _next_parts(do)
-    off = do("off", off + missed * x)
-    cosine, sine = do("cosine", cos(angle)), do("sine", sin(angle))
-    return cosine, sine, off
-
-
 def _next_parts(do: Steps) -> tuple[Expr, Expr, Expr]:
     """The product of x and k + 1 rounded, its rounding error, and the sum's rounding error."""
     count = do("count", k + 1)
@@ -241,9 +270,8 @@ def _turned(do: Steps, precision: Precision) -> tuple[Expr, Expr, Expr]:
     return turn, do("sine", sine + low * cosine), do("cosine", cosine - low * sine)
 
 
-def _odd(turn: Expr) -> Boolean:
-    return sp.Or(sp.Eq(turn, 1), sp.Eq(turn, 3))
-
-
-ROUTINES = (decay, creep, fade, lag, sinc, cosh_root, sinhc_root, spread, chord)
-PRECISE = (gap, cos_next, sin_next)
+ROUTINES = (
+    decay, scaled_sum, creep, fade, lag, sinc, cosh_root, sinhc_root, cos_next, sin_next, spread,
+    chord,
+)  # fmt: skip
+PRECISE = (gap, next_wave, fade_series)

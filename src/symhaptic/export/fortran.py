@@ -13,7 +13,7 @@ from symhaptic.export.branches import guarded
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
-from symhaptic.export.routine import Repeat, Routine, Several
+from symhaptic.export.routine import Repeat, Routine, Several, plain
 from symhaptic.export.statements import Words, worded
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import wrapped
@@ -34,7 +34,7 @@ _WORDS = Words(
     loop="do count_ = 1, {1}",
     leave=("if ({}) exit",),
     looped="end do",
-    each=("do count_ = 1, {2}", "  {0} = {0}_of(count_)"),
+    each=("do count_ = {first}, {last}, -{step}", "  {name} = inverse_factorial(count_)"),
 )
 
 
@@ -97,9 +97,12 @@ class Fortran(Target):
             "    end function expm1",
             "  end interface",
             "",
-            "contains",
-            "",
         ]
+        if table := self.table(library):
+            listed = f"inverse_factorial(0:{library.factorials - 1})"
+            lines += [*_folded("  ! 1/n!"),
+                      *_folded(f"  real(wp), parameter :: {listed} = [{table}]"), ""]  # fmt: skip
+        lines += ["contains", ""]
         for helper in library.helpers:
             lines += [*_folded(f"  ! {helper.about}"), *self._written(helper, "pure"), ""]
         for form, routine in zip(library.forms, library.public, strict=True):
@@ -133,14 +136,8 @@ class Fortran(Target):
             kinds, tail = [f"    real(wp), intent(out) :: {', '.join(results)}"], "subroutine"
         declared = [f"    real(wp), intent(in) :: {', '.join(args)}"] if args else []
         declared += kinds + ([f"    real(wp) :: {', '.join(locals_)}"] if locals_ else [])
-        loops = [step for step in routine.steps if isinstance(step, Repeat)]
-        if loops:
+        if any(isinstance(step, Repeat) for step in plain(routine).steps):
             declared.append("    integer :: count_")
-        for loop in loops:
-            if loop.number is not None:
-                numbers = ", ".join(map(self.printing().doprint, loop.numbers))
-                listed = f"{self.rename(loop.number.name)}_of({loop.most})"
-                declared.append(f"    real(wp), parameter :: {listed} = [{numbers}]")
         lines = [
             head,
             *declared,

@@ -10,8 +10,17 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export.routine import Routine, Several, Step, computed, expm1, fresh, names
-from symhaptic.export.target import code_name
+from symhaptic.export.routine import (
+    Routine,
+    Several,
+    Step,
+    choose,
+    computed,
+    expm1,
+    fresh,
+    names,
+)
+from symhaptic.export.target import brief, code_name
 from symhaptic.forms.entire import CosNext, Entire, SinNext
 from symhaptic.forms.entire_device import (
     DenominatorAtMinusOne,
@@ -21,6 +30,7 @@ from symhaptic.forms.entire_device import (
     PlantN1,
     PlantTrace,
 )
+from symhaptic.forms.implicit import FractionalPart, SomePart, WholePart
 from symhaptic.forms.response import Ahead, Compensated, InPhase, KickLow
 from symhaptic.forms.slopes import (
     Coast,
@@ -31,19 +41,69 @@ from symhaptic.forms.slopes import (
     PlantN0Drop,
     PlantN1Drop,
 )
+from symhaptic.notation import delta, gamma
+
+
+class LateFirst(sp.Function):  # type: ignore[misc]
+    """m2 of a device behind a fraction of a period."""
+
+    nargs = 3
+
+
+class LateLast(sp.Function):  # type: ignore[misc]
+    """m0 of it."""
+
+    nargs = 3
+
+
+class LateApart(sp.Function):  # type: ignore[misc]
+    """m2 - m1 + m0 of it."""
+
+    nargs = 3
+
 
 MERGED = (
     NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
     Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
-    CosNext, SinNext, Ahead, InPhase,
+    CosNext, SinNext, Ahead, InPhase, LateFirst, LateLast, LateApart,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
+
+_PLANT = {gamma, delta}
+"""What a device is made of, which is asked for first."""
+
+_TOGETHER: dict[tuple[str, ...], str] = {
+    ("CosNext", "SinNext"): "NextWave",
+    ("LateApart", "LateFirst", "LateLast"): "LateDevice",
+}
+"""Routines that find several results of their own."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
 
+def _with_parts(user: Routine) -> Routine:
+    """The routine with whole periods and fraction of the delay as steps of its own.
+
+    Beside a whole delay the fraction is 1/2 where another branch counts.
+    """
+    kinds = WholePart, FractionalPart, SomePart
+    asked = set().union(*(e.atoms(*kinds) for e in user.expressions))
+    if not asked:
+        return user
+    taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
+    ((delay,),) = {call.args for call in asked}
+    whole, part = fresh("whole", taken), fresh("part", taken)
+    known = {WholePart(delay): whole, FractionalPart(delay): part}
+    known[SomePart(delay)] = choose(sp.Eq(part, 0), sp.S.Half, part)
+    steps = [(whole, sp.floor(delay)), (part, delay - whole)]
+    steps += [(name, expr.xreplace(known)) for name, expr in user.assignments]
+    results = tuple((name, expr.xreplace(known)) for name, expr in user.results)
+    return replace(user, steps=tuple(steps), results=results)
+
+
 def merged(user: Routine) -> Routine:
     """The routine with one call for all that several of MERGED find from the same arguments."""
+    user = _with_parts(user)
     taken = {s.name for s in (*user.arguments, *(s for s, _ in user.assignments))}
     calls: dict[Expr, Symbol] = {}
     steps: list[tuple[Symbol, Expr]] = []
@@ -78,8 +138,9 @@ def merged(user: Routine) -> Routine:
             done.append((symbol, expr))
         elif symbol == next(iter(together.values())):
             several = sorted(together)
-            joint = sp.Function("_".join(several))(*expr.args)
+            joint = sp.Function(_TOGETHER.get(tuple(several)) or "_".join(several))(*expr.args)
             done.append(Several(tuple(together[name] for name in several), joint))
+    done.sort(key=lambda step: not isinstance(step, Several) or not step.free_symbols <= _PLANT)
     return replace(user, steps=tuple(done), results=results)
 
 
@@ -132,7 +193,7 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
             found[own] = step(f"{code_name(own)}_of", named(last))
         return found[own]
 
-    results = tuple((code_name(part), result(part)) for part in parts)
+    results = tuple((brief(code_name(part)), result(part)) for part in parts)
     used = Counter(s for made in order for e in computed(made) for s in e.free_symbols)
     last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
     results = tuple((name, last.get(s, s)) for name, s in results)

@@ -26,7 +26,10 @@ class Javascript(Target):
 
     name, title, printer = "javascript", "JavaScript", _Printer
     changing = "let"
-    each = ("for (const {0} of [{1}]) {{",)
+    each = (
+        "for (let n = {first}; n >= {last}; n -= {step}) {{",
+        "    const {name} = inverse_factorial[n];",
+    )
     times = "for (let {0} = 0; {0} < {1}; ++{0}) {{"
     words = MappingProxyType({"==": "===", "!=": "!=="})
     keywords = vocabulary(
@@ -47,6 +50,8 @@ class Javascript(Target):
     def source(self, library: Library) -> dict[str, str]:
         """NAME.mjs, a module, and the same as a script."""
         lines: list[str] = []
+        if table := self.table(library):
+            lines += ["// 1/n!", f"const inverse_factorial = [{table}];", ""]
         for helper in library.helpers:
             lines += [f"// {helper.about}", *self._written(helper, "function")]
         for form, routine in zip(library.forms, library.public, strict=True):

@@ -40,6 +40,7 @@ class Microcontroller(C):
 
     name, title = "microcontroller", "C99 for microcontrollers"
     precision = SINGLE
+    helper = "static"
     operations = single = MappingProxyType(
         {**C.single, "exp": "exponential({0})", "TwoProdError": "two_prod_error({0}, {1})"}
     )

@@ -30,7 +30,7 @@ _WORDS = Words(
     loop="for count_{0} = 1:{1}",
     leave=("if {}", "  break;", "end"),
     looped="end",
-    each=("for {0} = [{1}]",),
+    each=("for {name} = inverse_factorial({first}:-{step}:{last})",),
 )
 
 
@@ -65,7 +65,11 @@ class Octave(Target):
                 lines += [*_of_arrays(routine), "end", "", *_ELEMENTWISE.split("\n")]
                 lines += ["% the same of numbers", self._head(replace(routine, name="of_numbers"))]
             lines += [*self._body(routine), "end", ""]
-            for helper in library.needed(routine):
+            needed = list(library.needed(routine))
+            if table := self.table(replace(library, helpers=tuple(needed))):
+                lines += ["% 1/n!", "function y_out = inverse_factorial(n)"]
+                lines += [f"  numbers = [{table}];", "  y_out = numbers(n + 1);", "end", ""]
+            for helper in needed:
                 lines += written[helper.name]
             text = [*wrapped(lines, " ..."), _PICK]
             files[f"+{library.name}/{routine.name}.m"] = "\n".join(text)

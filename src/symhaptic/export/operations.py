@@ -43,6 +43,7 @@ def _block(block: Block, known: dict[str, Counter[str]]) -> Counter[str]:
         if isinstance(statement, (Choice, Join)):
             total += _larger([_block(side, known) for side in (statement.yes, statement.no)])
         if isinstance(statement, Repeat):
+            total += _of(statement.brief, known)
             inner = _of(statement.done, known)
             for _, expr in statement.steps:
                 inner += _of(expr, known)

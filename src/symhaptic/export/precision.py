@@ -87,10 +87,10 @@ class Precision:
 
     def written(self, value: float) -> str:
         """The shortest decimals that read back as the same float."""
-        if self.bits == 53:
-            return repr(float(value))
-        text = str(self.kind(value))
-        return text if any(c in text for c in ".en") else f"{text}.0"
+        text = repr(float(value)) if self.bits == 53 else str(self.kind(value))
+        text = text if any(c in text for c in ".en") else f"{text}.0"
+        power = f"{value:g}"
+        return power if "e+" in power and float(power) == value else text
 
     def ulp(self, size: float) -> float:
         """The last place of a number."""

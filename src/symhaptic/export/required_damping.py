@@ -217,9 +217,10 @@ def passive_angle(precision: Precision = DOUBLE) -> Routine:
     do = Steps()
     high = pi / (2 * (l + epsilon + 1))
     slope = sp.Function("PassiveSlope")
-    psi_ = crossing(do, lambda _, at: slope(at, l, epsilon), high / 10**6, high, precision.close)
+    low = high / 10**6
+    half = crossing(do, lambda _, at: slope(at, l, epsilon), low, high, precision.close)
     return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
-                      (l, epsilon), 2 * psi_)  # fmt: skip
+                      (l, epsilon), 2 * half)  # fmt: skip
 
 
 def pushed() -> Routine:

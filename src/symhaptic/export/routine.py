@@ -45,8 +45,16 @@ class Repeat:
     most: int
     done: Boolean
     number: Symbol | None = None
-    numbers: tuple[Expr, ...] = ()
-    """Of the sum of a series: what ``number`` is, one each time, until there is none."""
+    """Of the sum of a series: 1/n! for each n of ``factorials``."""
+    factorials: range = range(0)
+    brief: Boolean = sp.false
+    """Where the sum may begin with ``few``, since the terms before are too small to count."""
+    few: int = 0
+
+    @property
+    def numbers(self) -> tuple[Expr, ...]:
+        """What ``number`` is, one each time, until there is none."""
+        return tuple(1 / sp.factorial(n) for n in self.factorials)
 
     @property
     def turned(self) -> tuple[tuple[Symbol, Symbol], ...]:
@@ -57,7 +65,7 @@ class Repeat:
     @property
     def expressions(self) -> tuple[Expr, ...]:
         """All of its right-hand sides, and its condition."""
-        return (*self.start, *(e for _, e in self.steps), self.done)
+        return (*self.start, *(e for _, e in self.steps), self.done, self.brief)
 
     def xreplace(self, known: Mapping[Symbol, Expr]) -> Repeat:
         """The same with symbols replaced that are known before."""
@@ -66,6 +74,7 @@ class Repeat:
             start=tuple(e.xreplace(known) for e in self.start),
             steps=tuple((s, e.xreplace(known)) for s, e in self.steps),
             done=self.done.xreplace(known),
+            brief=self.brief.xreplace(known),
         )
 
     @property
@@ -93,7 +102,43 @@ class Several:
         return set(self.call.free_symbols)
 
 
-Step = tuple[Symbol, Expr] | Repeat | Several
+@dataclass(frozen=True)
+class Search:
+    """``name`` is where ``value`` of ``at`` changes from positive to negative, between two ends.
+
+    An end stands for it where it does not change.  A target that has no way of its own to search
+    does ``steps``, after which ``found`` is the same.
+    """
+
+    name: Symbol
+    at: Symbol
+    value: Expr
+    low: Expr
+    high: Expr
+    close: Expr
+    """How near it has to be, relatively."""
+    steps: tuple[Step, ...]
+    found: Expr
+
+    @property
+    def expressions(self) -> tuple[Expr, ...]:
+        """What it computes in either way."""
+        inner = tuple(e for step in self.steps for e in computed(step))
+        return (self.low, self.high, self.value, *inner, self.found)
+
+    def xreplace(self, known: Mapping[Symbol, Expr]) -> Search:
+        """The same with symbols replaced that are known before."""
+        value, low, high = (e.xreplace(known) for e in (self.value, self.low, self.high))
+        return replace(self, value=value, low=low, high=high)
+
+    @property
+    def free_symbols(self) -> set[Symbol]:
+        """What has to be known before."""
+        inner = self.value.free_symbols - {self.at}
+        return set(inner | self.low.free_symbols | self.high.free_symbols)
+
+
+Step = tuple[Symbol, Expr] | Repeat | Several | Search
 """``name = expr``, or what makes more than one name known."""
 
 
@@ -101,6 +146,8 @@ def names(step: Step) -> tuple[Symbol, ...]:
     """What a step makes known."""
     if isinstance(step, tuple):
         return step[:1]
+    if isinstance(step, Search):
+        return (step.name,)
     return step.states if isinstance(step, Repeat) else step.names
 
 
@@ -108,7 +155,7 @@ def computed(step: Step) -> tuple[Expr, ...]:
     """What a step computes."""
     if isinstance(step, tuple):
         return step[1:]
-    return step.expressions if isinstance(step, Repeat) else (step.call,)
+    return (step.call,) if isinstance(step, Several) else step.expressions
 
 
 @dataclass(frozen=True)
@@ -146,6 +193,32 @@ class Routine:
         for step in self.steps:
             found += computed(step)
         return found + tuple(e for _, e in self.results)
+
+
+def plain(routine: Routine) -> Routine:
+    """The routine with its searches written out."""
+    if not any(isinstance(step, Search) for step in routine.steps):
+        return routine
+    steps: list[Step] = []
+    known: dict[Symbol, Expr] = {}
+    for step in routine.steps:
+        if isinstance(step, Search):
+            steps += step.steps
+            known[step.name] = step.found
+        elif isinstance(step, tuple):
+            steps.append((step[0], step[1].xreplace(known)))
+        else:
+            steps.append(step.xreplace(known))
+    results = tuple((name, _chosen(expr.xreplace(known))) for name, expr in routine.results)
+    return replace(routine, steps=tuple(steps), results=results)
+
+
+def _chosen(expr: Expr) -> Expr:
+    """A number times a choice as a choice of products."""
+    factor, choice = expr.as_coeff_Mul()
+    if factor == 1 or not isinstance(choice, Piecewise):
+        return expr
+    return Piecewise(*((_chosen(factor * value), condition) for value, condition in choice.args))
 
 
 def fresh(name: str, taken: set[str]) -> Symbol:
@@ -201,15 +274,18 @@ class Steps:
         self,
         start: dict[str, Expr],
         step: Callable[[Steps, tuple[Symbol, ...], Symbol], Iterable[Expr]],
-        numbers: Iterable[Expr],
+        factorials: range,
+        brief: Boolean = sp.false,
+        few: int = 0,
     ) -> tuple[Symbol, ...]:
-        """The same once for each of the numbers, such as coefficients of a series."""
-        number, given = self.fresh("number"), tuple(map(sp.sympify, numbers))
+        """The same for a series: a step with 1/n! for each n, from ``few`` on where it is brief."""
+        number = self.fresh("number")
         states = self.repeat(start, lambda do, states: step(do, states, number),
-                             lambda _: sp.false, len(given))  # fmt: skip
+                             lambda _: sp.false, len(factorials))  # fmt: skip
         loop = self.done[-1]
         assert isinstance(loop, Repeat)
-        self.done[-1] = replace(loop, number=number, numbers=given)
+        loop = replace(loop, number=number, factorials=factorials, brief=brief, few=few)
+        self.done[-1] = loop
         return states
 
     def several(self, names: Iterable[str], routine: str, *arguments: Expr) -> tuple[Symbol, ...]:
@@ -275,6 +351,7 @@ def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:
 __all__ = [
     "Repeat",
     "Routine",
+    "Search",
     "Several",
     "Steps",
     "TwoProdError",
@@ -283,6 +360,7 @@ __all__ = [
     "expm1",
     "fast_two_sum",
     "fresh",
+    "plain",
     "product",
     "quotient",
     "two_diff",

@@ -29,7 +29,10 @@ class Rust(Target):
 
     name, title, printer = "rust", "Rust", _Printer
     changing = "let mut"
-    each = ("for {0} in [{1}] {{",)
+    each = (
+        "for n in ({last}..={first}).rev().step_by({step}) {{",
+        "    let {name} = INVERSE_FACTORIAL[n];",
+    )
     times = "for _ in 0..{1} {{"
     choice = "(if {0} {{ {1} }} else {{ {2} }})"
     keywords = vocabulary(
@@ -71,6 +74,9 @@ class Rust(Target):
     def source(self, library: Library) -> dict[str, str]:
         """src/NAME.rs, a module that stands alone."""
         lines = [*_ALLOWED.split("\n"), *_without_std(self.real)]
+        if table := self.table(library):
+            kind = f"[{self.real}; {library.factorials}]"
+            lines += ["// 1/n!", f"const INVERSE_FACTORIAL: {kind} = [{table}];", ""]
         for helper in library.helpers:
             lines += [f"// {helper.about}", *self._written(helper, "fn")]
         for form, routine in zip(library.forms, library.public, strict=True):

@@ -13,7 +13,7 @@ from sympy import And, Expr, Max, Min, Or, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, Search, Steps, choose
 
 MOST = 120
 """At most so many steps; some ten are usual, and halving alone would need sixty."""
@@ -33,12 +33,29 @@ def crossing(
     already, ``high`` where it is positive even there.  Nothing is searched where it is not
     ``wanted``.
     """
+    low, high = do("low", low), do("high", high)
+    inner = Steps(taken=do.taken)
+    found = _searched(inner, f, low, high, close, wanted)
+    at = do.fresh("at")
+    root = do.fresh("root")
+    do.done.append(Search(root, at, f(do, at), low, high, close, tuple(inner.done), found))
+    return root
+
+
+def _searched(
+    do: Steps,
+    f: Callable[[Steps, Expr], Expr],
+    low: Expr,
+    high: Expr,
+    close: Expr,
+    wanted: Boolean,
+) -> Expr:
+    """The same by steps."""
 
     def first(at: Expr) -> Expr:
         value = f(do, at)
         return value if wanted == sp.true else choose(wanted, value, 0)
 
-    low, high = do("low", low), do("high", high)
     above, below = do("above", first(low)), do("below", first(high))
     start = {"b": low, "fb": above, "a": high, "fa": below, "c": high, "fc": below}
     b, fb, a, fa, _, _ = do.repeat(
@@ -48,7 +65,7 @@ def crossing(
         MOST,
     )
     best = choose(sp.Abs(fa) < sp.Abs(fb), a, b)
-    return do("root", choose(above <= 0, low, choose(below >= 0, high, best)))
+    return choose(above <= 0, low, choose(below >= 0, high, best))
 
 
 def _least(states: tuple[Symbol, ...], close: Expr) -> Expr:

@@ -201,8 +201,7 @@ def drop_series(precision: Precision = DOUBLE) -> Routine:
         return twice + h * total, once, one, twice, first
 
     names = "total", "one", "two", "first", "second"
-    numbers = [1 / factorial(i + 4) for i in range(terms - 1, -1, -1)]
-    total, *_ = do.sum(dict.fromkeys(names, sp.S.Zero), step, numbers)
+    total, *_ = do.sum(dict.fromkeys(names, sp.S.Zero), step, range(terms + 3, 3, -1))
     return do.routine("DropSeries", "divided difference of exp at h, twice at sqrt(w), -sqrt(w)",
                       (h, w), total)  # fmt: skip
 
@@ -221,9 +220,8 @@ def lean_series(precision: Precision = DOUBLE) -> Routine:
         twice = do("both", once + w * twice)
         return twice + square * total, once, twice
 
-    numbers = [1 / factorial(2 * i + 5) for i in range(terms - 1, -1, -1)]
     start = dict.fromkeys(("total", "once", "twice"), sp.S.Zero)
-    total, *_ = do.sum(start, step, numbers)
+    total, *_ = do.sum(start, step, range(2 * terms + 3, 4, -2))
     return do.routine("LeanSeries", "divided difference of exp at h, -h, twice at sqrt(w), "
                       "-sqrt(w)", (h, w), total)  # fmt: skip
 

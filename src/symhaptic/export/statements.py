@@ -5,9 +5,12 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
+from sympy import Symbol
+
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set
 from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
+from symhaptic.export.wrapping import WIDTH
 
 
 def braces(
@@ -29,7 +32,7 @@ def braces(
             head = f"{pad}if ({printer.doprint(statement.condition)}) {{"
             inner = braces(target, statement.yes, ends, declare, depth + 1)
             short = f"{head} {inner[0].lstrip()} }}"
-            if target.shares and len(inner) == 1 and len(short) <= _SHORT:
+            if target.shares and len(inner) == 1 and len(short) <= WIDTH:
                 lines.append(short)
             else:
                 lines += [head, *inner, f"{pad}}}"]
@@ -53,7 +56,7 @@ def braces(
         elif isinstance(statement, Set):
             name = target.rename(statement.name.name)
             _beside(target, lines, pad, f"{name} = {printer.doprint(statement.expr)};")
-        else:
+        elif isinstance(statement, Return):
             shown = [printer.doprint(r) for r in statement.results]
             for end in ends:
                 _beside(target, lines, pad, end.format(*shown))
@@ -88,7 +91,7 @@ def _value(target: Target, block: Block) -> str:
 
 
 _SHORT = 88
-"""Characters up to which declarations share a line."""
+"""Characters up to which declarations and short statements share a line."""
 
 
 def _declared(target: Target, lines: list[str], head: str, name: str) -> None:
@@ -122,6 +125,14 @@ def _unpacked(target: Target, several: Several) -> list[str]:
     return target.unpacked(names, target.call(call.func.__name__), args)
 
 
+def _at_once(loop: Repeat) -> tuple[Symbol, Symbol] | None:
+    """A state that the last step may replace, since nothing asks for either of them any more."""
+    last = loop.steps[-1][0]
+    states = [state for state, after in loop.turned if after == last]
+    read = [after for state, after in loop.turned if state not in states]
+    return (states[0], last) if len(states) == 1 and states[0] not in read else None
+
+
 def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     printer = target.printing()
     states = [target.rename(s.name) for s in loop.states]
@@ -135,15 +146,20 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
         leave = target.words.get("break", "break")
         inner = [f"if ({printer.doprint(loop.done)}) {{ {leave}; }}"]
     else:
-        numbers = ", ".join(map(printer.doprint, loop.numbers))
-        number = target.rename(loop.number.name), numbers, loop.most, target.real
-        lines += [line.format(*number) for line in target.each]
-        inner = []
+        words = target.series(loop)
+        head, *first = (line.format(**words) for line in target.each)
+        lines.append(head)
+        inner = [line.strip() for line in first]
+    last = _at_once(loop)
     for n, e in loop.steps:
-        given = f"{target.rename(n.name)} = {printer.doprint(e)};"
-        _declared(target, inner, f"{declare} ", given)
+        value = printer.doprint(e)
+        if last and n == last[1]:
+            inner.append(f"{target.rename(last[0].name)} = {value};")
+        else:
+            _declared(target, inner, f"{declare} ", f"{target.rename(n.name)} = {value};")
     for s, n in loop.turned:
-        _beside(target, inner, "", f"{target.rename(s.name)} = {target.rename(n.name)};")
+        if (s, n) != last:
+            _beside(target, inner, "", f"{target.rename(s.name)} = {target.rename(n.name)};")
     return [*lines, *(f"    {line}" for line in inner), "}"]
 
 
@@ -162,7 +178,7 @@ class Words:
     """With the condition."""
     looped: str
     each: tuple[str, ...]
-    """Instead of a loop once for each of some numbers: a name, all of them, how many."""
+    """Instead of a loop for the sum of a series, as in Target."""
 
 
 def worded(
@@ -184,7 +200,7 @@ def worded(
             lines.append(before + words.otherwise)
             lines += worded(target, statement.no, results, words, pad, depth + 1)
             lines.append(before + words.decided)
-        else:
+        elif isinstance(statement, Return):
             for name, value in zip(results, statement.results, strict=True):
                 lines.append(f"{before}{name} = {printer.doprint(value)}{words.end}")
     return lines
@@ -199,9 +215,8 @@ def _turned(target: Target, loop: Repeat, words: Words) -> list[str]:
         lines.append(words.loop.format(states[0], loop.most))
         lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
     else:
-        numbers = ", ".join(map(printer.doprint, loop.numbers))
-        name = target.rename(loop.number.name)
-        lines += [line.format(name, numbers, loop.most) for line in words.each]
+        head = target.series(loop)
+        lines += [line.format(**head) for line in words.each]
     done = [(target.rename(n.name), printer.doprint(e)) for n, e in loop.steps]
     done += [(target.rename(s.name), target.rename(n.name)) for s, n in loop.turned]
     lines += [f"  {name} = {value}{words.end}" for name, value in done]

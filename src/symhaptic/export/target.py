@@ -17,7 +17,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Repeat, Routine
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
@@ -38,6 +38,14 @@ _LONGEST = 60
 """Letters of a name: Fortran takes 63."""
 
 _CODE_NAMES = {"C": "cosh_root", "S": "sinhc_root"}
+
+_BRIEF = {
+    "denominator_at_minus_one": "at_minus_one", "numerator_at_one": "together",
+    "numerator_gap": "n_gap", "plant_n0": "n0", "plant_n1": "n1", "plant_trace": "trace",
+    "cos_next": "cosine", "sin_next": "sine", "late_first": "m2", "late_last": "m0",
+    "late_apart": "apart",
+}  # fmt: skip
+"""What a result of a routine is called where it is used."""
 
 
 def vocabulary(text: str) -> frozenset[str]:
@@ -66,6 +74,18 @@ def code_name(name: str) -> str:
     ('plant_n0_series', 'cosh_root')
     """
     return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower())
+
+
+def brief(name: str) -> str:
+    """The name of a variable that has the result of a routine, or its part of a joint name.
+
+    >>> brief("plant_n1_of"), brief("plant_n1_of2"), brief("plant_n1"), brief("kick_of")
+    ('n1', 'n1_2', 'n1', 'kick_of')
+    """
+    base, of, number = name.partition("_of")
+    if base not in _BRIEF or (of and number and not number.isdigit()):
+        return name
+    return f"{_BRIEF[base]}_{number}" if number else _BRIEF[base]
 
 
 def routine_name(name: str) -> str:
@@ -126,7 +146,9 @@ class Target:
     times = "for (int {0} = 0; {0} < {1}; ++{0}) {{"
     """The head of what is repeated, in such a language."""
     each: tuple[str, ...] = ()
-    """The same once for each of some numbers: a name, all of them, how many, and the type."""
+    """The head of the sum of a series: ``{name}`` is 1/n! for n = ``{first}`` down to ``{last}``
+    in steps of ``{step}``.  All of these are ``{numbers}``, ``{count}`` of them, whose first
+    ``{left_out}`` are left out where they are too small; ``{real}`` is the type."""
 
     # -- expressions -------------------------------------------------------------------
 
@@ -140,7 +162,10 @@ class Target:
 
     def call(self, name: str) -> str:
         """The name of a routine in source code, which is no keyword and not too long for it."""
-        plain = code_name(name)
+        plain, parts = code_name(name), name.split("_")
+        if len(parts) > 1 and name[0].isupper():
+            short = [brief(code_name(part)) for part in parts]
+            plain = "_".join(["device"] * (short[0] != "ahead") + short)
         for letters in (3, 2, 1):
             if len(plain) > _LONGEST:
                 plain = "_".join(word[:letters] for word in code_name(name).split("_"))
@@ -148,6 +173,7 @@ class Target:
 
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
+        name = brief(name)
         return f"{name}_" if self.reserves(name) or name in self.taken() else name
 
     def reserves(self, name: str) -> bool:
@@ -159,6 +185,26 @@ class Target:
         printer = self.printer()
         printer.target = self
         return printer
+
+    def series(self, loop: Repeat) -> dict[str, str]:
+        """The words that the head of a sum is made of."""
+        printer, given = self.printing(), loop.factorials
+        first, left_out = str(given[0]), "0"
+        if loop.brief != sp.false:
+            brief, less = printer.doprint(loop.brief), str(given.index(loop.few))
+            first = self.choice.format(brief, loop.few, first)
+            left_out = self.choice.format(brief, less, "0")
+        assert loop.number is not None
+        return {
+            "name": self.rename(loop.number.name), "first": first, "last": str(given[-1]),
+            "step": str(-given.step), "left_out": left_out, "count": str(len(given)),
+            "numbers": ", ".join(map(printer.doprint, loop.numbers)), "real": self.real,
+        }  # fmt: skip
+
+    def table(self, library: Library) -> str:
+        """1/n! from n = 0 on, as far as a library needs them; nothing if it needs none."""
+        printer = self.printing()
+        return ", ".join(printer.doprint(1 / sp.factorial(n)) for n in range(library.factorials))
 
     def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
         """Statements that give names to all results of a routine."""

@@ -95,12 +95,14 @@ def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple
     left, two = two_diff(do, left, most_low)
     left, three = two_diff(do, left, more)
     left, four = two_diff(do, left, square_low)
-    low = do("low", one + two + three + four - (more_low + turns * small))
+    turned = do("turned_low", turns * small)
+    low = do("low", one + two + three + four - (more_low + turned))
     left, low = two_diff(do, left, -low)
     once, once_low = precision.parts(2 * pi)
     way, way_low = product(do, count, once)
     both, lost = two_diff(do, root, -way)
-    both_low = do("both_low", lost + (way_low + count * once_low) + missed)
+    back = do("back", count * once_low)
+    both_low = do("both_low", lost + (way_low + back) + missed)
     return quotient(do, left, do.nonzero(both), low, both_low)
 
 

@@ -8,21 +8,31 @@
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
 
+// 1/n!
+static const double inverse_factorial[] =
+    {1.0, 1.0, 0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333,
+    0.001388888888888889, 0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06,
+    2.755731922398589e-07, 2.505210838544172e-08, 2.08767569878681e-09, 1.6059043836821613e-10,
+    1.1470745597729725e-11, 7.647163731819816e-13, 4.779477332387385e-14, 2.8114572543455206e-15,
+    1.5619206968586225e-16, 8.22063524662433e-18, 4.110317623312165e-19, 1.9572941063391263e-20,
+    8.896791392450574e-22, 3.868170170630684e-23, 1.6117375710961184e-24, 6.446950284384474e-26,
+    2.4795962632247976e-27, 9.183689863795546e-29, 3.279889237069838e-30};
+
 // x + y and what it misses, for |x| >= |y|
-static void fast_two_sum(double x, double y, double *total_out, double *lost_out) {
+static inline void fast_two_sum(double x, double y, double *total_out, double *lost_out) {
     const double total = x + y, back = total - x;
     *total_out = total; *lost_out = -back + y; return;
 }
 
 // x - y and what it misses
-static void two_diff(double x, double y, double *total_out, double *lost_out) {
+static inline void two_diff(double x, double y, double *total_out, double *lost_out) {
     const double total = x - y, back = total - x, rest = -back + total, one = -rest + x;
     const double two = -back - y;
     *total_out = total; *lost_out = one + two; return;
 }
 
 // w = delta^2/4 - gamma, what it misses, its root and the size of the poles
-static void device_motion(double gamma, double delta, double *w_out, double *w_low_out,
+static inline void device_motion(double gamma, double delta, double *w_out, double *w_low_out,
     double *root_out, double *reach_out) {
     const double half = 0.5*delta, square = (half*half);
     double total, lost; two_diff(square, gamma, &total, &lost);
@@ -35,7 +45,7 @@ static void device_motion(double gamma, double delta, double *w_out, double *w_l
 }
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
-static double decay_series(double x) {
+static inline double decay_series(double x) {
     const double square = (x*x);
     return square*(square*(square*(square*(square*
         (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
@@ -48,12 +58,13 @@ static double decay_series(double x) {
 }
 
 // x (y + y_low) and what it misses
-static void wide_prod(double x, double y, double y_low, double *total_out, double *lost_out) {
+static inline void wide_prod(double x, double y, double y_low, double *total_out,
+    double *lost_out) {
     *total_out = x*y; *lost_out = x*y_low + fma(x, y, -(x*y)); return;
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
-static void brief_fading(double rate, double low, double *fall_out, double *fall_low_out,
+static inline void brief_fading(double rate, double low, double *fall_out, double *fall_low_out,
     double *mean_out, double *mean_low_out) {
     double total, lost; fast_two_sum(1.0, -0.5*rate, &total, &lost);
     const double curved = (rate*rate)*decay_series(rate);
@@ -68,7 +79,7 @@ static void brief_fading(double rate, double low, double *fall_out, double *fall
 }
 
 // (x + x_low)/(y + y_low) and what it misses
-static void wide_quot(double x, double y, double x_low, double y_low, double *total_out,
+static inline void wide_quot(double x, double y, double x_low, double y_low, double *total_out,
     double *lost_out) {
     const double total = x/y, left = -total*y + x;
     const double left2 = left - fma(total, y, -(total*y)), rest = -total*y_low + x_low;
@@ -77,7 +88,7 @@ static void wide_quot(double x, double y, double x_low, double y_low, double *to
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
-static void fading_pair(double rate, double low, double *fall_out, double *fall_low_out,
+static inline void fading_pair(double rate, double low, double *fall_out, double *fall_low_out,
     double *mean_out, double *mean_low_out) {
     if (rate < 0.75) {
         double fall, fall_low, mean, mean_low;
@@ -94,8 +105,8 @@ static void fading_pair(double rate, double low, double *fall_out, double *fall_
 }
 
 // number + delta one - gamma two and what it misses, of pairs
-static void plant_n0_term(double gamma, double delta, double one, double one_low, double two,
-    double two_low, double number, double *total_out, double *low_out) {
+static inline void plant_n0_term(double gamma, double delta, double one, double one_low,
+    double two, double two_low, double number, double *total_out, double *low_out) {
     double total, lost; wide_prod(delta, one, one_low, &total, &lost);
     double total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
     double total3, lost3; two_diff(total, total2, &total3, &lost3);
@@ -105,58 +116,40 @@ static void plant_n0_term(double gamma, double delta, double one, double one_low
 }
 
 // divided difference of exp at 0, p and q, less 1/2
-static double plant_n0_series(double gamma, double delta) {
-    double one2, two2;
-    if ((delta < 0.125) && (fabs(gamma) < 0.00390625)) {
-        one2 = 0.0; two2 = 0.0;
-    } else {
-        double one = 0.0, two = 0.0;
-        static const double number_of[] = {3.279889237069838e-30, 9.183689863795546e-29,
-            2.4795962632247976e-27, 6.446950284384474e-26, 1.6117375710961184e-24,
-            3.868170170630684e-23, 8.896791392450574e-22, 1.9572941063391263e-20,
-            4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
-            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
-            1.1470745597729725e-11};
-        for (int at_number = 0; at_number < 15; ++at_number) {
-            const double number = number_of[at_number];
-            const double next_one = delta*one - gamma*two + number;
-            two = one; one = next_one;
-        }
-        one2 = one; two2 = two;
+static inline double plant_n0_series(double gamma, double delta) {
+    double one = 0.0, two = 0.0;
+    for (int n = ((0.5*delta < 0.0625) && (fabs(gamma) < 0.00390625) ? 13 : 28); n >= 6; n -= 1) {
+        const double number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
+        two = one; one = next_one;
     }
-    const double one3 = delta*one2 - gamma*two2 + 1.6059043836821613e-10;
-    const double one4 = delta*one3 - gamma*one2 + 2.08767569878681e-09;
-    const double one5 = delta*one4 - gamma*one3 + 2.505210838544172e-08;
-    const double one6 = delta*one5 - gamma*one4 + 2.755731922398589e-07;
-    const double one7 = delta*one6 - gamma*one5 + 2.7557319223985893e-06;
-    const double one8 = delta*one7 - gamma*one6 + 2.48015873015873e-05;
-    const double one9 = delta*one8 - gamma*one7 + 0.0001984126984126984;
-    const double one10 = delta*one9 - gamma*one8 + 0.001388888888888889;
-    double one11, one_low;
-    plant_n0_term(gamma, delta, one10, 0.0, one9, 0.0, 0.008333333333333333, &one11, &one_low);
-    double one12, one_low2;
-    plant_n0_term(gamma, delta, one11, one_low, one10, 0.0, 0.041666666666666664, &one12,
-        &one_low2);
-    double one13, one_low3;
-    plant_n0_term(gamma, delta, one12, one_low2, one11, one_low, 0.16666666666666666, &one13,
+    double one2, one_low;
+    plant_n0_term(gamma, delta, one, 0.0, two, 0.0, 0.008333333333333333, &one2, &one_low);
+    double one3, one_low2;
+    plant_n0_term(gamma, delta, one2, one_low, one, 0.0, 0.041666666666666664, &one3, &one_low2);
+    double one4, one_low3;
+    plant_n0_term(gamma, delta, one3, one_low2, one2, one_low, 0.16666666666666666, &one4,
         &one_low3);
-    double one14, one_low4;
-    plant_n0_term(gamma, delta, one13, one_low3, one12, one_low2, 0.0, &one14, &one_low4);
-    return one14 + one_low4;
+    double one5, one_low4;
+    plant_n0_term(gamma, delta, one4, one_low3, one3, one_low2, 0.0, &one5, &one_low4);
+    return one5 + one_low4;
+}
+
+// (fall + fall_low) (y + z), rounded once
+static inline double scaled_sum(double fall, double fall_low, double y, double z) {
+    double total, lost; two_diff(y, -z, &total, &lost);
+    double total2, lost2; wide_prod(fall, total, lost, &total2, &lost2);
+    const double low = fall_low*total + lost2;
+    return low + total2;
 }
 
 // n0 of a device with slow poles
-static double plant_n0_near(double fade_, double fade_low, double gamma, double delta) {
+static inline double plant_n0_near(double fade_, double fade_low, double gamma, double delta) {
     double total, lost; wide_prod(fade_, fade_, 2.0*fade_low, &total, &lost);
-    const double rest = plant_n0_series(gamma, delta);
-    double total2, lost2; two_diff(rest, -0.5, &total2, &lost2);
-    double total3, lost3; wide_prod(total, total2, lost2, &total3, &lost3);
-    const double low = lost*total2 + lost3;
-    return low + total3;
+    return scaled_sum(total, lost, plant_n0_series(gamma, delta), 0.5);
 }
 
 // n0 of a creeping device
-static double plant_n0_creep(double reach, double fade_, double fade_low, double gamma,
+static inline double plant_n0_creep(double reach, double fade_, double fade_low, double gamma,
     double delta, double p, double p_low, double slow, double slow_low, double mean,
     double mean_low, double ratio, double ratio_low, double even, double even_low) {
     if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, delta); }
@@ -171,7 +164,7 @@ static double plant_n0_creep(double reach, double fade_, double fade_low, double
 }
 
 // n0 of a swinging device
-static double plant_n0_swing(double reach, double fade_, double fade_low, double half,
+static inline double plant_n0_swing(double reach, double fade_, double fade_low, double half,
     double envelope, double even, double even_low, double wave, double wave_low, double gamma,
     double near, double known) {
     if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, 2.0*half); }
@@ -187,54 +180,20 @@ static double plant_n0_swing(double reach, double fade_, double fade_low, double
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
-static double plant_n1_series(double h, double w) {
-    double total2, one2, two2;
-    if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0; one2 = 0.0; two2 = 0.0;
-    } else {
-        double total = 0.0, one = 0.0, two = 0.0;
-        static const double number_of[] = {3.279889237069838e-30, 9.183689863795546e-29,
-            2.4795962632247976e-27, 6.446950284384474e-26, 1.6117375710961184e-24,
-            3.868170170630684e-23, 8.896791392450574e-22, 1.9572941063391263e-20,
-            4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
-            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
-            1.1470745597729725e-11};
-        for (int at_number = 0; at_number < 15; ++at_number) {
-            const double number = number_of[at_number];
-            const double even = number + two*w, next_total = even + h*total;
-            two = one; one = even; total = next_total;
-        }
-        total2 = total; one2 = one; two2 = two;
+static inline double plant_n1_series(double h, double w) {
+    double total = 0.0, one = 0.0, two = 0.0;
+    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 13 : 28); n >= 3; n -= 1) {
+        const double number = inverse_factorial[n], even = number + two*w;
+        total = even + h*total; two = one; one = even;
     }
-    const double even2 = two2*w + 1.6059043836821613e-10, total3 = even2 + h*total2;
-    const double even3 = one2*w + 2.08767569878681e-09, total4 = even3 + h*total3;
-    const double even4 = even2*w + 2.505210838544172e-08, total5 = even4 + h*total4;
-    const double even5 = even3*w + 2.755731922398589e-07, total6 = even5 + h*total5;
-    const double even6 = even4*w + 2.7557319223985893e-06, total7 = even6 + h*total6;
-    const double even7 = even5*w + 2.48015873015873e-05, total8 = even7 + h*total7;
-    const double even8 = even6*w + 0.0001984126984126984, total9 = even8 + h*total8;
-    const double even9 = even7*w + 0.001388888888888889, total10 = even9 + h*total9;
-    const double even10 = even8*w + 0.008333333333333333, total11 = even10 + h*total10;
-    const double even11 = even9*w + 0.041666666666666664, total12 = even11 + h*total11;
-    const double even12 = even10*w + 0.16666666666666666, total13 = even12 + h*total12;
-    const double even13 = even11*w;
-    return even13 + h*total13;
-}
-
-// n1 of a device with slow poles
-static double plant_n1_near(double fade_, double fade_low, double half, double w) {
-    const double rest = plant_n1_series(half, w);
-    double total, lost; two_diff(rest, -0.5, &total, &lost);
-    double total2, lost2; wide_prod(fade_, total, lost, &total2, &lost2);
-    const double low = fade_low*total + lost2;
-    return low + total2;
+    return h*total + two*w;
 }
 
 // n1 of a creeping device
-static double plant_n1_creep(double reach, double fade_, double fade_low, double half, double w,
-    double p, double p_low, double slow, double slow_low, double mean, double mean_low,
+static inline double plant_n1_creep(double reach, double fade_, double fade_low, double half,
+    double w, double p, double p_low, double slow, double slow_low, double mean, double mean_low,
     double even, double even_low) {
-    if (reach < 0.5625) { return plant_n1_near(fade_, fade_low, half, w); }
+    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
     double total, lost; wide_prod(slow, even, even_low, &total, &lost);
     double total2, lost2; two_diff(mean, total, &total2, &lost2);
     const double pulled_low = even*slow_low + lost;
@@ -244,10 +203,10 @@ static double plant_n1_creep(double reach, double fade_, double fade_low, double
 }
 
 // n1 of a swinging device
-static double plant_n1_swing(double reach, double fade_, double fade_low, double half, double w,
-    double envelope, double even, double even_low, double wave, double wave_low, double gamma,
-    double near, double known) {
-    if (reach < 0.5625) { return plant_n1_near(fade_, fade_low, half, w); }
+static inline double plant_n1_swing(double reach, double fade_, double fade_low, double half,
+    double w, double envelope, double even, double even_low, double wave, double wave_low,
+    double gamma, double near, double known) {
+    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
     if (near > 0.0) { return known; }
     double total, lost; wide_prod(half, wave, wave_low, &total, &lost);
     double total2, lost2; two_diff(even, -total, &total2, &lost2);
@@ -260,7 +219,8 @@ static double plant_n1_swing(double reach, double fade_, double fade_low, double
 }
 
 // a of a creeping device
-static double plant_trace_creep(double slow, double slow_low, double ratio, double ratio_low) {
+static inline double plant_trace_creep(double slow, double slow_low, double ratio,
+    double ratio_low) {
     double total, lost; fast_two_sum(1.0, ratio, &total, &lost);
     double total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
     const double low = lost2 + slow_low*total;
@@ -268,13 +228,13 @@ static double plant_trace_creep(double slow, double slow_low, double ratio, doub
 }
 
 // a of a swinging device
-static double plant_trace_swing(double envelope, double even, double even_low) {
+static inline double plant_trace_swing(double envelope, double even, double even_low) {
     double total, lost; wide_prod(envelope, even, even_low, &total, &lost);
     return 2.0*lost + 2.0*total;
 }
 
 // what the root of |square + square_low| misses
-static double root_miss(double square, double square_low, double root) {
+static inline double root_miss(double square, double square_low, double root) {
     const double sign_low = (square < 0.0 ? -square_low : square_low);
     const double left = -(root*root) + fabs(square);
     const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
@@ -283,7 +243,7 @@ static double root_miss(double square, double square_low, double root) {
 }
 
 // the poles p = half + root and q = gamma/p and what they miss
-static void real_poles(double gamma, double half, double w, double w_low, double root,
+static inline void real_poles(double gamma, double half, double w, double w_low, double root,
     double *p_out, double *p_low_out, double *q_out, double *q_low_out) {
     double total, lost; fast_two_sum(half, root, &total, &lost);
     const double p_low = lost + root_miss(w, w_low, root);
@@ -294,7 +254,7 @@ static void real_poles(double gamma, double half, double w, double w_low, double
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static void slow_fade(double reach, double half, double *fade_out, double *low_out) {
+static inline void slow_fade(double reach, double half, double *fade_out, double *low_out) {
     if (reach < 0.5625) {
         double fall, fall_low, mean, mean_low;
         brief_fading(0.5*half, 0.0, &fall, &fall_low, &mean, &mean_low);
@@ -305,27 +265,29 @@ static void slow_fade(double reach, double half, double *fade_out, double *low_o
 }
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
-static double cos_series(double w) {
+static inline double cos_series(double w) {
     const double square = (w*w);
-    return square*(square*(square*(4.110317623312165e-19*square + 4.779477332387385e-14) +
-        2.08767569878681e-09) + 2.48015873015873e-05) + w*
-        (square*(square*(square*(8.896791392450574e-22*square + 1.5619206968586225e-16) +
-        1.1470745597729725e-11) + 2.755731922398589e-07) + 0.001388888888888889) +
-        0.041666666666666664;
+    double one = 0.0, two = 0.0;
+    for (int n = 22; n >= 6; n -= 2) {
+        const double number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return one*w + square*two + 0.041666666666666664;
 }
 
 // (sinh(sqrt(w))/sqrt(w) - 1)/w
-static double sin_series(double w) {
+static inline double sin_series(double w) {
     const double square = (w*w);
-    return square*(square*(square*(8.22063524662433e-18*square + 7.647163731819816e-13) +
-        2.505210838544172e-08) + 0.0001984126984126984) + w*
-        (square*(square*(square*(1.9572941063391263e-20*square + 2.8114572543455206e-15) +
-        1.6059043836821613e-10) + 2.7557319223985893e-06) + 0.008333333333333333) +
-        0.16666666666666666;
+    double one = 0.0, two = 0.0;
+    for (int n = 21; n >= 5; n -= 2) {
+        const double number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return one*w + square*two + 0.16666666666666666;
 }
 
 // cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle
-static void waving_pair(double square, double square_low, double angle, double *even_out,
+static inline void waving_pair(double square, double square_low, double angle, double *even_out,
     double *even_low_out, double *odd_out, double *odd_low_out) {
     if (square > -1.5) {
         double total, lost; fast_two_sum(1.0, 0.5*square, &total, &lost);
@@ -345,13 +307,13 @@ static void waving_pair(double square, double square_low, double angle, double *
 }
 
 // x y and what it misses
-static void two_prod(double x, double y, double *total_out, double *lost_out) {
+static inline void two_prod(double x, double y, double *total_out, double *lost_out) {
     *total_out = x*y; *lost_out = fma(x, y, -(x*y)); return;
 }
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
-static void whole_turns(double half, double square, double square_low, double root, double stiff,
-    double *near_out, double *risen_out, double *sunk_out, double *moved_out) {
+static inline void whole_turns(double half, double square, double square_low, double root,
+    double stiff, double *near_out, double *risen_out, double *sunk_out, double *moved_out) {
     if ((half < 0.75) && (root < 67108864.0) && (root > 3.0)) {
         const double count = floor(0.5*root/3.141592653589793 + 0.5);
         double total8, lost8; two_prod(count, 6.283185307179586, &total8, &lost8);
@@ -364,9 +326,11 @@ static void whole_turns(double half, double square, double square_low, double ro
         double total4, lost4; two_diff(total3, lost, &total4, &lost4);
         double total5, lost5; two_diff(total4, total2, &total5, &lost5);
         double total6, lost6; two_diff(total5, square_low, &total6, &lost6);
-        const double low = -lost2 + lost3 + lost4 + lost5 + lost6 - 1.4920070805839235e-31*turns;
+        const double turned_low = 1.4920070805839235e-31*turns;
+        const double low = -lost2 + lost3 + lost4 + lost5 + lost6 - turned_low;
         double total7, lost7; two_diff(total6, -low, &total7, &lost7);
-        const double both_low = 2.4492935982947064e-16*count + lost8 + lost9 + missed;
+        const double back = 2.4492935982947064e-16*count;
+        const double both_low = back + lost8 + lost9 + missed;
         const double whole = (total9 == 0.0 ? 1.0 : total9);
         double total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
         const double far = (total10*total10);
@@ -418,24 +382,23 @@ static void whole_turns(double half, double square, double square_low, double ro
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
-static void plant_n0_plant_n1_plant_trace(double gamma, double delta, double *plant_n0_out,
-    double *plant_n1_out, double *plant_trace_out) {
+static inline void device_n0_n1_trace(double gamma, double delta, double *n0_out, double *n1_out,
+    double *trace_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const double half = 0.5*delta;
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
-        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+        *trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
@@ -444,60 +407,38 @@ static void plant_n0_plant_n1_plant_trace(double gamma, double delta, double *pl
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
-    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
 // exp(-p), of the faster pole, and what it misses
-static void fast_fall(double slow, double slow_low, double ratio, double ratio_low,
+static inline void fast_fall(double slow, double slow_low, double ratio, double ratio_low,
     double *fast_out, double *low_out) {
     double total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
     *fast_out = total; *low_out = lost + ratio*slow_low; return;
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
-static double numerator_at_one_series(double h, double w) {
+static inline double numerator_at_one_series(double h, double w) {
     const double y = (h*h);
-    double total2, inner2;
-    if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0; inner2 = 0.0;
-    } else {
-        double total = 0.0, inner = 0.0;
-        static const double number_of[] = {3.279889237069838e-30, 2.4795962632247976e-27,
-            1.6117375710961184e-24, 8.896791392450574e-22, 4.110317623312165e-19,
-            1.5619206968586225e-16, 4.779477332387385e-14, 1.1470745597729725e-11};
-        for (int at_number = 0; at_number < 8; ++at_number) {
-            const double number = number_of[at_number];
-            const double own = inner*w + number, next_total = own + total*y;
-            inner = own; total = next_total;
-        }
-        total2 = total; inner2 = inner;
+    double total = 0.0, inner = 0.0;
+    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 12 : 28); n >= 4; n -= 2) {
+        const double number = inverse_factorial[n], own = inner*w + number;
+        total = own + total*y; inner = own;
     }
-    const double own2 = inner2*w + 2.08767569878681e-09, total3 = own2 + total2*y;
-    const double own3 = own2*w + 2.755731922398589e-07, total4 = own3 + total3*y;
-    const double own4 = own3*w + 2.48015873015873e-05, total5 = own4 + total4*y;
-    const double own5 = own4*w + 0.001388888888888889, total6 = own5 + total5*y;
-    const double own6 = own5*w + 0.041666666666666664, total7 = own6 + total6*y;
-    const double own7 = own6*w;
-    return own7 + total7*y;
-}
-
-// n1 + n0 of a device with slow poles
-static double numerator_at_one_near(double half, double w) {
-    const double rest = numerator_at_one_series(half, w);
-    double total, lost; two_diff(rest, -0.5, &total, &lost);
-    const double envelope = exp(-half);
-    double total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
-    return 2.0*lost2 + 2.0*total2;
+    return inner*w + total*y;
 }
 
 // n1 + n0 of a creeping device
-static double numerator_at_one_creep(double reach, double half, double w, double p, double p_low,
-    double slow, double slow_low, double mean, double mean_low, double ratio, double ratio_low) {
-    if (reach < 1.0) { return numerator_at_one_near(half, w); }
+static inline double numerator_at_one_creep(double reach, double half, double w, double p,
+    double p_low, double slow, double slow_low, double mean, double mean_low, double ratio,
+    double ratio_low) {
+    if (reach < 1.0) {
+        return 2.0*scaled_sum(exp(-half), 0.0, numerator_at_one_series(half, w), 0.5);
+    }
     double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
     double total, lost; fast_two_sum(1.0, -fast, &total, &lost);
     double total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
@@ -507,8 +448,8 @@ static double numerator_at_one_creep(double reach, double half, double w, double
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
-static void half_squares(double half, double envelope, double wave, double back, double *total_out,
-    double *low_out) {
+static inline void half_squares(double half, double envelope, double wave, double back,
+    double *total_out, double *low_out) {
     double total, lost; two_diff(wave, back, &total, &lost);
     double total2, lost2; two_prod(total, total, &total2, &lost2);
     const double grown = -0.5*expm1(-half), low = 2.0*lost*total + lost2;
@@ -518,9 +459,11 @@ static void half_squares(double half, double envelope, double wave, double back,
 }
 
 // n1 + n0 of a swinging device
-static double numerator_at_one_swing(double reach, double half, double w, double w_low,
+static inline double numerator_at_one_swing(double reach, double half, double w, double w_low,
     double envelope, double root, double gamma, double near, double known) {
-    if (reach < 1.0) { return numerator_at_one_near(half, w); }
+    if (reach < 1.0) {
+        return 2.0*scaled_sum(envelope, 0.0, numerator_at_one_series(half, w), 0.5);
+    }
     if (near > 0.0) { return known; }
     const double angle = 0.5*root, back = -0.5*root_miss(w, w_low, root)*cos(angle);
     double total, low; half_squares(half, envelope, sin(angle), back, &total, &low);
@@ -530,21 +473,20 @@ static double numerator_at_one_swing(double reach, double half, double w, double
 }
 
 // n1 + n0; a, the sum of the sampled device's poles
-static void numerator_at_one_plant_trace(double gamma, double delta, double *numerator_at_one_out,
-    double *plant_trace_out) {
+static inline void device_together_trace(double gamma, double delta, double *together_out,
+    double *trace_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const double half = 0.5*delta;
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         const double envelope = exp(-half);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
@@ -552,36 +494,30 @@ static void numerator_at_one_plant_trace(double gamma, double delta, double *num
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2);
-    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
-static double plant_n0(double gamma, double delta) {
+static inline double plant_n0(double gamma, double delta) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625) {
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return plant_n0_near(fade_, fade_low, gamma, delta);
-    }
+    const double half = 0.5*delta;
+    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, delta); }
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         return plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
             gamma, near, sunk);
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
     fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
@@ -590,30 +526,24 @@ static double plant_n0(double gamma, double delta) {
 }
 
 // n1, how far a unit force moves the device in a period
-static double plant_n1(double gamma, double delta) {
+static inline double plant_n1(double gamma, double delta) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625) {
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return plant_n1_near(fade_, fade_low, half, w);
-    }
+    const double half = 0.5*delta;
+    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         return plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
             odd_low, gamma, near, risen);
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
     fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
@@ -622,13 +552,13 @@ static double plant_n1(double gamma, double delta) {
 }
 
 // (1 - exp(-x))/x
-static double decay(double x) {
+static inline double decay(double x) {
     if (x == 0.0) { return 1.0; }
     return -expm1(-x)/x;
 }
 
 // 1 + a + e of a creeping device
-static double denominator_at_minus_one_creep(double slow, double slow_low, double ratio,
+static inline double denominator_at_minus_one_creep(double slow, double slow_low, double ratio,
     double ratio_low) {
     double total, lost; fast_two_sum(1.0, slow, &total, &lost);
     double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
@@ -639,8 +569,8 @@ static double denominator_at_minus_one_creep(double slow, double slow_low, doubl
 }
 
 // 1 + a + e of a swinging device
-static double denominator_at_minus_one_swing(double half, double w, double w_low, double envelope,
-    double even, double even_low, double root) {
+static inline double denominator_at_minus_one_swing(double half, double w, double w_low,
+    double envelope, double even, double even_low, double root) {
     double total3, lost2; wide_prod(2.0*envelope, even, even_low, &total3, &lost2);
     if (total3 > 0.0) {
         const double e = exp(-2.0*half);
@@ -655,45 +585,23 @@ static double denominator_at_minus_one_swing(double half, double w, double w_low
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
-static double numerator_gap_series(double h, double w) {
+static inline double numerator_gap_series(double h, double w) {
     const double y = (h*h);
-    double total2, inner2;
-    if ((fabs(w) < 0.00390625) && (h < 0.0625)) {
-        total2 = 0.0; inner2 = 0.0;
-    } else {
-        double total = 0.0, inner = 0.0;
-        static const double number_of[] = {9.183689863795546e-29, 6.446950284384474e-26,
-            3.868170170630684e-23, 1.9572941063391263e-20, 8.22063524662433e-18,
-            2.8114572543455206e-15, 7.647163731819816e-13};
-        for (int at_number = 0; at_number < 7; ++at_number) {
-            const double number = number_of[at_number];
-            const double own = inner*w + number, next_total = own + total*y;
-            inner = own; total = next_total;
-        }
-        total2 = total; inner2 = inner;
+    double total = 0.0, inner = 0.0;
+    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 13 : 27); n >= 5; n -= 2) {
+        const double number = inverse_factorial[n], own = inner*w + number;
+        total = own + total*y; inner = own;
     }
-    const double own2 = inner2*w + 1.6059043836821613e-10, total3 = own2 + total2*y;
-    const double own3 = own2*w + 2.505210838544172e-08, total4 = own3 + total3*y;
-    const double own4 = own3*w + 2.7557319223985893e-06, total5 = own4 + total4*y;
-    const double own5 = own4*w + 0.0001984126984126984, total6 = own5 + total5*y;
-    const double own6 = own5*w + 0.008333333333333333, total7 = own6 + total6*y;
-    const double own7 = own6*w, total8 = own7 + total7*y;
-    return total8 + 9.25185853854297e-18;
-}
-
-// (n1 - n0)/delta of a device with slow poles
-static double numerator_gap_near(double half, double w) {
-    const double rest = numerator_gap_series(half, w);
-    double total, lost; two_diff(rest, -0.16666666666666666, &total, &lost);
-    const double envelope = exp(-half);
-    double total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
-    return lost2 + total2;
+    return inner*w + total*y + 9.25185853854297e-18;
 }
 
 // (n1 - n0)/delta of a creeping device
-static double numerator_gap_creep(double reach, double half, double w, double delta, double p,
-    double slow, double mean, double mean_low, double ratio, double even, double even_low) {
-    if (reach < 1.0) { return numerator_gap_near(half, w); }
+static inline double numerator_gap_creep(double reach, double half, double w, double delta,
+    double p, double slow, double mean, double mean_low, double ratio, double even,
+    double even_low) {
+    if (reach < 1.0) {
+        return scaled_sum(exp(-half), 0.0, numerator_gap_series(half, w), 0.16666666666666666);
+    }
     const double fast = ratio*slow;
     double total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
     const double twice = 2.0*slow;
@@ -705,9 +613,11 @@ static double numerator_gap_creep(double reach, double half, double w, double de
 }
 
 // (n1 - n0)/delta of a swinging device
-static double numerator_gap_swing(double reach, double half, double w, double envelope,
+static inline double numerator_gap_swing(double reach, double half, double w, double envelope,
     double wave, double wave_low, double gamma, double delta) {
-    if (reach < 1.0) { return numerator_gap_near(half, w); }
+    if (reach < 1.0) {
+        return scaled_sum(envelope, 0.0, numerator_gap_series(half, w), 0.16666666666666666);
+    }
     double total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
     const double mean = decay(delta);
     double total2, lost2; two_diff(mean, total, &total2, &lost2);
@@ -718,31 +628,29 @@ static double numerator_gap_swing(double reach, double half, double w, double en
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
 // exp(-delta); n1, how far a unit force moves the device in a period
-static void den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(double gamma, double delta,
-    double *denominator_at_minus_one_out, double *numerator_at_one_out, double *numerator_gap_out,
-    double *plant_n0_out, double *plant_n1_out) {
+static inline void device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta,
+    double *at_minus_one_out, double *together_out, double *n_gap_out, double *n0_out,
+    double *n1_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const double half = 0.5*delta;
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const double envelope = exp(-half);
-        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
-            even, even_low, root);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
+            even_low, root);
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
         return;
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
@@ -751,43 +659,21 @@ static void den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(double gamma, double
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
-        fall_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2);
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
     return;
 }
 
-// m2 - m1 + m0, M at z = -1 behind a fraction of a period
-static double fractional_numerator_gap(double epsilon, double x, double x_low, double y,
-    double y_low, double first, double last, double turned) {
-    double total, lost; fast_two_sum(1.0, -epsilon, &total, &lost);
-    double total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
-    double total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
-    const double both_low = lost3 + x_low*y;
-    double total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
-    double total5, lost5; two_diff(first, 2.0*total4, &total5, &lost5);
-    double total6, lost6; two_diff(total5, last, &total6, &lost6);
-    double total7, lost7; two_diff(total6, -turned, &total7, &lost7);
-    const double low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
-    const double rest3 = -2.0*low + rest2;
-    return rest3 + total7;
-}
-
-// the fraction of a period in a delay
-static double fractional_part(double d) {
-    return d - floor(d);
-}
-
 // the root of a cubic on a piece where it bends one way
-static double cubic_root(double k0, double k1, double k2, double k3, double low, double high,
-    double rise) {
+static inline double cubic_root(double k0, double k1, double k2, double k3, double low,
+    double high, double rise) {
     const double convex = (2.0*k2 + 3.0*k3*(high + low) > 0.0 ? 1.0 : -1.0);
     const double down = (convex*rise > 0.0 ? 1.0 : -1.0);
     double y = (down > 0.0 ? high : low), moves = 1.0;
@@ -796,20 +682,19 @@ static double cubic_root(double k0, double k1, double k2, double k3, double low,
         const double steep = k1 + y*(2.0*k2 + 3.0*k3*y), some = (steep == 0.0 ? 1.0 : steep);
         const double move = (steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
         const double new_ = fmin(high, -move + y), new2 = fmax(low, new_);
-        const double next_moves = (down*(-new2 + y) > 0.0 ? 1.0 : 0.0);
-        moves = next_moves; y = new2;
+        moves = (down*(-new2 + y) > 0.0 ? 1.0 : 0.0); y = new2;
     }
     return y;
 }
 
 // the angle of x + j y in half turns, and the rest
-static void turn_angle(double x, double y, double *halves_out, double *rest_out) {
+static inline void turn_angle(double x, double y, double *halves_out, double *rest_out) {
     *halves_out = (x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0);
     *rest_out = atan2((x < 0.0 ? -y : y), fabs(x)); return;
 }
 
 // the nearest whole number of turns in the phase at a crossing
-static double phase_turns(double y, double rest, double off, double alpha, double slope,
+static inline double phase_turns(double y, double rest, double off, double alpha, double slope,
     double far, double d, double n1, double loss, double together, double apart) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
     double halves, turned; turn_angle(off*(2.0*loss - 4.0), loss*sine, &halves, &turned);
@@ -828,9 +713,10 @@ static double phase_turns(double y, double rest, double off, double alpha, doubl
 }
 
 // what the crossing on a piece, if there is one, adds
-static double piece_turns(double k0, double k1, double k2, double k3, double low, double high,
-    double at_low, double at_high, double zone, double alpha, double slope, double far, double n1,
-    double loss, double together, double apart, double center, double beyond, double d) {
+static inline double piece_turns(double k0, double k1, double k2, double k3, double low,
+    double high, double at_low, double at_high, double zone, double alpha, double slope,
+    double far, double n1, double loss, double together, double apart, double center,
+    double beyond, double d) {
     if ((((at_high < 0.0) && (at_low >= 0.0)) || ((at_high >= 0.0) && (at_low < 0.0))) &&
         (high > low)) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
@@ -852,9 +738,10 @@ static double piece_turns(double k0, double k1, double k2, double k3, double low
 }
 
 // what the crossings between two points add to the count
-static double zone_turns(double k0, double k1, double k2, double k3, double low, double high,
-    double at_low, double at_high, double zone, double alpha, double slope, double far, double n1,
-    double loss, double together, double apart, double center, double beyond, double d) {
+static inline double zone_turns(double k0, double k1, double k2, double k3, double low,
+    double high, double at_low, double at_high, double zone, double alpha, double slope,
+    double far, double n1, double loss, double together, double apart, double center,
+    double beyond, double d) {
     const double disc = -3.0*k1*k3 + (k2*k2);
     const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at = -k2/some;
     const double cut = ((at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low);
@@ -885,7 +772,7 @@ static double zone_turns(double k0, double k1, double k2, double k3, double low,
 }
 
 // roots outside the unit circle, behind a fractional delay
-static double fractional_roots(double alpha, double beta, double d, double m2, double m0,
+static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
     const double across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
@@ -929,17 +816,32 @@ static double fractional_roots(double alpha, double beta, double d, double m2, d
         (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
 }
 
+// m2 - m1 + m0, M at z = -1 behind a fraction of a period
+static inline double fractional_numerator_gap(double epsilon, double x, double x_low, double y,
+    double y_low, double first, double last, double turned) {
+    double total, lost; fast_two_sum(1.0, -epsilon, &total, &lost);
+    double total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
+    double total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
+    const double both_low = lost3 + x_low*y;
+    double total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
+    double total5, lost5; two_diff(first, 2.0*total4, &total5, &lost5);
+    double total6, lost6; two_diff(total5, last, &total6, &lost6);
+    double total7, lost7; two_diff(total6, -turned, &total7, &lost7);
+    const double low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
+    const double rest3 = -2.0*low + rest2;
+    return rest3 + total7;
+}
+
 // displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
 // n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
 // force moves the device in a period
-static void kick_kick_low_numerator_gap_plant_n0_plant_n1(double gamma, double delta,
-    double *kick_out, double *kick_low_out, double *numerator_gap_out, double *plant_n0_out,
-    double *plant_n1_out) {
+static inline void device_kick_kick_low_n_gap_n0_n1(double gamma, double delta, double *kick_out,
+    double *kick_low_out, double *n_gap_out, double *n0_out, double *n1_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const double half = 0.5*delta;
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
@@ -947,15 +849,13 @@ static void kick_kick_low_numerator_gap_plant_n0_plant_n1(double gamma, double d
         double total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
         double total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
         *kick_out = total3; *kick_low_out = lost3;
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
         return;
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
@@ -968,24 +868,33 @@ static void kick_kick_low_numerator_gap_plant_n0_plant_n1(double gamma, double d
     const double creep_low = fall_low*mean2 + lost;
     double total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
     *kick_out = total4; *kick_low_out = lost4;
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
     return;
 }
 
-// the same, or 1/2 where it is 0
-static double some_part(double d) {
-    const double part = d - floor(d);
-    if (part == 0.0) { return 0.5; }
-    return part;
+// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
+static inline void late_device(double gamma, double delta, double part, double *apart_out,
+    double *m2_out, double *m0_out) {
+    const double t0 = 1.0 - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
+    double kick_of2, kick_low_of, n_gap, n0_2, n1;
+    device_kick_kick_low_n_gap_n0_n1(t2, t3, &kick_of2, &kick_low_of, &n_gap, &n0_2, &n1);
+    const double t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
+    double kick_of, kick_low_of2, n_gap_2, n0, n1_2;
+    device_kick_kick_low_n_gap_n0_n1(t5, t6, &kick_of, &kick_low_of2, &n_gap_2, &n0, &n1_2);
+    const double t8 = n0*t4;
+    *apart_out = fractional_numerator_gap(part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
+        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
+        t2*t4 - t3*t8*decay(t3));
+    *m2_out = n1*t1; *m0_out = t8*exp(-t3); return;
 }
 
 // 1 where the loop is stable, else 0
-static double stable(double roots, double alpha, double beta, double gamma, double delta) {
+static inline double stable(double roots, double alpha, double beta, double gamma, double delta) {
     const double swing = sqrt(gamma);
     if ((!((alpha == 0.0) && (beta == 0.0) && (delta == 0.0))) &&
         (!((delta < 1.1102230246251565e-15) && (gamma > 1.0) &&
@@ -995,15 +904,10 @@ static double stable(double roots, double alpha, double beta, double gamma, doub
     return 0.0;
 }
 
-// whole periods of a delay
-static double whole_part(double d) {
-    return floor(d);
-}
-
 // the turns at a crossing, if there is one
-static double crossing_turns(double y, double rest, double off, double center, double beyond,
-    double alpha, double slope, double far, double d, double n1, double loss, double together,
-    double apart) {
+static inline double crossing_turns(double y, double rest, double off, double center,
+    double beyond, double alpha, double slope, double far, double d, double n1, double loss,
+    double together, double apart) {
     const double edge = (rest > y ? y : rest);
     if ((edge < 4.0) && (rest > 0.0) && (y > 0.0)) {
         const double inside = ((beyond - off > 0.0) && (center + off > 0.0) && (edge > fabs(off)) ?
@@ -1017,23 +921,18 @@ static double crossing_turns(double y, double rest, double off, double center, d
 }
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
-static void quadratic_roots(double c, double b, double a, double root, double *low_out,
+static inline void quadratic_roots(double c, double b, double a, double root, double *low_out,
     double *high_out) {
-    if (b >= 0.0) {
-        const double q = -0.5*b - 0.5*root, lead_ = (a == 0.0 ? 1.0 : a);
-        const double own = (q == 0.0 ? 1.0 : q);
-        *low_out = (a == 0.0 ? -1.0 : q/lead_); *high_out = (q == 0.0 ? -1.0 : c/own);
-        return;
-    }
-    const double q = -0.5*b + 0.5*root, lead_ = (a == 0.0 ? 1.0 : a);
-    const double own = (q == 0.0 ? 1.0 : q);
-    *low_out = (q == 0.0 ? -1.0 : c/own); *high_out = (a == 0.0 ? -1.0 : q/lead_);
-    return;
+    const double q = -0.5*b - 0.5*(b >= 0.0 ? root : -root);
+    const double lead_ = (a == 0.0 ? 1.0 : a), own = (q == 0.0 ? 1.0 : q);
+    const double one = (a == 0.0 ? -1.0 : q/lead_), two = (q == 0.0 ? -1.0 : c/own);
+    if (b >= 0.0) { *low_out = one; *high_out = two; return; }
+    *low_out = two; *high_out = one; return;
 }
 
 // roots outside the unit circle
-static double whole_roots(double alpha, double beta, double d, double n1, double n0, double at_one,
-    double at_minus_one, double loss, double together, double apart) {
+static inline double whole_roots(double alpha, double beta, double d, double n1, double n0,
+    double at_one, double at_minus_one, double loss, double together, double apart) {
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
     const double force = beta*slope, cross = n0*n1, lost = (loss*loss);
     const double square = cross*force + e, push = alpha*together, pull = apart*wall_far;
@@ -1077,7 +976,7 @@ static double whole_roots(double alpha, double beta, double d, double n1, double
 }
 
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
-static void ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
+static inline void ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
     double together, double apart, double across, double *ahead_out, double *in_phase_out) {
     const double t = tan(psi), square = (t*t), low = fma(t, t, -(t*t));
     const double taken = at_minus_one*square;
@@ -1099,34 +998,24 @@ static void ahead_in_phase(double psi, double at_one, double at_minus_one, doubl
     *ahead_out = found2/size; *in_phase_out = found3/size; return;
 }
 
-// cos((k + 1) x); sin((k + 1) x)
-static void cos_next_sin_next(double k, double x, double *cos_next_out, double *sin_next_out) {
-    const double count = k + 1.0, before = count - 1.0, angle = count*x;
-    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle), sine = sin(angle);
-    *cos_next_out = cosine - off*sine; *sin_next_out = cosine*off + sine; return;
-}
-
 // 1 + a + e; n1 + n0; (n1 - n0)/delta
-static void denominator_at_minus_one_numerator_at_one_numerator_gap(double gamma, double delta,
-    double *denominator_at_minus_one_out, double *numerator_at_one_out, double *numerator_gap_out) {
+static inline void device_at_minus_one_together_n_gap(double gamma, double delta,
+    double *at_minus_one_out, double *together_out, double *n_gap_out) {
     double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const double half = 0.5*delta;
     if (w < 0.0) {
         double even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double half = 0.5*delta;
         double near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         const double envelope = exp(-half);
-        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
-            even, even_low, root);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
+        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
+            even_low, root);
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
         return;
     }
-    const double half = 0.5*delta;
     double p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     double fall, fall_low, mean, mean_low;
@@ -1134,25 +1023,31 @@ static void denominator_at_minus_one_numerator_at_one_numerator_gap(double gamma
     const double root_low = root_miss(w, w_low, root);
     double fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
-        fall_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2);
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
     return;
 }
 
-// cos((k + 1) x)
-static double cos_next(double k, double x) {
+// cos((k + 1) x) and sin((k + 1) x)
+static inline void next_wave(double k, double x, double *cosine_out, double *sine_out) {
     const double count = k + 1.0, before = count - 1.0, angle = count*x;
     const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle), sine = sin(angle);
-    return cosine - off*sine;
+    const double sine = sin(angle), cosine = cos(angle);
+    *cosine_out = cosine - off*sine; *sine_out = cosine*off + sine; return;
+}
+
+// cos((k + 1) x)
+static inline double cos_next(double k, double x) {
+    double cosine, sine; next_wave(k, x, &cosine, &sine);
+    return cosine;
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
-static double early_slope(double theta, double k4, double k3, double k2, double k1, double k0) {
+static inline double early_slope(double theta, double k4, double k3, double k2, double k1,
+    double k0) {
     const double sine = sin(0.5*theta), cosine = cos(0.5*theta), up = (sine*sine);
     const double along = (cosine*cosine), found = along*k3 + k4*up;
     const double power2 = (along*along), found2 = found*up + k2*power2;
@@ -1162,7 +1057,7 @@ static double early_slope(double theta, double k4, double k3, double k2, double 
 }
 
 // has the sign of the slope of the boundary's alpha next to pi
-static double end_slope(double at_minus_one, double loss, double together, double apart,
+static inline double end_slope(double at_minus_one, double loss, double together, double apart,
     double last) {
     double total, lost; two_diff(together, 4.0*last, &total, &lost);
     double total2, lost2; wide_prod(total, total, 2.0*lost, &total2, &lost2);
@@ -1189,7 +1084,7 @@ static double end_slope(double at_minus_one, double loss, double together, doubl
 }
 
 // the next point of a search between a and b, where f is fa and fb, after c
-static double next_guess(double b, double fb, double a, double fa, double c, double fc,
+static inline double next_guess(double b, double fb, double a, double fa, double c, double fc,
     double close) {
     const double span = -b + c, rise = -fb + fc, whole = (span == 0.0 ? 1.0 : span);
     const double place = (a - b)/whole, whole2 = (rise == 0.0 ? 1.0 : rise);
@@ -1212,7 +1107,7 @@ static double next_guess(double b, double fb, double a, double fa, double c, dou
 }
 
 // the angle of the largest stiffness for delays below a period
-static double early_angle(double at_one, double at_minus_one, double loss, double together,
+static inline double early_angle(double at_one, double at_minus_one, double loss, double together,
     double apart, double last) {
     const double t = (apart*apart*apart), t2 = (together*together*together);
     const double t3 = (together*together), t4 = apart*t3, t5 = (apart*apart);
@@ -1239,52 +1134,42 @@ static double early_angle(double at_one, double at_minus_one, double loss, doubl
         const double rises = early_slope(0.041666666666666664*3.141592653589793*count, k, k2, k3,
             k4, k5);
         const double next_count = (rises > 0.0 ? count + 1.0 : count);
-        const double next_found = (rises > 0.0 ? 0.0 : 1.0);
-        found = next_found; count = next_count;
+        found = (rises > 0.0 ? 0.0 : 1.0); count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*3.141592653589793*count;
         const double low = fmax(0.001*high, 0.041666666666666664*3.141592653589793*(count - 1.0));
         const double above = early_slope(low, k, k2, k3, k4, k5);
-        double root;
-        if (above <= 0.0) {
-            root = low;
-        } else {
-            const double below = early_slope(high, k, k2, k3, k4, k5);
-            if (below >= 0.0) {
-                root = high;
-            } else {
-                double b = low, fb = above, a = high, fa = below, c = high, fc = below;
-                for (int count_b = 0; count_b < 120; ++count_b) {
-                    if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                        (fabs(a - b) <= 4.440892098500626e-16*
-                        fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
-                    const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
-                    const double value = early_slope(new_, k, k2, k3, k4, k5);
-                    const double same = (((fa < 0.0) && (value < 0.0)) ||
-                        ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                    const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-                    const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
-                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-                }
-                root = (fabs(fa) < fabs(fb) ? a : b);
-            }
+        if (above <= 0.0) { return low; }
+        const double below = early_slope(high, k, k2, k3, k4, k5);
+        if (below >= 0.0) { return high; }
+        double b = low, fb = above, a = high, fa = below, c = high, fc = below;
+        for (int count_b = 0; count_b < 120; ++count_b) {
+            if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
+                (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
+                break; }
+            const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
+            const double value = early_slope(new_, k, k2, k3, k4, k5);
+            const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
+                1.0 : 0.0);
+            const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+            const double next_c = (same > 0.0 ? a : b);
+            fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
-        return root;
+        if (fabs(fa) < fabs(fb)) { return a; }
+        return b;
     }
     return 3.141592653589793;
 }
 
 // sin((k + 1) x)
-static double sin_next(double k, double x) {
-    const double count = k + 1.0, before = count - 1.0, angle = count*x;
-    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
-    const double cosine = cos(angle), sine = sin(angle);
-    return cosine*off + sine;
+static inline double sin_next(double k, double x) {
+    double cosine, sine; next_wave(k, x, &cosine, &sine);
+    return sine;
 }
 
 // has the sign of the slope of the boundary's alpha
-static double boundary_slope(double theta, double l, double at_one, double at_minus_one,
+static inline double boundary_slope(double theta, double l, double at_one, double at_minus_one,
     double loss, double together, double apart, double across) {
     const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = sin_next(t, t2), t4 = tan(t2);
     const double t5 = (t4*t4), t6 = 4.0*t5, t7 = apart*t5, t8 = -t7 + together;
@@ -1298,8 +1183,8 @@ static double boundary_slope(double theta, double l, double at_one, double at_mi
 }
 
 // the angle of the largest stiffness for a period and more
-static double later_angle(double d, double l, double at_one, double at_minus_one, double loss,
-    double together, double apart, double across) {
+static inline double later_angle(double d, double l, double at_one, double at_minus_one,
+    double loss, double together, double apart, double across) {
     const double turn_ = 3.141592653589793/(d + 1.0);
     double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
@@ -1307,48 +1192,40 @@ static double later_angle(double d, double l, double at_one, double at_minus_one
         const double rises = boundary_slope(0.041666666666666664*count*turn_, l, at_one,
             at_minus_one, loss, together, apart, across);
         const double next_count = (rises > 0.0 ? count + 1.0 : count);
-        const double next_found = (rises > 0.0 ? 0.0 : 1.0);
-        found = next_found; count = next_count;
+        found = (rises > 0.0 ? 0.0 : 1.0); count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*count*turn_;
         const double low = fmax(0.001*high, 0.041666666666666664*turn_*(count - 1.0));
         const double above = boundary_slope(low, l, at_one, at_minus_one, loss, together, apart,
             across);
-        double root;
-        if (above <= 0.0) {
-            root = low;
-        } else {
-            const double below = boundary_slope(high, l, at_one, at_minus_one, loss, together,
+        if (above <= 0.0) { return low; }
+        const double below = boundary_slope(high, l, at_one, at_minus_one, loss, together, apart,
+            across);
+        if (below >= 0.0) { return high; }
+        double b = low, fb = above, a = high, fa = below, c = high, fc = below;
+        for (int count_b = 0; count_b < 120; ++count_b) {
+            if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
+                (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
+                break; }
+            const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
+            const double value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            if (below >= 0.0) {
-                root = high;
-            } else {
-                double b = low, fb = above, a = high, fa = below, c = high, fc = below;
-                for (int count_b = 0; count_b < 120; ++count_b) {
-                    if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                        (fabs(a - b) <= 4.440892098500626e-16*
-                        fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
-                    const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
-                    const double value = boundary_slope(new_, l, at_one, at_minus_one, loss,
-                        together, apart, across);
-                    const double same = (((fa < 0.0) && (value < 0.0)) ||
-                        ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                    const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-                    const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
-                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-                }
-                root = (fabs(fa) < fabs(fb) ? a : b);
-            }
+            const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
+                1.0 : 0.0);
+            const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+            const double next_c = (same > 0.0 ? a : b);
+            fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
-        return root;
+        if (fabs(fa) < fabs(fb)) { return a; }
+        return b;
     }
     return NAN;
 }
 
 // the angle of the largest stiffness without delay
-static double undelayed_angle(double at_one, double at_minus_one, double loss, double together,
-    double apart) {
+static inline double undelayed_angle(double at_one, double at_minus_one, double loss,
+    double together, double apart) {
     const double k = end_slope(at_minus_one, loss, together, apart, 0.0), t = 2.0*apart;
     const double t2 = -together, t3 = 2.0*together, t4 = (together*together);
     const double k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
@@ -1372,9 +1249,9 @@ static double undelayed_angle(double at_one, double at_minus_one, double loss, d
 }
 
 // the angle of the wall of largest stable stiffness, or NaN
-static double max_stiffness_angle(double gamma, double delta, double d, double l, double part,
-    double first, double last, double at_one, double at_minus_one, double loss, double together,
-    double apart) {
+static inline double max_stiffness_angle(double gamma, double delta, double d, double l,
+    double part, double first, double last, double at_one, double at_minus_one, double loss,
+    double together, double apart) {
     if (((d <= 1.0) || (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) && (gamma <= 9.8)) {
         const double across = (part == 0.0 ? first : first - last);
         const double theta = (d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
@@ -1407,36 +1284,31 @@ static double max_stiffness_angle(double gamma, double delta, double d, double l
 }
 
 // (x - sin(x))/x^3
-static double gap(double x) {
+static inline double gap(double x) {
     if (fabs(x) < 2.0) {
         const double square = -(x*x);
-        const double rest = square*(square*(square*
-            (square*(square*(square*(square*(square*
-            (square*(square*(6.446950284384474e-26*square + 3.868170170630684e-23) +
-            1.9572941063391263e-20) + 8.22063524662433e-18) + 2.8114572543455206e-15) +
-            7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
-            2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) +
-            9.25185853854297e-18;
+        double total = 0.0;
+        for (int n = 25; n >= 5; n -= 2) {
+            const double number = inverse_factorial[n];
+            total = number + square*total;
+        }
+        const double rest = square*total + 9.25185853854297e-18;
         return rest + 0.16666666666666666;
     }
     return (x - sin(x))/(x*x*x);
 }
 
 // sin(x)/x
-static double sinc(double x) {
+static inline double sinc(double x) {
     if (fabs(x) < 1.0) { return -(x*x)*gap(x) + 1.0; }
-    const double whole = (x == 0.0 ? 1.0 : x);
-    return sin(x)/whole;
+    return sin(x)/x;
 }
 
 // the damping that the wall needs at the angle 2 psi
-static double damping_at(double alpha, double beta, double l, double epsilon, double psi) {
-    if (epsilon == 0.0) {
-        return 0.5*alpha*(2.0*l + 1.0)*sinc(psi*(2.0*l + 1.0))/sinc(psi) - beta*
-            cos_next(l, 2.0*psi);
-    }
+static inline double damping_at(double alpha, double beta, double l, double epsilon, double psi) {
     const double early = 0.5*alpha*(2.0*l + 1.0)*sinc(psi*(2.0*l + 1.0))/sinc(psi) - beta*
         cos_next(l, 2.0*psi);
+    if (epsilon == 0.0) { return early; }
     const double n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(psi*(2.0*l + 3.0))/sinc(psi) -
         beta*cos_next(l + 1.0, 2.0*psi) - early);
     const double root = sqrt(epsilon*(1.0 - epsilon)*
@@ -1446,19 +1318,17 @@ static double damping_at(double alpha, double beta, double l, double epsilon, do
 }
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
-static double chord(double k, double x) {
-    const double turn_ = x*(k + 1.0);
+static inline double chord(double k, double x) {
+    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0, along = cos_next(k, x);
     if (turn_ < 1.5) {
-        const double order = 2.0*k + 2.0, along = cos_next(k, x);
         const double wave = sinc(0.5*turn_), inner = 0.5*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25*inner*(order*order));
     }
-    const double order = 2.0*k + 2.0, along = cos_next(k, x);
     return (-along*order*sin(x) + 2.0*sin_next(k, x))/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
-static double rising(double alpha, double beta, double l, double epsilon, double psi) {
+static inline double rising(double alpha, double beta, double l, double epsilon, double psi) {
     const double t = 2.0*psi, t2 = 2.0*alpha/(sinc(psi)*sinc(psi));
     const double t3 = 0.5*alpha + beta, t4 = 2.0*l, t5 = t4 + 2.0, t6 = t4 + 4.0;
     const double early = -t2*chord(l, t) + t3*(t5*t5)*sinc(psi*t5);
@@ -1468,56 +1338,46 @@ static double rising(double alpha, double beta, double l, double epsilon, double
 }
 
 // has the sign of the slope of DampingAt, up to the angle in phase
-static double steepness(double alpha, double beta, double l, double epsilon, double psi) {
+static inline double steepness(double alpha, double beta, double l, double epsilon, double psi) {
     if (epsilon == 0.0) {
         const double t = 2.0*l + 2.0;
         return -2.0*alpha*chord(l, 2.0*psi)/(sinc(psi)*sinc(psi)) + (t*t)*(0.5*alpha + beta)*
             sinc(psi*t);
     }
+    const double rising_ = rising(alpha, beta, l, epsilon, psi);
     const double phase = psi*(2.0*l + 2.0) + atan2(alpha*cos(psi), (alpha + 2.0*beta)*sin(psi)) +
         atan2(epsilon*sin(2.0*psi), epsilon*cos(2.0*psi) - epsilon + 1.0) - 3.141592653589793;
-    if (phase > 0.0) {
-        const double rising_ = rising(alpha, beta, l, epsilon, psi);
-        return -fabs(rising_);
-    }
-    return rising(alpha, beta, l, epsilon, psi);
+    if (phase > 0.0) { return -fabs(rising_); }
+    return rising_;
 }
 
 // half of the angle at which the wall needs most damping
-static double worst_angle(double alpha, double beta, double l, double epsilon) {
+static inline double worst_angle(double alpha, double beta, double l, double epsilon) {
     const double size = fabs(alpha) + fabs(beta), whole = (size == 0.0 ? 1.0 : size);
     const double stiffness = alpha/whole, damping = beta/whole, low = 0.0;
     const double above = steepness(stiffness, damping, l, epsilon, low);
-    double root;
-    if (above <= 0.0) {
-        root = low;
-    } else {
-        const double high = 3.141592653589793/(2.0*l + 2.0);
-        const double below = steepness(stiffness, damping, l, epsilon, high);
-        if (below >= 0.0) {
-            root = high;
-        } else {
-            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                    (fabs(a - b) <= 4.656612873077393e-10*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
-                    break; }
-                const double new_ = next_guess(b, fb, a, fa, c, fc, 4.656612873077393e-10);
-                const double value = steepness(stiffness, damping, l, epsilon, new_);
-                const double same = (((fa < 0.0) && (value < 0.0)) ||
-                    ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabs(fa) < fabs(fb) ? a : b);
-        }
+    if (above <= 0.0) { return low; }
+    const double high = 3.141592653589793/(2.0*l + 2.0);
+    const double below = steepness(stiffness, damping, l, epsilon, high);
+    if (below >= 0.0) { return high; }
+    double b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
+            (fabs(a - b) <= 4.656612873077393e-10*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+        const double new_ = next_guess(b, fb, a, fa, c, fc, 4.656612873077393e-10);
+        const double value = steepness(stiffness, damping, l, epsilon, new_);
+        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0);
+        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+        const double next_c = (same > 0.0 ? a : b);
+        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    return root;
+    if (fabs(fa) < fabs(fb)) { return a; }
+    return b;
 }
 
 // the damping that the wall needs at its worst angle
-static double largest_required_damping(double alpha, double beta, double d) {
+static inline double largest_required_damping(double alpha, double beta, double d) {
     if (alpha < 0.0) { return INFINITY; }
     const double whole = floor(d), part = d - whole;
     const double psi = worst_angle(alpha, beta, whole, part);
@@ -1525,13 +1385,13 @@ static double largest_required_damping(double alpha, double beta, double d) {
 }
 
 // early + share (late - early)
-static double between(double share, double early, double late) {
+static inline double between(double share, double early, double late) {
     const double more = -early + late;
     return early + more*share;
 }
 
 // negative beyond the angle in phase with the delay
-static double lead(double theta, double l, double epsilon) {
+static inline double lead(double theta, double l, double epsilon) {
     if (theta*(l + 1.0) < 4.0) {
         const double early = sin_next(l, theta), late = sin_next(l + 1.0, theta);
         return early + epsilon*(-early + late);
@@ -1540,24 +1400,20 @@ static double lead(double theta, double l, double epsilon) {
 }
 
 // the value, NaN for number < 0
-static double rated(double number, double value) {
+static inline double rated(double number, double value) {
     if (number < 0.0) { return NAN; }
     return value;
 }
 
 // ((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3
-static double spread(double k, double x) {
-    const double turn_ = x*(k + 1.0);
-    if (turn_ < 1.5) {
-        const double order = 2.0*k + 2.0;
-        return order*((order*order)*gap(2.0*turn_) - gap(x));
-    }
-    const double order = 2.0*k + 2.0;
+static inline double spread(double k, double x) {
+    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0;
+    if (turn_ < 1.5) { return order*((order*order)*gap(2.0*turn_) - gap(x)); }
     return (order*sin(x) - 2.0*cos_next(k, x)*sin_next(k, x))/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
-static double straight(double stiffness, double damping, double k, double angle) {
+static inline double straight(double stiffness, double damping, double k, double angle) {
     const double order = 2.0*k + 1.0, wave = sinc(angle*order);
     double total, lost; two_prod(order, wave, &total, &lost);
     const double near = 2.0*sinc(angle);
@@ -1571,7 +1427,7 @@ static double straight(double stiffness, double damping, double k, double angle)
 }
 
 // has the sign of minus the slope of what the wall phi needs
-static double turning(double phi, double l, double epsilon, double wave, double wave2,
+static inline double turning(double phi, double l, double epsilon, double wave, double wave2,
     double wave3, double wave4, double wave5, double wave6, double wave7, double wave8,
     double wave9, double wave10, double wave11, double wave12) {
     const double t = sin(phi), t2 = l + 1.0, t3 = cos(phi), t4 = t3/t2, t5 = 0.5*t4;
@@ -1588,7 +1444,7 @@ static double turning(double phi, double l, double epsilon, double wave, double 
 }
 
 // the wall whose worst angle is 2 psi, as an angle
-static double turn(double psi, double l, double epsilon) {
+static inline double turn(double psi, double l, double epsilon) {
     const double wave = sin(psi), wave2 = cos(psi), wave3 = chord(l, 2.0*psi);
     const double wave4 = chord(l + 1.0, 2.0*psi), wave5 = cos_next(l, 2.0*psi);
     const double wave6 = cos_next(l + 1.0, 2.0*psi), wave7 = sinc(psi);
@@ -1597,45 +1453,37 @@ static double turn(double psi, double l, double epsilon) {
     const double wave12 = sinc(psi*(2.0*l + 4.0)), low = 0.0;
     const double above = turning(low, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
         wave8, wave9, wave10, wave11, wave12);
-    double root;
-    if (above <= 0.0) {
-        root = low;
-    } else {
-        const double high = 0.5*3.141592653589793;
-        const double below = turning(high, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
+    if (above <= 0.0) { return low; }
+    const double high = 0.5*3.141592653589793;
+    const double below = turning(high, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
+        wave8, wave9, wave10, wave11, wave12);
+    if (below >= 0.0) { return high; }
+    double b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
+            (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+        const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
+        const double value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        if (below >= 0.0) {
-            root = high;
-        } else {
-            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                    (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
-                    break; }
-                const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
-                const double value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5,
-                    wave6, wave7, wave8, wave9, wave10, wave11, wave12);
-                const double same = (((fa < 0.0) && (value < 0.0)) ||
-                    ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabs(fa) < fabs(fb) ? a : b);
-        }
+        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0);
+        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+        const double next_c = (same > 0.0 ? a : b);
+        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    return root;
+    if (fabs(fa) < fabs(fb)) { return a; }
+    return b;
 }
 
 // the wall whose worst angle is theta, as an angle, or NaN
-static double touching(double theta, double l, double epsilon) {
+static inline double touching(double theta, double l, double epsilon) {
     const double found = turn(0.5*theta, l, epsilon);
     if (found < 0.5*3.141592653589793) { return found; }
     return NAN;
 }
 
 // whether another angle allows more stiffness, at a fraction
-static double passive_slope(double psi, double l, double epsilon) {
+static inline double passive_slope(double psi, double l, double epsilon) {
     const double turned = turn(psi, l, epsilon), wall = cos(turned)/(l + 1.0);
     const double wall2 = sin(turned) - 0.5*cos(turned)/(l + 1.0);
     const double need = damping_at(wall, wall2, l, epsilon, psi);
@@ -1644,35 +1492,27 @@ static double passive_slope(double psi, double l, double epsilon) {
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
-static double passive_angle(double l, double epsilon) {
+static inline double passive_angle(double l, double epsilon) {
     const double low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
     const double above = passive_slope(low, l, epsilon);
-    double root;
-    if (above <= 0.0) {
-        root = low;
-    } else {
-        const double high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
-        const double below = passive_slope(high, l, epsilon);
-        if (below >= 0.0) {
-            root = high;
-        } else {
-            double b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                    (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
-                    break; }
-                const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
-                const double value = passive_slope(new_, l, epsilon);
-                const double same = (((fa < 0.0) && (value < 0.0)) ||
-                    ((fa > 0.0) && (value > 0.0)) ? 1.0 : 0.0);
-                const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-                const double next_c = (same > 0.0 ? a : b), next_fc = (same > 0.0 ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabs(fa) < fabs(fb) ? a : b);
-        }
+    if (above <= 0.0) { return 2.0*low; }
+    const double high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
+    const double below = passive_slope(high, l, epsilon);
+    if (below >= 0.0) { return 2.0*high; }
+    double b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
+            (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+        const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
+        const double value = passive_slope(new_, l, epsilon);
+        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0);
+        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
+        const double next_c = (same > 0.0 ? a : b);
+        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    return 2.0*root;
+    if (fabs(fa) < fabs(fb)) { return 2.0*a; }
+    return 2.0*b;
 }
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
@@ -1680,10 +1520,8 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
     if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double plant_n0_of, plant_n1_of, plant_trace_of;
-    plant_n0_plant_n1_plant_trace(gamma, delta, &plant_n0_of, &plant_n1_of, &plant_trace_of);
-    *n1_out = plant_n1_of; *n0_out = plant_n0_of; *a_out = plant_trace_of;
-    *e_out = exp(-delta); return;
+    double n0, n1, trace; device_n0_n1_trace(gamma, delta, &n0, &n1, &trace);
+    *n1_out = n1; *n0_out = n0; *a_out = trace; *e_out = exp(-delta); return;
 }
 
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
@@ -1692,222 +1530,133 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
         (gamma <= 1e+70) && (gamma >= 0.0))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double numerator_at_one_of, plant_trace_of;
-    numerator_at_one_plant_trace(gamma, delta, &numerator_at_one_of, &plant_trace_of);
+    double together, trace; device_together_trace(gamma, delta, &together, &trace);
     const double t0 = 1.0 - epsilon, t1 = (t0*t0), t2 = delta*t0;
-    const double plant_n1_of = plant_n1(gamma*t1, t2), t3 = plant_n1_of*t1;
-    const double t4 = (epsilon*epsilon);
-    const double plant_n0_of = plant_n0(gamma*t4, delta*epsilon);
-    const double t5 = plant_n0_of*t4*exp(-t2);
-    *m2_out = t3; *m1_out = numerator_at_one_of - t3 - t5; *m0_out = t5;
-    *a_out = plant_trace_of; *e_out = exp(-delta); return;
+    const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
+    const double n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*exp(-t2);
+    *m2_out = t3; *m1_out = together - t3 - t5; *m0_out = t5; *a_out = trace;
+    *e_out = exp(-delta); return;
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return false;
     }
-    if (fractional_part(d) == 0.0) {
-        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        return stable(whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of), alpha,
-            beta, gamma, delta) != 0.0;
+    double at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const double t3 = delta*decay(delta);
+    if (part == 0.0) {
+        return stable(whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
+            n_gap), alpha, beta, gamma, delta) != 0.0;
     }
-    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-    const double t4 = some_part(d), t5 = 1.0 - t4, t6 = (t5*t5), t7 = gamma*t6;
-    const double t8 = delta*t5;
-    double kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
-    const double t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
-    double kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
-    const double t13 = plant_n0_of*t10;
-    return stable(fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*exp(-t8), t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of,
-        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
-        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
-        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8))),
-        alpha, beta, gamma, delta) != 0.0;
+    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    return stable(fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
+        apart), alpha, beta, gamma, delta) != 0.0;
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return -1.0;
     }
-    if (fractional_part(d) == 0.0) {
-        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        return whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of);
+    double at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const double t3 = delta*decay(delta);
+    if (part == 0.0) {
+        return whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*n_gap);
     }
-    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-    const double t4 = some_part(d), t5 = 1.0 - t4, t6 = (t5*t5), t7 = gamma*t6;
-    const double t8 = delta*t5;
-    double kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
-    const double t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
-    double kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
-    const double t13 = plant_n0_of*t10;
-    return fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*exp(-t8), t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of,
-        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
-        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
-        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8)));
+    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    return fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together, apart);
 }
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (gamma <= 1e+70) && (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+        (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0) {
-        double cos_next_of, sin_next_of;
-        cos_next_sin_next(d, theta, &cos_next_of, &sin_next_of);
-        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
-        denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
-            &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
-        const double t1 = 0.5*theta, t3 = gamma*numerator_at_one_of;
-        const double t5 = delta*decay(delta), t6 = delta*numerator_gap_of;
-        const double t7 = numerator_at_one_of + t6;
+    double at_minus_one, together, n_gap;
+    device_at_minus_one_together_n_gap(gamma, delta, &at_minus_one, &together, &n_gap);
+    const double whole = floor(d), part = d - whole, t1 = 0.5*theta;
+    const double t3 = gamma*together, t5 = delta*decay(delta), t11 = tan(t1);
+    const double t13 = sin(theta);
+    if (part == 0.0) {
+        double cosine, sine; next_wave(d, theta, &cosine, &sine);
+        const double t6 = delta*n_gap, t7 = together + t6;
         double ahead_of, in_phase_of;
-        ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t6, t7,
-            &ahead_of, &in_phase_of);
-        const double t11 = tan(t1);
-        const double t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of;
-        const double t13 = sin(theta);
-        *alpha_out = ahead_of*sin_next_of - cos_next_of*in_phase_of + t11*t12;
-        *beta_out = -t12/t13; return;
+        ahead_in_phase(t1, t3, at_minus_one, t5, together, t6, t7, &ahead_of, &in_phase_of);
+        const double t12 = ahead_of*cosine + in_phase_of*sine;
+        *alpha_out = ahead_of*sine - cosine*in_phase_of + t11*t12; *beta_out = -t12/t13;
+        return;
     }
-    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
-    denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
-        &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
-    const double t1 = 0.5*theta, t3 = gamma*numerator_at_one_of;
-    const double t5 = delta*decay(delta), t11 = tan(t1), t13 = sin(theta);
-    const double t14 = whole_part(d);
-    double cos_next_of2, sin_next_of2;
-    cos_next_sin_next(t14, theta, &cos_next_of2, &sin_next_of2);
-    const double t16 = some_part(d), t17 = 1.0 - t16, t18 = (t17*t17), t19 = gamma*t18;
-    const double t20 = delta*t17;
-    double kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of2, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t19, t20, &kick_of2, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of2, &plant_n1_of2);
-    const double t21 = (t16*t16), t22 = gamma*t21, t23 = delta*t16;
-    double kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t22, t23, &kick_of, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of, &plant_n1_of);
-    const double t25 = plant_n0_of*t21;
-    const double t28 = fractional_numerator_gap(t16, kick_of2, kick_low_of, kick_of, kick_low_of2,
-        delta*numerator_gap_of2*(t17*t17*t17), delta*numerator_gap_of3*(t16*t16*t16), plant_n0_of2*
-        t18*(kick_of*t23 + plant_n1_of*t22) + plant_n1_of*plant_n1_of2*t19*t21 - t20*t25*
-        decay(t20));
-    const double t29 = 2.0*plant_n1_of2*t18 - 2.0*t25*exp(-t20);
+    double cosine_2, sine_2; next_wave(whole, theta, &cosine_2, &sine_2);
+    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    const double t18 = 2.0*m2 - 2.0*m0;
     double ahead_of2, in_phase_of2;
-    ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t28, t29,
-        &ahead_of2, &in_phase_of2);
-    const double t33 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2;
-    *alpha_out = ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t33;
-    *beta_out = -t33/t13; return;
+    ahead_in_phase(t1, t3, at_minus_one, t5, together, apart, t18, &ahead_of2, &in_phase_of2);
+    const double t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2;
+    *alpha_out = ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22;
+    *beta_out = -t22/t13; return;
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (gamma <= 1e+70) && (gamma >= 0.0))) {
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+        (gamma >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0) {
-        double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
-            plant_n1_of;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
-        const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        const double t4 = delta*numerator_gap_of;
-        const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, plant_n1_of, plant_n0_of,
-            t1, denominator_at_minus_one_of, t3, numerator_at_one_of, t4);
-        double cos_next_of, sin_next_of; cos_next_sin_next(d, t5, &cos_next_of, &sin_next_of);
-        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7);
-        const double t10 = numerator_at_one_of + t4, t11 = (t9*t9), t12 = (t8*t8);
-        const double t13 = t11*t12, t14 = numerator_at_one_of*t11 - t12*t4;
-        const double t15 = 1.0/((t10*t10)*t13 + (t14*t14)), t16 = 2.0*t3;
-        const double t17 = -denominator_at_minus_one_of*t12 + t1*t11;
-        const double t18 = -t10*t17 + t14*t16, t19 = t10*t13*t16 + t14*t17;
-        const double t20 = cos_next_of*t15;
-        const double t21 = -sin_next_of*t15*t19/sin(t5) - 0.5*t18*t20;
-        *alpha_out = sin_next_of*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
+    double at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const double t3 = delta*decay(delta), t16 = 2.0*t3;
+    if (part == 0.0) {
+        const double t4 = delta*n_gap;
+        const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, n1, n0, t1, at_minus_one,
+            t3, together, t4);
+        double cosine, sine; next_wave(d, t5, &cosine, &sine);
+        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7), t10 = together + t4;
+        const double t11 = (t9*t9), t12 = (t8*t8), t13 = t11*t12;
+        const double t14 = together*t11 - t12*t4, t15 = 1.0/((t10*t10)*t13 + (t14*t14));
+        const double t17 = -at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const double t19 = t10*t13*t16 + t14*t17, t20 = cosine*t15;
+        const double t21 = -sine*t15*t19/sin(t5) - 0.5*t18*t20;
+        *alpha_out = sine*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
         *theta_out = t5; return;
     }
-    double denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
-        plant_n1_of;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
-    const double t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta), t16 = 2.0*t3;
-    const double t22 = whole_part(d), t23 = some_part(d), t24 = 1.0 - t23;
-    const double t25 = (t24*t24), t26 = gamma*t25, t27 = delta*t24;
-    double kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of3, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t26, t27, &kick_of2, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of3, &plant_n1_of2);
-    const double t29 = plant_n1_of2*t25, t30 = (t23*t23), t31 = gamma*t30;
-    const double t32 = delta*t23;
-    double kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of2, plant_n1_of3;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t31, t32, &kick_of, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of2, &plant_n1_of3);
-    const double t33 = plant_n0_of2*t30, t34 = t33*exp(-t27);
-    const double t37 = fractional_numerator_gap(t23, kick_of2, kick_low_of, kick_of, kick_low_of2,
-        delta*numerator_gap_of2*(t24*t24*t24), delta*numerator_gap_of3*(t23*t23*t23), plant_n0_of3*
-        t25*(kick_of*t32 + plant_n1_of3*t31) + plant_n1_of2*plant_n1_of3*t26*t30 - t27*t33*
-        decay(t27));
-    const double t38 = max_stiffness_angle(gamma, delta, d, t22, t23, t29, t34, t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of, t37);
-    double cos_next_of2, sin_next_of2;
-    cos_next_sin_next(t22, t38, &cos_next_of2, &sin_next_of2);
-    const double t39 = 0.5*t38, t40 = sin(t39), t41 = cos(t39), t43 = 2.0*t29 - 2.0*t34;
-    const double t44 = (t41*t41), t45 = (t40*t40), t46 = t44*t45;
-    const double t47 = numerator_at_one_of*t44 - t37*t45;
-    const double t48 = 1.0/((t43*t43)*t46 + (t47*t47));
-    const double t49 = -denominator_at_minus_one_of*t45 + t1*t44;
-    const double t50 = t16*t47 - t43*t49, t51 = t16*t43*t46 + t47*t49;
-    const double t52 = cos_next_of2*t48;
-    const double t53 = -sin_next_of2*t48*t51/sin(t38) - 0.5*t50*t52;
-    *alpha_out = sin_next_of2*t40*t41*t48*t50 - 2.0*t45*t53 - t51*t52; *beta_out = t53;
-    *theta_out = t38; return;
+    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    const double t27 = max_stiffness_angle(gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
+        t3, together, apart);
+    double cosine_2, sine_2; next_wave(whole, t27, &cosine_2, &sine_2);
+    const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = (t30*t30);
+    const double t33 = (t29*t29), t34 = -apart*t33 + together*t32;
+    const double t35 = 2.0*m2 - 2.0*m0, t36 = t32*t33;
+    const double t37 = 1.0/((t34*t34) + (t35*t35)*t36);
+    const double t38 = -at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const double t40 = t16*t35*t36 + t34*t38, t41 = cosine_2*t37;
+    const double t42 = -sine_2*t37*t40/sin(t27) - 0.5*t39*t41;
+    *alpha_out = sine_2*t29*t30*t37*t39 - 2.0*t33*t42 - t40*t41; *beta_out = t42;
+    *theta_out = t27; return;
 }
 
 double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
         (theta > 0.0))) {
         return NAN;
     }
-    const double t0 = 0.5*theta, cos_next_of = cos_next(d, theta);
-    const double sin_next_of = sin_next(2.0*d, t0);
-    return -0.5*alpha*sin_next_of/sin(t0) + beta*cos_next_of + delta;
+    const double t0 = 0.5*theta, cosine = cos_next(d, theta);
+    const double sine = sin_next(2.0*d, t0);
+    return -0.5*alpha*sine/sin(t0) + beta*cosine + delta;
 }
 
 double haptic_passivity_margin(double alpha, double beta, double delta, double d) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) {
         return NAN;
     }
@@ -1916,50 +1665,52 @@ double haptic_passivity_margin(double alpha, double beta, double delta, double d
 
 void haptic_passivity_boundary(double theta, double delta, double d, double *alpha_out,
     double *beta_out) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0) {
+    const double whole = floor(d), part = d - whole, t2 = 0.5*theta;
+    if (part == 0.0) {
         const double t0 = lead(theta, d, 0.0), t1 = delta/spread(d, theta);
-        const double t2 = 0.5*theta, t15 = sinc(t2), sin_next_of = sin_next(d, theta);
-        const double t3 = sin_next_of*(t15*t15)*(d + 1.0)/theta;
+        const double t15 = sinc(t2), sine = sin_next(d, theta);
+        const double t3 = sine*(t15*t15)*(d + 1.0)/theta;
         *alpha_out = rated(t0, 2.0*t1*t3);
         *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
     }
-    const double t2 = 0.5*theta, t4 = whole_part(d), t5 = some_part(d);
-    const double t6 = lead(theta, t4, t5), t7 = t4 + 1.0, t8 = touching(theta, t4, t5);
-    const double t9 = cos(t8), t10 = t9/t7, t11 = sin(t8), t12 = -0.5*t10 + t11;
-    const double t13 = between(t5, straight(t10, t12, t4, t2), straight(t10, t12, t7, t2));
+    const double t6 = lead(theta, whole, part), t7 = whole + 1.0;
+    const double t8 = touching(theta, whole, part), t9 = cos(t8), t10 = t9/t7;
+    const double t11 = sin(t8), t12 = -0.5*t10 + t11;
+    const double t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const double t16 = sin(t2), t17 = cos(t2);
     const double t14 = delta/(0.5*t13 + 0.5*
-        sqrt((t13*t13) + t5*(1.0 - t5)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7))));
+        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + (t13*t13)));
     *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14); return;
 }
 
 void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, double *beta_out,
     double *theta_out) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0) {
+    const double whole = floor(d), part = d - whole;
+    if (part == 0.0) {
         const double t0 = 3.141592653589793/(d + 1.0), t1 = tan(0.25*t0), t2 = 0.5*t0;
         *alpha_out = 2.0*delta*t1;
         *beta_out = delta*(-t1 + 2.0/(3.141592653589793*sinc(t2))); *theta_out = t2;
         return;
     }
-    const double t3 = whole_part(d), t4 = t3 + 1.0, t5 = some_part(d);
-    const double t6 = passive_angle(t3, t5), t7 = touching(t6, t3, t5), t8 = cos(t7);
-    const double t9 = t8/t4, t10 = sin(t7), t11 = t10 - 0.5*t9, t12 = 0.5*t6;
-    const double t13 = between(t5, straight(t9, t11, t3, t12), straight(t9, t11, t4, t12));
+    const double t4 = whole + 1.0, t6 = passive_angle(whole, part);
+    const double t7 = touching(t6, whole, part), t8 = cos(t7), t9 = t8/t4;
+    const double t10 = sin(t7), t11 = t10 - 0.5*t9, t12 = 0.5*t6;
+    const double t13 = between(part, straight(t9, t11, whole, t12), straight(t9, t11, t4, t12));
     const double t15 = sin(t12), t16 = cos(t12);
     const double t14 = delta/(0.5*t13 + 0.5*
-        sqrt((t13*t13) + t5*(1.0 - t5)*(4.0*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4))));
+        sqrt(part*(1.0 - part)*(4.0*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4)) + (t13*t13)));
     *alpha_out = t14*t9; *beta_out = t11*t14; *theta_out = t6; return;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {
-    if (!((d <= 1000000000000000.0) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
         (fabs(beta) <= 1e+70))) {
         return NAN;
     }

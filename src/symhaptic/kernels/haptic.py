@@ -3,6 +3,7 @@
 
 import functools
 import math
+import operator
 import sys
 from typing import NamedTuple
 
@@ -107,11 +108,19 @@ def elementwise(xp, work, *values):
     return _broadcast(xp, functools.partial(_without_nan, xp, work), values)
 
 
-def guarded(xp, work, inside, count, outside, *values):
-    """The same where all values are ``inside``, elsewhere ``count`` results that are ``outside``.
+def guarded(xp, work, names, count, outside, *values):
+    """The same where all values are inside, elsewhere ``count`` results that are ``outside``.
 
-    ``work`` gets no value that is outside.
+    ``names`` are those of the conditions in ``INSIDE``, one for each of the first values; a number
+    of a plant that is not inside is NaN.  ``work`` gets no value that is outside.
     """
+    names, most = names.split(), limits(xp, values[0])
+
+    def inside(*values):
+        true = [INSIDE[name](xp, most, v) for name, v in zip(names, values, strict=False)]
+        true += [~xp.isnan(v) for v in values[len(names):len(names) + 1]]
+        return functools.reduce(operator.and_, true)
+
     return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
 
 
@@ -278,6 +287,30 @@ def square_root(xp, x):
     return xp.where(positive, xp.sqrt(xp.where(positive, x, 1.0)), 0.0)
 
 
+INVERSE_FACTORIAL = tuple(1/math.factorial(n) for n in range(40))
+"""1/n!, the coefficients of all power series here."""
+
+
+def series(xp, add, count, brief, first, few, last, step, given):
+    """``count`` states, 0 at first, after ``add`` of 1/n! for n from ``first`` down to ``last``.
+
+    Where it is ``brief``, for n from ``few`` on: what is before is too small to count.
+    """
+
+    def after(states, factorials, *given):
+        for number in factorials:
+            states = add(*states, number, *given)
+            states = states if isinstance(states, tuple) else (states,)
+        return states
+
+    def begun(*given):
+        return after((0.0,)*count, INVERSE_FACTORIAL[first:few:-step], *given)
+
+    states = select(xp, brief, lambda *_: (0.0,)*count, given, begun, given)
+    states = states if isinstance(states, tuple) else (states,)
+    return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
+
+
 def fast_two_sum(xp, x, y):
     """x + y and what it misses, for |x| >= |y|"""
     total = x + y
@@ -426,93 +459,39 @@ def plant_n0_term(xp, gamma, delta, one, one_low, two, two_low, number):
     return total2, both + rest
 
 
-def plant_n0_series_single(xp, gamma, delta):
-    """The same in single precision."""
-
-    def yes(delta):
-        return 0.0, 0.0
-
-    def no(delta, gamma):
-        one, two = 0.0, 0.0
-        for number in (4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
-            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
-            1.1470745597729725e-11, 1.6059043836821613e-10, 2.08767569878681e-09,
-            2.505210838544172e-08, 2.755731922398589e-07):
-            next_one = delta*one - gamma*two + number
-            one, two = next_one, one
-        one2 = one
-        two2 = two
-        return one2, two2
-
-    one2, two2 = select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta,), no,
-        (delta, gamma))
-
-    one3 = delta*one2 - gamma*two2 + 2.7557319223985893e-06
-    one4 = delta*one3 - gamma*one2 + 2.48015873015873e-05
-    one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
-    one4 = delta*one3 - gamma*one4 + 0.001388888888888889
-    one3, one_low = plant_n0_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
-        xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
-    one4, one_low2 = plant_n0_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
-        xp.full_like(delta, 0.041666666666666664))
-    one3, one_low = plant_n0_term(xp, gamma, delta, one4, one_low2, one3, one_low,
-        xp.full_like(delta, 0.16666666666666666))
-    one3, one_low = plant_n0_term(xp, gamma, delta, one3, one_low, one4, one_low2,
-        xp.full_like(delta, 0.0))
-    return one3 + one_low
-
-
 def plant_n0_series(xp, gamma, delta):
     """divided difference of exp at 0, p and q, less 1/2"""
-    if gamma.dtype == xp.float32:
-        return plant_n0_series_single(xp, gamma, delta)
+    begin, begin2 = (20, 9) if gamma.dtype == xp.float32 else (28, 13)
 
-    def yes(delta):
-        return 0.0, 0.0
+    def add(one, two, number, delta, gamma):
+        next_one = delta*one - gamma*two + number
+        return next_one, one
 
-    def no(delta, gamma):
-        one, two = 0.0, 0.0
-        for number in (3.279889237069838e-30, 9.183689863795546e-29, 2.4795962632247976e-27,
-            6.446950284384474e-26, 1.6117375710961184e-24, 3.868170170630684e-23,
-            8.896791392450574e-22, 1.9572941063391263e-20, 4.110317623312165e-19,
-            8.22063524662433e-18, 1.5619206968586225e-16, 2.8114572543455206e-15,
-            4.779477332387385e-14, 7.647163731819816e-13, 1.1470745597729725e-11):
-            next_one = delta*one - gamma*two + number
-            one, two = next_one, one
-        one2 = one
-        two2 = two
-        return one2, two2
-
-    one2, two2 = select(xp, (delta < 0.125) & (xp.abs(gamma) < 0.00390625), yes, (delta,), no,
-        (delta, gamma))
-
-    one3 = delta*one2 - gamma*two2 + 1.6059043836821613e-10
-    one4 = delta*one3 - gamma*one2 + 2.08767569878681e-09
-    one3 = delta*one4 - gamma*one3 + 2.505210838544172e-08
-    one4 = delta*one3 - gamma*one4 + 2.755731922398589e-07
-    one3 = delta*one4 - gamma*one3 + 2.7557319223985893e-06
-    one4 = delta*one3 - gamma*one4 + 2.48015873015873e-05
-    one3 = delta*one4 - gamma*one3 + 0.0001984126984126984
-    one4 = delta*one3 - gamma*one4 + 0.001388888888888889
-    one3, one_low = plant_n0_term(xp, gamma, delta, one4, xp.full_like(delta, 0.0), one3,
+    one, two = series(xp, add, 2, (0.5*delta < 0.0625) & (xp.abs(gamma) < 0.00390625), begin,
+        begin2, 6, 1, (delta, gamma))
+    one2, one_low = plant_n0_term(xp, gamma, delta, one, xp.full_like(delta, 0.0), two,
         xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
-    one4, one_low2 = plant_n0_term(xp, gamma, delta, one3, one_low, one4, xp.full_like(delta, 0.0),
+    one3, one_low2 = plant_n0_term(xp, gamma, delta, one2, one_low, one, xp.full_like(delta, 0.0),
         xp.full_like(delta, 0.041666666666666664))
-    one3, one_low = plant_n0_term(xp, gamma, delta, one4, one_low2, one3, one_low,
+    one2, one_low = plant_n0_term(xp, gamma, delta, one3, one_low2, one2, one_low,
         xp.full_like(delta, 0.16666666666666666))
-    one3, one_low = plant_n0_term(xp, gamma, delta, one3, one_low, one4, one_low2,
+    one2, one_low = plant_n0_term(xp, gamma, delta, one2, one_low, one3, one_low2,
         xp.full_like(delta, 0.0))
-    return one3 + one_low
+    return one2 + one_low
+
+
+def scaled_sum(xp, fall, fall_low, y, z):
+    """(fall + fall_low) (y + z), rounded once"""
+    total, lost = two_diff(xp, y, -z)
+    total2, lost = wide_prod(xp, fall, total, lost)
+    low = fall_low*total + lost
+    return low + total2
 
 
 def plant_n0_near(xp, fade_, fade_low, gamma, delta):
     """n0 of a device with slow poles"""
     total, lost = wide_prod(xp, fade_, fade_, 2.0*fade_low)
-    rest = plant_n0_series(xp, gamma, delta)
-    total2, lost2 = two_diff(xp, rest, -0.5)
-    total, lost2 = wide_prod(xp, total, total2, lost2)
-    low = lost*total2 + lost2
-    return low + total
+    return scaled_sum(xp, total, lost, plant_n0_series(xp, gamma, delta), 0.5)
 
 
 def plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_low, mean,
@@ -545,9 +524,6 @@ def plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, w
 
     def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
 
-        def yes(known):
-            return known
-
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
             total, lost = wide_prod(xp, half, wave, wave_low)
             total, lost2 = two_diff(xp, total, even)
@@ -558,111 +534,25 @@ def plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, w
             total, lost3 = wide_quot(xp, total, whole, lost3, xp.full_like(lost3, 0.0))
             return lost3 + total
 
-        return select(xp, near > 0.0, yes, (known,), no,
+        return select(xp, near > 0.0, lambda known: known, (known,), no,
             (envelope, even, even_low, gamma, half, wave, wave_low))
 
     return select(xp, reach < 0.5625, yes, (fade_, fade_low, gamma, half), no,
         (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
 
 
-def plant_n1_series_single(xp, h, w):
-    """The same in single precision."""
-
-    def yes(h):
-        return 0.0, 0.0, 0.0
-
-    def no(h, w):
-        total, one, two = 0.0, 0.0, 0.0
-        for number in (4.110317623312165e-19, 8.22063524662433e-18, 1.5619206968586225e-16,
-            2.8114572543455206e-15, 4.779477332387385e-14, 7.647163731819816e-13,
-            1.1470745597729725e-11, 1.6059043836821613e-10, 2.08767569878681e-09,
-            2.505210838544172e-08, 2.755731922398589e-07):
-            even = number + two*w
-            next_total = even + h*total
-            total, one, two = next_total, even, one
-        total2 = total
-        one2 = one
-        two2 = two
-        return total2, one2, two2
-
-    total2, one2, two2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (h, w))
-
-    even2 = two2*w + 2.7557319223985893e-06
-    total3 = even2 + h*total2
-    even3 = one2*w + 2.48015873015873e-05
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.0001984126984126984
-    total3 = even2 + h*total3
-    even3 = even3*w + 0.001388888888888889
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.008333333333333333
-    total3 = even2 + h*total3
-    even3 = even3*w + 0.041666666666666664
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.16666666666666666
-    total3 = even2 + h*total3
-    even3 = even3*w
-    return even3 + h*total3
-
-
 def plant_n1_series(xp, h, w):
     """divided difference of exp at h and +-sqrt(w), less 1/2"""
-    if h.dtype == xp.float32:
-        return plant_n1_series_single(xp, h, w)
+    begin, begin2 = (20, 9) if h.dtype == xp.float32 else (28, 13)
 
-    def yes(h):
-        return 0.0, 0.0, 0.0
+    def add(total, one, two, number, h, w):
+        even = number + two*w
+        next_total = even + h*total
+        return next_total, even, one
 
-    def no(h, w):
-        total, one, two = 0.0, 0.0, 0.0
-        for number in (3.279889237069838e-30, 9.183689863795546e-29, 2.4795962632247976e-27,
-            6.446950284384474e-26, 1.6117375710961184e-24, 3.868170170630684e-23,
-            8.896791392450574e-22, 1.9572941063391263e-20, 4.110317623312165e-19,
-            8.22063524662433e-18, 1.5619206968586225e-16, 2.8114572543455206e-15,
-            4.779477332387385e-14, 7.647163731819816e-13, 1.1470745597729725e-11):
-            even = number + two*w
-            next_total = even + h*total
-            total, one, two = next_total, even, one
-        total2 = total
-        one2 = one
-        two2 = two
-        return total2, one2, two2
-
-    total2, one2, two2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (h, w))
-
-    even2 = two2*w + 1.6059043836821613e-10
-    total3 = even2 + h*total2
-    even3 = one2*w + 2.08767569878681e-09
-    total3 = even3 + h*total3
-    even2 = even2*w + 2.505210838544172e-08
-    total3 = even2 + h*total3
-    even3 = even3*w + 2.755731922398589e-07
-    total3 = even3 + h*total3
-    even2 = even2*w + 2.7557319223985893e-06
-    total3 = even2 + h*total3
-    even3 = even3*w + 2.48015873015873e-05
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.0001984126984126984
-    total3 = even2 + h*total3
-    even3 = even3*w + 0.001388888888888889
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.008333333333333333
-    total3 = even2 + h*total3
-    even3 = even3*w + 0.041666666666666664
-    total3 = even3 + h*total3
-    even2 = even2*w + 0.16666666666666666
-    total3 = even2 + h*total3
-    even3 = even3*w
-    return even3 + h*total3
-
-
-def plant_n1_near(xp, fade_, fade_low, half, w):
-    """n1 of a device with slow poles"""
-    rest = plant_n1_series(xp, half, w)
-    total, lost = two_diff(xp, rest, -0.5)
-    total2, lost = wide_prod(xp, fade_, total, lost)
-    low = fade_low*total + lost
-    return low + total2
+    total, one, two = series(xp, add, 3, (h < 0.0625) & (xp.abs(w) < 0.00390625), begin, begin2, 3,
+        1, (h, w))
+    return h*total + two*w
 
 
 def plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, mean, mean_low,
@@ -670,7 +560,7 @@ def plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low
     """n1 of a creeping device"""
 
     def yes(fade_, fade_low, half, w):
-        return plant_n1_near(xp, fade_, fade_low, half, w)
+        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
 
     def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
         total, lost = wide_prod(xp, slow, even, even_low)
@@ -689,12 +579,9 @@ def plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low
     """n1 of a swinging device"""
 
     def yes(fade_, fade_low, half, w):
-        return plant_n1_near(xp, fade_, fade_low, half, w)
+        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
 
     def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
-
-        def yes(known):
-            return known
 
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
             total, lost = wide_prod(xp, half, wave, wave_low)
@@ -705,7 +592,7 @@ def plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low
             total, lost = wide_quot(xp, total, whole, lost - lost2, xp.full_like(lost, 0.0))
             return lost + total
 
-        return select(xp, near > 0.0, yes, (known,), no,
+        return select(xp, near > 0.0, lambda known: known, (known,), no,
             (envelope, even, even_low, gamma, half, wave, wave_low))
 
     return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
@@ -759,58 +646,29 @@ def slow_fade(xp, reach, half):
         total, lost = wide_prod(xp, fall, fall, 2.0*fall_low)
         return total, lost
 
-    def no(reach):
-        return 0.0, 0.0
-
-    return select(xp, reach < 0.5625, yes, (half,), no, (reach,))
-
-
-def cos_series_single(xp, w):
-    """The same in single precision."""
-    square = (w*w)
-    return (
-        square*(2.08767569878681e-09*square + 2.48015873015873e-05) + w*
-        (square*(1.1470745597729725e-11*square + 2.755731922398589e-07) +
-        0.001388888888888889) + 0.041666666666666664
-    )
+    return select(xp, reach < 0.5625, yes, (half,), lambda reach: (0.0, 0.0), (reach,))
 
 
 def cos_series(xp, w):
     """(cosh(sqrt(w)) - 1 - w/2)/w^2"""
-    if w.dtype == xp.float32:
-        return cos_series_single(xp, w)
+    begin = 14 if w.dtype == xp.float32 else 22
     square = (w*w)
-    return (
-        square*(square*(square*(4.110317623312165e-19*square + 4.779477332387385e-14) +
-        2.08767569878681e-09) + 2.48015873015873e-05) + w*
-        (square*(square*(square*(8.896791392450574e-22*square + 1.5619206968586225e-16) +
-        1.1470745597729725e-11) + 2.755731922398589e-07) + 0.001388888888888889) +
-        0.041666666666666664
-    )
-
-
-def sin_series_single(xp, w):
-    """The same in single precision."""
-    square = (w*w)
-    return (
-        square*(2.505210838544172e-08*square + 0.0001984126984126984) + w*
-        (square*(1.6059043836821613e-10*square + 2.7557319223985893e-06) +
-        0.008333333333333333) + 0.16666666666666666
-    )
+    one, two = 0.0, 0.0
+    for number in INVERSE_FACTORIAL[begin:4:-2]:
+        both = number + square*two
+        one, two = both, one
+    return one*w + square*two + 0.041666666666666664
 
 
 def sin_series(xp, w):
     """(sinh(sqrt(w))/sqrt(w) - 1)/w"""
-    if w.dtype == xp.float32:
-        return sin_series_single(xp, w)
+    begin = 13 if w.dtype == xp.float32 else 21
     square = (w*w)
-    return (
-        square*(square*(square*(8.22063524662433e-18*square + 7.647163731819816e-13) +
-        2.505210838544172e-08) + 0.0001984126984126984) + w*
-        (square*(square*(square*(1.9572941063391263e-20*square + 2.8114572543455206e-15) +
-        1.6059043836821613e-10) + 2.7557319223985893e-06) + 0.008333333333333333) +
-        0.16666666666666666
-    )
+    one, two = 0.0, 0.0
+    for number in INVERSE_FACTORIAL[begin:3:-2]:
+        both = number + square*two
+        one, two = both, one
+    return one*w + square*two + 0.16666666666666666
 
 
 def waving_pair(xp, square, square_low, angle):
@@ -842,97 +700,32 @@ def two_prod(xp, x, y):
     return x*y, two_prod_error(x*y, x_halves, y_halves)
 
 
-def whole_turns_single(xp, half, square, square_low, root, stiff):
-    """The same in single precision."""
-
-    def yes(half, root, square, square_low, stiff):
-        count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-        total8, lost8 = two_prod(xp, count, xp.full_like(count, 6.2831854820251465))
-        total8, lost9 = two_diff(xp, root, -total8)
-        missed = root_miss(xp, square, square_low, root)
-        turns = (count*count)
-        total, lost = two_prod(xp, turns, xp.full_like(turns, 39.478416442871094))
-        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, 1.1614863524300745e-06))
-        total, lost3 = two_diff(xp, -square, total)
-        total, lost = two_diff(xp, total, lost)
-        total, lost5 = two_diff(xp, total, total2)
-        total, lost6 = two_diff(xp, total, square_low)
-        low = lost3 - lost2 + lost + lost5 + lost6 + 1.1704736640094811e-14*turns
-        total, lost6 = two_diff(xp, total, -low)
-        both_low = lost8 - 1.7484555314695172e-07*count + lost9 + missed
-        whole = xp.where(total8 == 0.0, 1.0, total8)
-        total, lost6 = wide_quot(xp, total, whole, lost6, both_low)
-        far = (total*total)
-
-        def yes(half, lost10, missed, root, stiff, total10):
-            fall, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
-            total26, lost26 = fast_two_sum(xp, 1.0, -fall)
-            total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
-            total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
-            total14, lost13 = wide_prod(xp, total10, total13, lost13)
-            bent = (total11*total11)*cos_series(xp, -total11)
-            total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
-            lift_low = 0.5*lost11*total13 + lost12
-            total13, lost12 = wide_prod(xp, fall, total11, lift_low)
-            total29, lost11 = wide_prod(xp, fall, total11, lift_low)
-            total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
-            total16, lost16 = wide_prod(xp, fall, total14, lost13)
-            total16, lost17 = two_diff(xp, mean, total16)
-            total21, lost21 = two_diff(xp, mean, total14)
-            total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
-            total21, lost13 = two_diff(xp, total11, total21)
-            whole2 = xp.where(stiff == 0.0, 1.0, stiff)
-            low2 = lost17 - fall_low*total14 - lost16 + mean_low
-            total16, lost17 = wide_prod(xp, half, total16, low2)
-            total13, lost16 = two_diff(xp, total16, -total13)
-            low2 = lift_low - lost21 + lost13
-            total21, lost13 = two_diff(xp, total21, -low2)
-            total16, lost13 = wide_prod(xp, fall, total21, lost13)
-            low2 = lost26 - fall_low
-            total26, lost26 = fast_two_sum(xp, total26, low2)
-            total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
-            total29, lost21 = two_diff(xp, total26, -2.0*total29)
-            low2 = fall_low*total11 + lost17 + lost12 + lost16
-            total13, lost16 = wide_quot(xp, total13, whole2, low2, xp.full_like(low2, 0.0))
-            low2 = fall_low*total21 + lost13
-            total16, lost13 = wide_quot(xp, total16, whole2, low2, xp.full_like(low2, 0.0))
-            low2 = 2.0*fall_low*total11 + lost26 + 2.0*lost11 + lost21
-            total29, lost21 = wide_quot(xp, total29, whole2, low2, xp.full_like(low2, 0.0))
-            return 1.0, lost16 + total13, lost13 + total16, lost21 + total29
-
-        def no(count):
-            return 0.0, 0.0, 0.0, 0.0
-
-        return select(xp, (count > 0.0) & (far < 1.5), yes,
-            (half, lost6, missed, root, stiff, total), no, (count,))
-
-    def no(half):
-        return 0.0, 0.0, 0.0, 0.0
-
-    return select(xp, (half < 0.75) & (root < 4096.0) & (root > 3.0), yes,
-        (half, root, square, square_low, stiff), no, (half,))
-
-
 def whole_turns(xp, half, square, square_low, root, stiff):
     """whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there"""
-    if half.dtype == xp.float32:
-        return whole_turns_single(xp, half, square, square_low, root, stiff)
+    number, number2, number3, number4, number5, number6 = (
+        (6.2831854820251465, 39.478416442871094, 1.1614863524300745e-06, -1.1704736640094811e-14,
+        -1.7484555314695172e-07, 4096.0) if half.dtype == xp.float32 else (6.283185307179586,
+        39.47841760435743, 2.5061182034958845e-15, 1.4920070805839235e-31,
+        2.4492935982947064e-16, 67108864.0)
+    )
 
     def yes(half, root, square, square_low, stiff):
         count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-        total8, lost8 = two_prod(xp, count, xp.full_like(count, 6.283185307179586))
+        total8, lost8 = two_prod(xp, count, xp.full_like(count, number))
         total8, lost9 = two_diff(xp, root, -total8)
         missed = root_miss(xp, square, square_low, root)
         turns = (count*count)
-        total, lost = two_prod(xp, turns, xp.full_like(turns, 39.47841760435743))
-        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, 2.5061182034958845e-15))
+        total, lost = two_prod(xp, turns, xp.full_like(turns, number2))
+        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, number3))
         total, lost3 = two_diff(xp, -square, total)
         total, lost = two_diff(xp, total, lost)
         total, lost5 = two_diff(xp, total, total2)
         total, lost6 = two_diff(xp, total, square_low)
-        low = lost3 - lost2 + lost + lost5 + lost6 - 1.4920070805839235e-31*turns
+        turned_low = number4*turns
+        low = lost3 - lost2 + lost + lost5 + lost6 - turned_low
         total, lost6 = two_diff(xp, total, -low)
-        both_low = 2.4492935982947064e-16*count + lost8 + lost9 + missed
+        back = number5*count
+        both_low = back + lost8 + lost9 + missed
         whole = xp.where(total8 == 0.0, 1.0, total8)
         total, lost6 = wide_quot(xp, total, whole, lost6, both_low)
         far = (total*total)
@@ -973,28 +766,22 @@ def whole_turns(xp, half, square, square_low, root, stiff):
             total29, lost21 = wide_quot(xp, total29, whole2, low2, xp.full_like(low2, 0.0))
             return 1.0, lost16 + total13, lost13 + total16, lost21 + total29
 
-        def no(count):
-            return 0.0, 0.0, 0.0, 0.0
-
         return select(xp, (count > 0.0) & (far < 1.5), yes,
-            (half, lost6, missed, root, stiff, total), no, (count,))
+            (half, lost6, missed, root, stiff, total), lambda count: (0.0, 0.0, 0.0, 0.0), (count,))
 
-    def no(half):
-        return 0.0, 0.0, 0.0, 0.0
-
-    return select(xp, (half < 0.75) & (root < 67108864.0) & (root > 3.0), yes,
-        (half, root, square, square_low, stiff), no, (half,))
+    return select(xp, (half < 0.75) & (root < number6) & (root > 3.0), yes,
+        (half, root, square, square_low, stiff), lambda half: (0.0, 0.0, 0.0, 0.0), (half,))
 
 
-def plant_n0_plant_n1_plant_trace(xp, gamma, delta):
+def device_n0_n1_trace(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
     moves the device in a period; a, the sum of the sampled device's poles
     """
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
 
-    def yes(delta, gamma, reach, root, w, w_low):
+    def yes(gamma, half, reach, root, w, w_low):
         even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         fade_, fade_low = slow_fade(xp, reach, half)
         envelope = xp.exp(-half)
@@ -1005,8 +792,7 @@ def plant_n0_plant_n1_plant_trace(xp, gamma, delta):
             plant_trace_swing(xp, envelope, even, even_low)
         )
 
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
+    def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
         fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         fade_, fade_low = slow_fade(xp, reach, half)
@@ -1019,8 +805,8 @@ def plant_n0_plant_n1_plant_trace(xp, gamma, delta):
             mean_low, mean2, mean_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
         )
 
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no,
+        (delta, gamma, half, reach, root, w, w_low))
 
 
 def fast_fall(xp, slow, slow_low, ratio, ratio_low):
@@ -1029,80 +815,19 @@ def fast_fall(xp, slow, slow_low, ratio, ratio_low):
     return total, lost + ratio*slow_low
 
 
-def numerator_at_one_series_single(xp, h, w):
-    """The same in single precision."""
-    y = (h*h)
-
-    def yes(h):
-        return 0.0, 0.0
-
-    def no(w, y):
-        total, inner = 0.0, 0.0
-        for number in (4.110317623312165e-19, 1.5619206968586225e-16, 4.779477332387385e-14,
-            1.1470745597729725e-11, 2.08767569878681e-09, 2.755731922398589e-07):
-            own = inner*w + number
-            next_total = own + total*y
-            total, inner = next_total, own
-        total2 = total
-        inner2 = inner
-        return total2, inner2
-
-    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
-
-    own2 = inner2*w + 2.48015873015873e-05
-    total3 = own2 + total2*y
-    own2 = own2*w + 0.001388888888888889
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.041666666666666664
-    total3 = own2 + total3*y
-    own2 = own2*w
-    return own2 + total3*y
-
-
 def numerator_at_one_series(xp, h, w):
     """divided difference of cosh(sqrt) at h^2 and w, less 1/2"""
-    if h.dtype == xp.float32:
-        return numerator_at_one_series_single(xp, h, w)
+    begin, begin2 = (20, 8) if h.dtype == xp.float32 else (28, 12)
     y = (h*h)
 
-    def yes(h):
-        return 0.0, 0.0
+    def add(total, inner, number, w, y):
+        own = inner*w + number
+        next_total = own + total*y
+        return next_total, own
 
-    def no(w, y):
-        total, inner = 0.0, 0.0
-        for number in (3.279889237069838e-30, 2.4795962632247976e-27, 1.6117375710961184e-24,
-            8.896791392450574e-22, 4.110317623312165e-19, 1.5619206968586225e-16,
-            4.779477332387385e-14, 1.1470745597729725e-11):
-            own = inner*w + number
-            next_total = own + total*y
-            total, inner = next_total, own
-        total2 = total
-        inner2 = inner
-        return total2, inner2
-
-    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
-
-    own2 = inner2*w + 2.08767569878681e-09
-    total3 = own2 + total2*y
-    own2 = own2*w + 2.755731922398589e-07
-    total3 = own2 + total3*y
-    own2 = own2*w + 2.48015873015873e-05
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.001388888888888889
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.041666666666666664
-    total3 = own2 + total3*y
-    own2 = own2*w
-    return own2 + total3*y
-
-
-def numerator_at_one_near(xp, half, w):
-    """n1 + n0 of a device with slow poles"""
-    rest = numerator_at_one_series(xp, half, w)
-    total, lost = two_diff(xp, rest, -0.5)
-    envelope = xp.exp(-half)
-    total, lost = wide_prod(xp, envelope, total, lost)
-    return 2.0*lost + 2.0*total
+    total, inner = series(xp, add, 2, (h < 0.0625) & (xp.abs(w) < 0.00390625), begin, begin2, 4, 2,
+        (w, y))
+    return inner*w + total*y
 
 
 def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio,
@@ -1110,7 +835,7 @@ def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, m
     """n1 + n0 of a creeping device"""
 
     def yes(half, w):
-        return numerator_at_one_near(xp, half, w)
+        return 2.0*scaled_sum(xp, xp.exp(-half), 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
     def no(mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
@@ -1138,13 +863,10 @@ def half_squares(xp, half, envelope, wave, back):
 def numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known):
     """n1 + n0 of a swinging device"""
 
-    def yes(half, w):
-        return numerator_at_one_near(xp, half, w)
+    def yes(envelope, half, w):
+        return 2.0*scaled_sum(xp, envelope, 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
     def no(envelope, gamma, half, known, near, root, w, w_low):
-
-        def yes(known):
-            return known
 
         def no(envelope, gamma, half, root, w, w_low):
             angle = 0.5*root
@@ -1154,26 +876,26 @@ def numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, nea
             total, lost = wide_quot(xp, total, whole, low, xp.full_like(low, 0.0))
             return 4.0*lost + 4.0*total
 
-        return select(xp, near > 0.0, yes, (known,), no, (envelope, gamma, half, root, w, w_low))
+        return select(xp, near > 0.0, lambda known: known, (known,), no,
+            (envelope, gamma, half, root, w, w_low))
 
-    return select(xp, reach < 1.0, yes, (half, w), no,
+    return select(xp, reach < 1.0, yes, (envelope, half, w), no,
         (envelope, gamma, half, known, near, root, w, w_low))
 
 
-def numerator_at_one_plant_trace(xp, gamma, delta):
+def device_together_trace(xp, gamma, delta):
     """n1 + n0; a, the sum of the sampled device's poles"""
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
 
-    def yes(delta, gamma, reach, root, w, w_low):
+    def yes(gamma, half, reach, root, w, w_low):
         even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         envelope = xp.exp(-half)
         return numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
             moved), plant_trace_swing(xp, envelope, even, even_low)
 
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
+    def no(gamma, half, reach, root, w, w_low):
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
         fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         root_low = root_miss(xp, w, w_low, root)
@@ -1181,94 +903,79 @@ def numerator_at_one_plant_trace(xp, gamma, delta):
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean, mean_low,
             fall2, fall_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
 
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no,
+        (gamma, half, reach, root, w, w_low))
 
 
 def plant_n0(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta)"""
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
+    fade_, fade_low = slow_fade(xp, reach, half)
 
-    def yes(delta, gamma, reach):
-        half = 0.5*delta
-        fade_, fade_low = slow_fade(xp, reach, half)
+    def yes(delta, fade_, fade_low, gamma):
         return plant_n0_near(xp, fade_, fade_low, gamma, delta)
 
-    def no(delta, gamma, reach, root, w, w_low):
+    def no(delta, fade_, fade_low, gamma, half, reach, root, w, w_low):
 
-        def yes(delta, gamma, reach, root, w, w_low):
+        def yes(fade_, fade_low, gamma, half, reach, root, w, w_low):
             even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            half = 0.5*delta
-            fade_, fade_low = slow_fade(xp, reach, half)
             envelope = xp.exp(-half)
             near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
             return plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
                 odd_low, gamma, near, sunk)
 
-        def no(delta, gamma, reach, root, w, w_low):
-            half = 0.5*delta
+        def no(delta, fade_, fade_low, gamma, half, reach, root, w, w_low):
             p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
             fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            fade_, fade_low = slow_fade(xp, reach, half)
             root_low = root_miss(xp, w, w_low, root)
             fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
             return plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall,
                 fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2)
 
-        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-            (delta, gamma, reach, root, w, w_low))
+        return select(xp, w < 0.0, yes, (fade_, fade_low, gamma, half, reach, root, w, w_low), no,
+            (delta, fade_, fade_low, gamma, half, reach, root, w, w_low))
 
-    return select(xp, reach < 0.5625, yes, (delta, gamma, reach), no,
-        (delta, gamma, reach, root, w, w_low))
+    return select(xp, reach < 0.5625, yes, (delta, fade_, fade_low, gamma), no,
+        (delta, fade_, fade_low, gamma, half, reach, root, w, w_low))
 
 
 def plant_n1(xp, gamma, delta):
     """n1, how far a unit force moves the device in a period"""
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
+    fade_, fade_low = slow_fade(xp, reach, half)
 
-    def yes(delta, reach, w):
-        half = 0.5*delta
-        fade_, fade_low = slow_fade(xp, reach, half)
-        return plant_n1_near(xp, fade_, fade_low, half, w)
+    def yes(fade_, fade_low, half, w):
+        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
 
-    def no(delta, gamma, reach, root, w, w_low):
+    def no(fade_, fade_low, gamma, half, reach, root, w, w_low):
 
-        def yes(delta, gamma, reach, root, w, w_low):
+        def yes(fade_, fade_low, gamma, half, reach, root, w, w_low):
             even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            half = 0.5*delta
-            fade_, fade_low = slow_fade(xp, reach, half)
             envelope = xp.exp(-half)
             near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
             return plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low,
                 odd, odd_low, gamma, near, risen)
 
-        def no(delta, gamma, reach, root, w, w_low):
-            half = 0.5*delta
+        def no(fade_, fade_low, gamma, half, reach, root, w, w_low):
             p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
             fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            fade_, fade_low = slow_fade(xp, reach, half)
             root_low = root_miss(xp, w, w_low, root)
             fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
             return plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low,
                 mean, mean_low, mean2, mean_low2)
 
-        return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-            (delta, gamma, reach, root, w, w_low))
+        return select(xp, w < 0.0, yes, (fade_, fade_low, gamma, half, reach, root, w, w_low), no,
+            (fade_, fade_low, gamma, half, reach, root, w, w_low))
 
-    return select(xp, reach < 0.5625, yes, (delta, reach, w), no,
-        (delta, gamma, reach, root, w, w_low))
+    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
+        (fade_, fade_low, gamma, half, reach, root, w, w_low))
 
 
 def decay(xp, x):
     """(1 - exp(-x))/x"""
-
-    def yes(x):
-        return 1.0
-
-    def no(x):
-        return -xp.expm1(-x)/x
-
-    return select(xp, x == 0.0, yes, (x,), no, (x,))
+    return select(xp, x == 0.0, lambda x: 1.0, (x,), lambda x: -xp.expm1(-x)/x, (x,))
 
 
 def denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low):
@@ -1302,89 +1009,28 @@ def denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low,
         (envelope, half, root, w, w_low))
 
 
-def numerator_gap_series_single(xp, h, w):
-    """The same in single precision."""
-    y = (h*h)
-
-    def yes(h):
-        return 0.0, 0.0
-
-    def no(w, y):
-        total, inner = 0.0, 0.0
-        for number in (8.22063524662433e-18, 2.8114572543455206e-15, 7.647163731819816e-13,
-            1.6059043836821613e-10, 2.505210838544172e-08):
-            own = inner*w + number
-            next_total = own + total*y
-            total, inner = next_total, own
-        total2 = total
-        inner2 = inner
-        return total2, inner2
-
-    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
-
-    own2 = inner2*w + 2.7557319223985893e-06
-    total3 = own2 + total2*y
-    own2 = own2*w + 0.0001984126984126984
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.008333333333333333
-    total3 = own2 + total3*y
-    own2 = own2*w
-    total3 = own2 + total3*y
-    return total3 - 4.967053879312289e-09
-
-
 def numerator_gap_series(xp, h, w):
     """divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6"""
-    if h.dtype == xp.float32:
-        return numerator_gap_series_single(xp, h, w)
+    begin, begin2, number2 = (19, 9, -4.967053879312289e-09) if h.dtype == xp.float32 else (27, 13,
+        9.25185853854297e-18)
     y = (h*h)
 
-    def yes(h):
-        return 0.0, 0.0
+    def add(total, inner, number, w, y):
+        own = inner*w + number
+        next_total = own + total*y
+        return next_total, own
 
-    def no(w, y):
-        total, inner = 0.0, 0.0
-        for number in (9.183689863795546e-29, 6.446950284384474e-26, 3.868170170630684e-23,
-            1.9572941063391263e-20, 8.22063524662433e-18, 2.8114572543455206e-15,
-            7.647163731819816e-13):
-            own = inner*w + number
-            next_total = own + total*y
-            total, inner = next_total, own
-        total2 = total
-        inner2 = inner
-        return total2, inner2
-
-    total2, inner2 = select(xp, (h < 0.0625) & (xp.abs(w) < 0.00390625), yes, (h,), no, (w, y))
-
-    own2 = inner2*w + 1.6059043836821613e-10
-    total3 = own2 + total2*y
-    own2 = own2*w + 2.505210838544172e-08
-    total3 = own2 + total3*y
-    own2 = own2*w + 2.7557319223985893e-06
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.0001984126984126984
-    total3 = own2 + total3*y
-    own2 = own2*w + 0.008333333333333333
-    total3 = own2 + total3*y
-    own2 = own2*w
-    total3 = own2 + total3*y
-    return total3 + 9.25185853854297e-18
-
-
-def numerator_gap_near(xp, half, w):
-    """(n1 - n0)/delta of a device with slow poles"""
-    rest = numerator_gap_series(xp, half, w)
-    total, lost = two_diff(xp, rest, -0.16666666666666666)
-    envelope = xp.exp(-half)
-    total, lost = wide_prod(xp, envelope, total, lost)
-    return lost + total
+    total, inner = series(xp, add, 2, (h < 0.0625) & (xp.abs(w) < 0.00390625), begin, begin2, 5, 2,
+        (w, y))
+    return inner*w + total*y + number2
 
 
 def numerator_gap_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even, even_low):
     """(n1 - n0)/delta of a creeping device"""
 
     def yes(half, w):
-        return numerator_gap_near(xp, half, w)
+        return scaled_sum(xp, xp.exp(-half), 0.0, numerator_gap_series(xp, half, w),
+            0.16666666666666666)
 
     def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
         fast = ratio*slow
@@ -1405,8 +1051,8 @@ def numerator_gap_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, rati
 def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
     """(n1 - n0)/delta of a swinging device"""
 
-    def yes(half, w):
-        return numerator_gap_near(xp, half, w)
+    def yes(envelope, half, w):
+        return scaled_sum(xp, envelope, 0.0, numerator_gap_series(xp, half, w), 0.16666666666666666)
 
     def no(delta, envelope, gamma, wave, wave_low):
         total, lost = wide_prod(xp, envelope, wave, wave_low)
@@ -1416,18 +1062,19 @@ def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, del
         total, lost2 = wide_quot(xp, total, whole, lost2 - lost, xp.full_like(lost, 0.0))
         return lost2 + total
 
-    return select(xp, reach < 1.0, yes, (half, w), no, (delta, envelope, gamma, wave, wave_low))
+    return select(xp, reach < 1.0, yes, (envelope, half, w), no,
+        (delta, envelope, gamma, wave, wave_low))
 
 
-def den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta):
+def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
     """1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
     exp(-delta); n1, how far a unit force moves the device in a period
     """
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
 
-    def yes(delta, gamma, reach, root, w, w_low):
+    def yes(delta, gamma, half, reach, root, w, w_low):
         even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         fade_, fade_low = slow_fade(xp, reach, half)
         envelope = xp.exp(-half)
@@ -1441,8 +1088,7 @@ def den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta):
             odd_low, gamma, near, risen)
         )
 
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
+    def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
         fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         fade_, fade_low = slow_fade(xp, reach, half)
@@ -1459,30 +1105,8 @@ def den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta):
             mean_low, mean2, mean_low2)
         )
 
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
-def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
-    """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
-    total, lost = fast_two_sum(xp, 1.0, -epsilon)
-    total, lost = wide_prod(xp, epsilon, total, lost)
-    total3, lost3 = wide_prod(xp, x, y, y_low)
-    both_low = lost3 + x_low*y
-    total, lost3 = wide_prod(xp, total, total3, both_low)
-    total, lost5 = two_diff(xp, first, 2.0*total)
-    total, lost6 = two_diff(xp, total, last)
-    total, lost7 = two_diff(xp, total, -turned)
-    low = lost*total3 + lost3
-    rest = lost5 + lost6
-    rest = lost7 + rest
-    rest = rest - 2.0*low
-    return rest + total
-
-
-def fractional_part(xp, d):
-    """the fraction of a period in a delay"""
-    return d - xp.floor(d)
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
+        (delta, gamma, half, reach, root, w, w_low))
 
 
 def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
@@ -1562,21 +1186,15 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             turned = -2.0*found*rises
             return turned
 
-        def no(rest):
-            return 0.0
-
         turned = select(xp, (rest > 0.0) & (y > 0.0), yes,
             (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
-            together, x, y, zone), no, (rest,))
+            together, x, y, zone), lambda rest: 0.0, (rest,))
 
         return turned
 
-    def no(at_high):
-        return 0.0
-
     return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
         (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
-        k2, k3, loss, low, n1, slope, together, zone), no, (at_high,))
+        k2, k3, loss, low, n1, slope, together, zone), lambda at_high: 0.0, (at_high,))
 
 
 def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
@@ -1690,16 +1308,33 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
         (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
 
-def kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, gamma, delta):
+def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
+    """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
+    total, lost = fast_two_sum(xp, 1.0, -epsilon)
+    total, lost = wide_prod(xp, epsilon, total, lost)
+    total3, lost3 = wide_prod(xp, x, y, y_low)
+    both_low = lost3 + x_low*y
+    total, lost3 = wide_prod(xp, total, total3, both_low)
+    total, lost5 = two_diff(xp, first, 2.0*total)
+    total, lost6 = two_diff(xp, total, last)
+    total, lost7 = two_diff(xp, total, -turned)
+    low = lost*total3 + lost3
+    rest = lost5 + lost6
+    rest = lost7 + rest
+    rest = rest - 2.0*low
+    return rest + total
+
+
+def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     """displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1
     - n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a
     unit force moves the device in a period
     """
     w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
 
-    def yes(delta, gamma, reach, root, w, w_low):
+    def yes(delta, gamma, half, reach, root, w, w_low):
         even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
         near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
         fade_, fade_low = slow_fade(xp, reach, half)
         envelope = xp.exp(-half)
@@ -1713,8 +1348,7 @@ def kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, gamma, delta):
             odd_low, gamma, near, risen)
         )
 
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
+    def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
         fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
         fade_, fade_low = slow_fade(xp, reach, half)
@@ -1731,39 +1365,36 @@ def kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, gamma, delta):
             mean_low, mean2, mean_low2)
         )
 
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
+        (delta, gamma, half, reach, root, w, w_low))
 
 
-def some_part(xp, d):
-    """the same, or 1/2 where it is 0"""
-    part = d - xp.floor(d)
-    return xp.where(part == 0.0, 0.5, part)
-
-
-def stable_single(xp, roots, alpha, beta, gamma, delta):
-    """The same in single precision."""
-    swing = square_root(xp, gamma)
-    return xp.where((alpha > -gamma) & (roots == 0.0) &
-        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
-        (~((delta < 5.960464477539062e-07) & (gamma > 1.0) &
-        (swing >= 4194304.0*xp.abs(xp.sin(swing))))), xp.full_like(alpha, 1.0), 0.0)
+def late_device(xp, gamma, delta, part):
+    """m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period"""
+    t0 = 1.0 - part
+    t1 = (t0*t0)
+    t2 = gamma*t1
+    t3 = delta*t0
+    kick_of2, kick_low_of, n_gap, n0_2, n1 = device_kick_kick_low_n_gap_n0_n1(xp, t2, t3)
+    t4 = (part*part)
+    t5 = gamma*t4
+    t6 = delta*part
+    kick_of, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t5, t6)
+    t8 = n0*t4
+    return fractional_numerator_gap(xp, part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
+        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
+        t2*t4 - t3*t8*decay(xp, t3)), n1*t1, t8*xp.exp(-t3)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
     """1 where the loop is stable, else 0"""
-    if roots.dtype == xp.float32:
-        return stable_single(xp, roots, alpha, beta, gamma, delta)
+    number, number2 = (5.960464477539062e-07, 4194304.0) if roots.dtype == xp.float32 else (
+        1.1102230246251565e-15, 2251799813685248.0)
     swing = square_root(xp, gamma)
     return xp.where((alpha > -gamma) & (roots == 0.0) &
         (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
-        (~((delta < 1.1102230246251565e-15) & (gamma > 1.0) &
-        (swing >= 2251799813685248.0*xp.abs(xp.sin(swing))))), xp.full_like(alpha, 1.0), 0.0)
-
-
-def whole_part(xp, d):
-    """whole periods of a delay"""
-    return xp.floor(d)
+        (~((delta < number) & (gamma > 1.0) & (swing >= number2*xp.abs(xp.sin(swing))))),
+        xp.full_like(alpha, 1.0), 0.0)
 
 
 def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
@@ -1781,34 +1412,22 @@ def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, l
         away = xp.where(case2, off, xp.where(case1, y - center, beyond - rest))
         return phase_turns(xp, at, still, away, alpha, slope, far, d, n1, loss, together, apart)
 
-    def no(edge):
-        return 0.0
-
     return select(xp, (edge < 4.0) & (rest > 0.0) & (y > 0.0), yes,
-        (alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y), no,
-        (edge,))
+        (alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y),
+        lambda edge: 0.0, (edge,))
 
 
 def quadratic_roots(xp, c, b, a, root):
     """(-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite"""
-
-    def yes(a, b, c, root):
-        q = -0.5*b - 0.5*root
-        case1 = a == 0.0
-        lead_ = xp.where(case1, 1.0, a)
-        case2 = q == 0.0
-        own = xp.where(case2, 1.0, q)
-        return xp.where(case1, -1.0, q/lead_), xp.where(case2, -1.0, c/own)
-
-    def no(a, b, c, root):
-        q = 0.5*root - 0.5*b
-        case1 = a == 0.0
-        lead_ = xp.where(case1, 1.0, a)
-        case2 = q == 0.0
-        own = xp.where(case2, 1.0, q)
-        return xp.where(case2, -1.0, c/own), xp.where(case1, -1.0, q/lead_)
-
-    return select(xp, b >= 0.0, yes, (a, b, c, root), no, (a, b, c, root))
+    q = -0.5*b - 0.5*xp.where(b >= 0.0, root, -root)
+    case1 = a == 0.0
+    lead_ = xp.where(case1, 1.0, a)
+    case2 = q == 0.0
+    own = xp.where(case2, 1.0, q)
+    one = xp.where(case1, -1.0, q/lead_)
+    two = xp.where(case2, -1.0, c/own)
+    return select(xp, b >= 0.0, lambda one, two: (one, two), (one, two), lambda one,
+        two: (two, one), (one, two))
 
 
 def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart):
@@ -1887,11 +1506,9 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
             alpha, slope, wall_far, d, n1, loss, together, apart)
         return total
 
-    def no(disc4):
-        return 0.0
-
     total = select(xp, disc4 >= 0.0, yes, (alpha, apart, beyond, center, d, disc4, far0, far1,
-        loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far), no, (disc4,))
+        loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far),
+        lambda disc4: 0.0, (disc4,))
 
     total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
         (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
@@ -1933,7 +1550,39 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     return found/size, found3/size
 
 
-def cos_next_sin_next_single(xp, k, x):
+def device_at_minus_one_together_n_gap(xp, gamma, delta):
+    """1 + a + e; n1 + n0; (n1 - n0)/delta"""
+    w, w_low, root, reach = device_motion(xp, gamma, delta)
+    half = 0.5*delta
+
+    def yes(delta, gamma, half, reach, root, w, w_low):
+        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+        envelope = xp.exp(-half)
+        return (
+            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
+            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
+            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
+            delta)
+        )
+
+    def no(delta, gamma, half, reach, root, w, w_low):
+        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+        root_low = root_miss(xp, w, w_low, root)
+        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        return (
+            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
+            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
+            fall, mean, mean_low, fall2, mean2, mean_low2)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
+        (delta, gamma, half, reach, root, w, w_low))
+
+
+def next_wave_single(xp, k, x):
     """The same in single precision."""
     count = k + 1.0
     before = count - 1.0
@@ -1963,18 +1612,18 @@ def cos_next_sin_next_single(xp, k, x):
     sine = low*still + wave
     cosine = still - low*wave
     case1 = (turn_ == 1.0) | (turn_ == 3.0)
-    value = xp.where(case1, sine, cosine)
+    value_ = xp.where(case1, sine, cosine)
     value2 = xp.where(case1, cosine, sine)
     return (
-        xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value, value),
+        xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value_, value_),
         xp.where(turn_ >= 2.0, -value2, value2)
     )
 
 
-def cos_next_sin_next(xp, k, x):
-    """cos((k + 1) x); sin((k + 1) x)"""
+def next_wave(xp, k, x):
+    """cos((k + 1) x) and sin((k + 1) x)"""
     if k.dtype == xp.float32:
-        return cos_next_sin_next_single(xp, k, x)
+        return next_wave_single(xp, k, x)
     count = k + 1.0
     before = count - 1.0
     angle = count*x
@@ -1982,122 +1631,15 @@ def cos_next_sin_next(xp, k, x):
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
     off = missed*x + two_prod_error(angle, count_halves, x_halves)
-    cosine = xp.cos(angle)
     sine = xp.sin(angle)
+    cosine = xp.cos(angle)
     return cosine - off*sine, cosine*off + sine
-
-
-def denominator_at_minus_one_numerator_at_one_numerator_gap(xp, gamma, delta):
-    """1 + a + e; n1 + n0; (n1 - n0)/delta"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-
-    def yes(delta, gamma, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        half = 0.5*delta
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        envelope = xp.exp(-half)
-        return (
-            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
-            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
-            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
-            delta)
-        )
-
-    def no(delta, gamma, reach, root, w, w_low):
-        half = 0.5*delta
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        return (
-            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
-            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
-            fall, mean, mean_low, fall2, mean2, mean_low2)
-        )
-
-    return select(xp, w < 0.0, yes, (delta, gamma, reach, root, w, w_low), no,
-        (delta, gamma, reach, root, w, w_low))
-
-
-def cos_next_single(xp, k, x):
-    """The same in single precision."""
-    count = k + 1.0
-    angle = count*x
-    quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
-    turn_ = quarters - 4.0*xp.floor(0.25*quarters)
-
-    def yes(angle, count, k, quarters, turn_, x):
-        before = count - 1.0
-        missed = k - before
-        left = angle - 1.5707963705062866*quarters
-        quarters_halves = halves(xp, quarters)
-        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
-            quarters_halves, number1_halves))
-        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
-        count_halves = halves(xp, count)
-        x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
-        total, lost4 = two_diff(xp, total, -missed*x)
-        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = (
-            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-        )
-        missed_halves = halves(xp, missed)
-        low = low + two_prod_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total)
-        still = xp.cos(total)
-        sine = low*still + wave
-        cosine = still - low*wave
-        value = xp.where((turn_ == 1.0) | (turn_ == 3.0), sine, cosine)
-        return -value
-
-    def no(angle, count, k, quarters, turn_, x):
-        before = count - 1.0
-        missed = k - before
-        left = angle - 1.5707963705062866*quarters
-        quarters_halves = halves(xp, quarters)
-        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
-            quarters_halves, number1_halves))
-        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
-        count_halves = halves(xp, count)
-        x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
-        total, lost4 = two_diff(xp, total, -missed*x)
-        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = (
-            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-        )
-        missed_halves = halves(xp, missed)
-        low = low + two_prod_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total)
-        still = xp.cos(total)
-        sine = low*still + wave
-        cosine = still - low*wave
-        return xp.where((turn_ == 1.0) | (turn_ == 3.0), sine, cosine)
-
-    return select(xp, (turn_ <= 2.0) & (turn_ >= 1.0), yes, (angle, count, k, quarters, turn_, x),
-        no, (angle, count, k, quarters, turn_, x))
 
 
 def cos_next(xp, k, x):
     """cos((k + 1) x)"""
-    if k.dtype == xp.float32:
-        return cos_next_single(xp, k, x)
-    count = k + 1.0
-    before = count - 1.0
-    angle = count*x
-    missed = k - before
-    count_halves = halves(xp, count)
-    x_halves = halves(xp, x)
-    off = missed*x + two_prod_error(angle, count_halves, x_halves)
-    cosine = xp.cos(angle)
-    sine = xp.sin(angle)
-    return cosine - off*sine
+    cosine, sine = next_wave(xp, k, x)
+    return cosine
 
 
 def early_slope(xp, theta, k4, k3, k2, k1, k0):
@@ -2167,131 +1709,49 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
         guess = here*there + last*other*(c - a)/whole3
         return guess
 
-    def no(safe):
-        return 0.5
-
-    guess = select(xp, safe > 0.0, yes, (a, c, fa, fb, fc, whole), no, (safe,))
+    guess = select(xp, safe > 0.0, yes, (a, c, fa, fb, fc, whole), lambda safe: 0.5, (safe,))
 
     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
     share = xp.where(edge > share, edge, share)
     return a + share*width
 
 
-def early_angle_single(xp, at_one, at_minus_one, loss, together, apart, last):
-    """The same in single precision."""
-    t = (apart*apart*apart)
-    t2 = (together*together*together)
-    t3 = (together*together)
-    t4 = apart*t3
-    t5 = (apart*apart)
-    t6 = 2.0*loss
-    t7 = at_minus_one + t6
-    t8 = 4.0*together
-    t9 = 16.0*apart
-    t6 = at_one + t6
-    t11 = 2.0*at_one
-    t12 = 5.0*at_minus_one
-    t13 = -at_one
-    t14 = 4.0*loss
-    t15 = apart*together
-    t16 = 16.0*together
-    t17 = at_one*last
-    t18 = apart*t11
-    t19 = at_one*t5
-    k = end_slope(xp, at_minus_one, loss, together, apart, last)
-    k2 = last*(32.0*at_minus_one*t3 + last*
-        (64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together) - 96.0*t5 - t7*t9*
-        together) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8
-    k3 = (
-        last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
-        (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
-        t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
-        (t6 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(t7 - t11)
-    )
-    k4 = (
-        last*(32.0*t17*together - 8.0*together*(t18 + 12.0*together)) + t8*
-        (t6*t3 + t15*(at_minus_one + t13) + t19)
-    )
-    k5 = (
-        last*(t16*t17 + t8*(t6*together - t18)) + together*
-        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14))
-    )
+def crossing(xp, value, low, high, close, given):
+    """Where a value changes from positive to negative between two ends, by Chandrupatla's method.
 
-    def over(count, found, k, k2, k3, k4, k5):
-        return (count > 24.0) | (found > 0.0)
+    An end stands for it where it does not change.
+    """
+    like = next((v for v in (low, high) if is_array_api_obj(v)), given[0])
+    low, high = (v if is_array_api_obj(v) else xp.full_like(like, v) for v in (low, high))
 
-    def step(count, found, k, k2, k3, k4, k5):
-        rises = early_slope(xp, 0.041666666666666664*3.141592653589793*count, k, k2, k3, k4, k5)
-        case1 = rises > 0.0
-        next_count = xp.where(case1, count + 1.0, count)
-        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-        return next_count, next_found
+    def over(b, fb, a, fa, c, fc, *given):
+        same = ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0))
+        return same | (xp.abs(a - b) <= close*xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
 
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0), (k, k2, k3, k4, k5))
+    def step(b, fb, a, fa, c, fc, *given):
+        new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, close))
+        found = value(new, *given)
+        same = ((fa < 0.0) & (found < 0.0)) | ((fa > 0.0) & (found > 0.0))
+        kept = xp.where(same, b, a), xp.where(same, fb, fa)
+        return *kept, new, found, xp.where(same, a, b), xp.where(same, fa, fb)
 
-    def yes(count, k, k2, k3, k4, k5):
-        high = 0.041666666666666664*3.141592653589793*count
-        low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
-            high, 0.041666666666666664*3.141592653589793*(count - 1.0))
-        above = early_slope(xp, low, k, k2, k3, k4, k5)
+    def between(low, above, high, below, *given):
+        start = low, above, high, below, high, below
+        b, fb, a, fa, _, _ = repeat(xp, 120, over, step, start, given)
+        return xp.where(xp.abs(fa) < xp.abs(fb), a, b)
 
-        def yes(low):
-            root = low
-            return root
+    def beyond(low, above, high, *given):
+        below = value(high, *given)
+        known = low, above, high, below, *given
+        return select(xp, below >= 0.0, lambda high: high, (high,), between, known)
 
-        def no(above, high, k, k2, k3, k4, k5, low):
-            below = early_slope(xp, high, k, k2, k3, k4, k5)
-
-            def yes(high):
-                root = high
-                return root
-
-            def no(above, below, high, k, k2, k3, k4, k5, low):
-
-                def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return (
-                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                        (xp.abs(a - b) <= 2.384185791015625e-07*
-                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                    )
-
-                def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    new = next_guess(xp, b, fb, a, fa, c, fc,
-                        xp.full_like(a, 2.384185791015625e-07))
-                    value = early_slope(xp, new, k, k2, k3, k4, k5)
-                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                        xp.full_like(fa, 1.0), 0.0)
-                    case1 = same > 0.0
-                    next_b = xp.where(case1, b, a)
-                    next_fb = xp.where(case1, fb, fa)
-                    next_c = xp.where(case1, a, b)
-                    next_fc = xp.where(case1, fa, fb)
-                    return next_b, next_fb, new, value, next_c, next_fc
-
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low, above, high, below, high, below), (k, k2, k3, k4, k5))
-                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                return root
-
-            root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, below, high, k, k2, k3, k4, k5, low))
-
-            return root
-
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, high, k, k2, k3, k4, k5, low))
-
-        return root
-
-    def no(found):
-        return 3.141592653589793
-
-    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5), no, (found,))
+    above = value(low, *given)
+    return select(xp, above <= 0.0, lambda low: low, (low,), beyond, (low, above, high, *given))
 
 
 def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
     """the angle of the largest stiffness for delays below a period"""
-    if at_one.dtype == xp.float32:
-        return early_angle_single(xp, at_one, at_minus_one, loss, together, apart, last)
+    close = 2.384185791015625e-07 if at_one.dtype == xp.float32 else 4.440892098500626e-16
     t = (apart*apart*apart)
     t2 = (together*together*together)
     t3 = (together*together)
@@ -2346,139 +1806,20 @@ def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
         high = 0.041666666666666664*3.141592653589793*count
         low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
             high, 0.041666666666666664*3.141592653589793*(count - 1.0))
-        above = early_slope(xp, low, k, k2, k3, k4, k5)
 
-        def yes(low):
-            root = low
-            return root
+        def value(at, k, k2, k3, k4, k5):
+            return early_slope(xp, at, k, k2, k3, k4, k5)
 
-        def no(above, high, k, k2, k3, k4, k5, low):
-            below = early_slope(xp, high, k, k2, k3, k4, k5)
+        return crossing(xp, value, low, high, close, (k, k2, k3, k4, k5))
 
-            def yes(high):
-                root = high
-                return root
-
-            def no(above, below, high, k, k2, k3, k4, k5, low):
-
-                def over(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    return (
-                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                        (xp.abs(a - b) <= 4.440892098500626e-16*
-                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                    )
-
-                def step(b, fb, a, fa, c, fc, k, k2, k3, k4, k5):
-                    new = next_guess(xp, b, fb, a, fa, c, fc,
-                        xp.full_like(a, 4.440892098500626e-16))
-                    value = early_slope(xp, new, k, k2, k3, k4, k5)
-                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                        xp.full_like(fa, 1.0), 0.0)
-                    case1 = same > 0.0
-                    next_b = xp.where(case1, b, a)
-                    next_fb = xp.where(case1, fb, fa)
-                    next_c = xp.where(case1, a, b)
-                    next_fc = xp.where(case1, fa, fb)
-                    return next_b, next_fb, new, value, next_c, next_fc
-
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low, above, high, below, high, below), (k, k2, k3, k4, k5))
-                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                return root
-
-            root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, below, high, k, k2, k3, k4, k5, low))
-
-            return root
-
-        root = select(xp, above <= 0.0, yes, (low,), no, (above, high, k, k2, k3, k4, k5, low))
-
-        return root
-
-    def no(found):
-        return 3.141592653589793
-
-    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5), no, (found,))
-
-
-def sin_next_single(xp, k, x):
-    """The same in single precision."""
-    count = k + 1.0
-    angle = count*x
-    quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
-    turn_ = quarters - 4.0*xp.floor(0.25*quarters)
-
-    def yes(angle, count, k, quarters, turn_, x):
-        before = count - 1.0
-        missed = k - before
-        left = angle - 1.5707963705062866*quarters
-        quarters_halves = halves(xp, quarters)
-        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
-            quarters_halves, number1_halves))
-        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
-        count_halves = halves(xp, count)
-        x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
-        total, lost4 = two_diff(xp, total, -missed*x)
-        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = (
-            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-        )
-        missed_halves = halves(xp, missed)
-        low = low + two_prod_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total)
-        still = xp.cos(total)
-        sine = low*still + wave
-        cosine = still - low*wave
-        value = xp.where((turn_ == 1.0) | (turn_ == 3.0), cosine, sine)
-        return -value
-
-    def no(angle, count, k, quarters, turn_, x):
-        before = count - 1.0
-        missed = k - before
-        left = angle - 1.5707963705062866*quarters
-        quarters_halves = halves(xp, quarters)
-        number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-        total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
-            quarters_halves, number1_halves))
-        total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
-        count_halves = halves(xp, count)
-        x_halves = halves(xp, x)
-        total, lost3 = two_diff(xp, total, -two_prod_error(count*x, count_halves, x_halves))
-        total, lost4 = two_diff(xp, total, -missed*x)
-        number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
-        low = (
-            lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
-            two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
-        )
-        missed_halves = halves(xp, missed)
-        low = low + two_prod_error(missed*x, missed_halves, x_halves)
-        wave = xp.sin(total)
-        still = xp.cos(total)
-        sine = low*still + wave
-        cosine = still - low*wave
-        return xp.where((turn_ == 1.0) | (turn_ == 3.0), cosine, sine)
-
-    return select(xp, turn_ >= 2.0, yes, (angle, count, k, quarters, turn_, x), no,
-        (angle, count, k, quarters, turn_, x))
+    return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5),
+        lambda found: 3.141592653589793, (found,))
 
 
 def sin_next(xp, k, x):
     """sin((k + 1) x)"""
-    if k.dtype == xp.float32:
-        return sin_next_single(xp, k, x)
-    count = k + 1.0
-    before = count - 1.0
-    angle = count*x
-    missed = k - before
-    count_halves = halves(xp, count)
-    x_halves = halves(xp, x)
-    off = missed*x + two_prod_error(angle, count_halves, x_halves)
-    cosine = xp.cos(angle)
-    sine = xp.sin(angle)
-    return cosine*off + sine
+    cosine, sine = next_wave(xp, k, x)
+    return sine
 
 
 def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together, apart, across):
@@ -2509,93 +1850,9 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together, apart, ac
     )
 
 
-def later_angle_single(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
-    """The same in single precision."""
-    turn_ = 3.141592653589793/(d + 1.0)
-
-    def over(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
-        return (count > 24.0) | (found > 0.0)
-
-    def step(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
-        rises = boundary_slope(xp, 0.041666666666666664*count*turn_, l, at_one, at_minus_one, loss,
-            together, apart, across)
-        case1 = rises > 0.0
-        next_count = xp.where(case1, count + 1.0, count)
-        next_found = xp.where(case1, xp.full_like(rises, 0.0), 1.0)
-        return next_count, next_found
-
-    count, found = repeat(xp, 24, over, step, (1.0, 0.0),
-        (across, apart, at_minus_one, at_one, l, loss, together, turn_))
-
-    def yes(across, apart, at_minus_one, at_one, count, l, loss, together, turn_):
-        high = 0.041666666666666664*count*turn_
-        low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
-            0.041666666666666664*turn_*(count - 1.0))
-        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together, apart, across)
-
-        def yes(low):
-            root = low
-            return root
-
-        def no(above, across, apart, at_minus_one, at_one, high, l, loss, low, together):
-            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together, apart, across)
-
-            def yes(high):
-                root = high
-                return root
-
-            def no(above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together):
-
-                def over(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
-                    together):
-                    return (
-                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                        (xp.abs(a - b) <= 2.384185791015625e-07*
-                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                    )
-
-                def step(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
-                    together):
-                    new = next_guess(xp, b, fb, a, fa, c, fc,
-                        xp.full_like(a, 2.384185791015625e-07))
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together, apart,
-                        across)
-                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                        xp.full_like(fa, 1.0), 0.0)
-                    case1 = same > 0.0
-                    next_b = xp.where(case1, b, a)
-                    next_fb = xp.where(case1, fb, fa)
-                    next_c = xp.where(case1, a, b)
-                    next_fc = xp.where(case1, fa, fb)
-                    return next_b, next_fb, new, value, next_c, next_fc
-
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low, above, high, below, high, below),
-                    (across, apart, at_minus_one, at_one, l, loss, together))
-                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                return root
-
-            root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together))
-
-            return root
-
-        root = select(xp, above <= 0.0, yes, (low,), no,
-            (above, across, apart, at_minus_one, at_one, high, l, loss, low, together))
-
-        return root
-
-    def no(found):
-        return xp.nan
-
-    return select(xp, found > 0.0, yes, (across, apart, at_minus_one, at_one, count, l, loss,
-        together, turn_), no, (found,))
-
-
 def later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
     """the angle of the largest stiffness for a period and more"""
-    if d.dtype == xp.float32:
-        return later_angle_single(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
+    close = 2.384185791015625e-07 if d.dtype == xp.float32 else 4.440892098500626e-16
     turn_ = 3.141592653589793/(d + 1.0)
 
     def over(count, found, across, apart, at_minus_one, at_one, l, loss, together, turn_):
@@ -2616,65 +1873,15 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
         high = 0.041666666666666664*count*turn_
         low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
             0.041666666666666664*turn_*(count - 1.0))
-        above = boundary_slope(xp, low, l, at_one, at_minus_one, loss, together, apart, across)
 
-        def yes(low):
-            root = low
-            return root
+        def value(at, across, apart, at_minus_one, at_one, l, loss, together):
+            return boundary_slope(xp, at, l, at_one, at_minus_one, loss, together, apart, across)
 
-        def no(above, across, apart, at_minus_one, at_one, high, l, loss, low, together):
-            below = boundary_slope(xp, high, l, at_one, at_minus_one, loss, together, apart, across)
-
-            def yes(high):
-                root = high
-                return root
-
-            def no(above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together):
-
-                def over(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
-                    together):
-                    return (
-                        ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                        (xp.abs(a - b) <= 4.440892098500626e-16*
-                        xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                    )
-
-                def step(b, fb, a, fa, c, fc, across, apart, at_minus_one, at_one, l, loss,
-                    together):
-                    new = next_guess(xp, b, fb, a, fa, c, fc,
-                        xp.full_like(a, 4.440892098500626e-16))
-                    value = boundary_slope(xp, new, l, at_one, at_minus_one, loss, together, apart,
-                        across)
-                    same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                        xp.full_like(fa, 1.0), 0.0)
-                    case1 = same > 0.0
-                    next_b = xp.where(case1, b, a)
-                    next_fb = xp.where(case1, fb, fa)
-                    next_c = xp.where(case1, a, b)
-                    next_fc = xp.where(case1, fa, fb)
-                    return next_b, next_fb, new, value, next_c, next_fc
-
-                b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                    (low, above, high, below, high, below),
-                    (across, apart, at_minus_one, at_one, l, loss, together))
-                root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-                return root
-
-            root = select(xp, below >= 0.0, yes, (high,), no,
-                (above, across, apart, at_minus_one, at_one, below, high, l, loss, low, together))
-
-            return root
-
-        root = select(xp, above <= 0.0, yes, (low,), no,
-            (above, across, apart, at_minus_one, at_one, high, l, loss, low, together))
-
-        return root
-
-    def no(found):
-        return xp.nan
+        return crossing(xp, value, low, high, close,
+            (across, apart, at_minus_one, at_one, l, loss, together))
 
     return select(xp, found > 0.0, yes, (across, apart, at_minus_one, at_one, count, l, loss,
-        together, turn_), no, (found,))
+        together, turn_), lambda found: xp.nan, (found,))
 
 
 def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
@@ -2717,96 +1924,11 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
-def max_stiffness_angle_single(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one,
-    loss, together, apart):
-    """The same in single precision."""
-
-    def yes(apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together):
-        across = xp.where(part == 0.0, first, first - last)
-
-        def yes(apart, at_minus_one, at_one, loss, together):
-            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together, apart)
-            return theta
-
-        def no(across, apart, at_minus_one, at_one, d, l, last, loss, together):
-
-            def yes(apart, at_minus_one, at_one, last, loss, together):
-                theta = early_angle(xp, at_one, at_minus_one, loss, together, apart, last)
-                return theta
-
-            def no(across, apart, at_minus_one, at_one, d, l, loss, together):
-                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
-                return theta
-
-            theta = select(xp, d < 1.0, yes, (apart, at_minus_one, at_one, last, loss, together),
-                no, (across, apart, at_minus_one, at_one, d, l, loss, together))
-
-            return theta
-
-        theta = select(xp, d == 0.0, yes, (apart, at_minus_one, at_one, loss, together), no,
-            (across, apart, at_minus_one, at_one, d, l, last, loss, together))
-
-        t = sin_next(xp, l, theta)
-        t2 = 0.5*theta
-        t3 = xp.sin(t2)
-        t2 = xp.cos(t2)
-        t5 = (t2*t2)
-        t6 = (t3*t3)
-        t7 = 4.0*t5*t6
-        t8 = t5*together - apart*t6
-        t9 = 1.0/((across*across)*t7 + (t8*t8))
-        t5 = at_one*t5 - at_minus_one*t6
-        t11 = 2.0*loss*t8 - 2.0*across*t5
-        t5 = across*loss*t7 + t5*t8
-        t8 = t9*cos_next(xp, l, theta)
-        t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
-        stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
-
-        def yes(d):
-            return 1.0
-
-        def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
-            t14, together):
-            inside_ = 0.9999237060546875*stiffness - 7.62939453125e-05*gamma
-
-            def yes(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
-                outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together, apart)
-                return outside
-
-            def no(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
-                outside = fractional_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one,
-                    loss, together, apart)
-                return outside
-
-            outside = select(xp, part == 0.0, yes,
-                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together), no,
-                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together))
-
-            good = stable(xp, outside, inside_, t14, gamma, delta)
-            return good
-
-        good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
-            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
-            (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
-            together))
-
-        return xp.where(good > 0.0, theta, xp.nan)
-
-    def no(d):
-        return xp.nan
-
-    return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
-        (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
-        part, together), no, (d,))
-
-
 def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss,
     together, apart):
     """the angle of the wall of largest stable stiffness, or NaN"""
-    if gamma.dtype == xp.float32:
-        return max_stiffness_angle_single(xp, gamma, delta, d, l, part, first, last, at_one,
-            at_minus_one, loss, together, apart)
+    number, number2 = (0.9999237060546875, 7.62939453125e-05) if gamma.dtype == xp.float32 else (
+        0.9999999953433871, 4.6566128730773926e-09)
 
     def yes(apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together):
         across = xp.where(part == 0.0, first, first - last)
@@ -2849,12 +1971,9 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
 
-        def yes(d):
-            return 1.0
-
         def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
             t14, together):
-            inside_ = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma
+            inside_ = number*stiffness - number2*gamma
 
             def yes(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
                 outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
@@ -2874,87 +1993,49 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
             return good
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
-            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), yes, (d,), no,
+            (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), lambda d: 1.0, (d,), no,
             (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
             together))
 
         return xp.where(good > 0.0, theta, xp.nan)
 
-    def no(d):
-        return xp.nan
-
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
         (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
-        part, together), no, (d,))
-
-
-def gap_single(xp, x):
-    """The same in single precision."""
-
-    def yes(x):
-        square = -(x*x)
-        rest = square*(square*(square*(square*
-            (square*(square*(2.8114572543455206e-15*square + 7.647163731819816e-13) +
-            1.6059043836821613e-10) + 2.505210838544172e-08) + 2.7557319223985893e-06) +
-            0.0001984126984126984) + 0.008333333333333333) - 4.967053879312289e-09
-        return rest + 0.1666666716337204
-
-    def no(x):
-        return (x - xp.sin(x))/(x*x*x)
-
-    return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
+        part, together), lambda d: xp.nan, (d,))
 
 
 def gap(xp, x):
     """(x - sin(x))/x^3"""
-    if x.dtype == xp.float32:
-        return gap_single(xp, x)
+    begin, number2, number3 = (17, -4.967053879312289e-09,
+        0.1666666716337204) if x.dtype == xp.float32 else (25, 9.25185853854297e-18,
+        0.16666666666666666)
 
     def yes(x):
         square = -(x*x)
-        rest = (
-            square*(square*(square*(square*(square*
-            (square*(square*(square*(square*(square*
-            (6.446950284384474e-26*square + 3.868170170630684e-23) + 1.9572941063391263e-20) +
-            8.22063524662433e-18) + 2.8114572543455206e-15) + 7.647163731819816e-13) +
-            1.6059043836821613e-10) + 2.505210838544172e-08) + 2.7557319223985893e-06) +
-            0.0001984126984126984) + 0.008333333333333333) + 9.25185853854297e-18
-        )
-        return rest + 0.16666666666666666
+        total = 0.0
+        for number in INVERSE_FACTORIAL[begin:4:-2]:
+            next_total = number + square*total
+            total = next_total
+        rest = square*total + number2
+        return rest + number3
 
-    def no(x):
-        return (x - xp.sin(x))/(x*x*x)
-
-    return select(xp, xp.abs(x) < 2.0, yes, (x,), no, (x,))
+    return select(xp, xp.abs(x) < 2.0, yes, (x,), lambda x: (x - xp.sin(x))/(x*x*x), (x,))
 
 
 def sinc(xp, x):
     """sin(x)/x"""
-
-    def yes(x):
-        return 1.0 - (x*x)*gap(xp, x)
-
-    def no(x):
-        whole = xp.where(x == 0.0, 1.0, x)
-        return xp.sin(x)/whole
-
-    return select(xp, xp.abs(x) < 1.0, yes, (x,), no, (x,))
+    return select(xp, xp.abs(x) < 1.0, lambda x: 1.0 - (x*x)*gap(xp, x), (x,), lambda x: xp.sin(x)/
+        x, (x,))
 
 
 def damping_at(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
+    early = (
+        0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
+        cos_next(xp, l, 2.0*psi)
+    )
 
-    def yes(alpha, beta, l, psi):
-        return (
-            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
-            cos_next(xp, l, 2.0*psi)
-        )
-
-    def no(alpha, beta, epsilon, l, psi):
-        early = (
-            0.5*alpha*(2.0*l + 1.0)*sinc(xp, psi*(2.0*l + 1.0))/sinc(xp, psi) - beta*
-            cos_next(xp, l, 2.0*psi)
-        )
+    def no(alpha, beta, early, epsilon, l, psi):
         n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(xp, psi*(2.0*l + 3.0))/sinc(xp, psi) -
             beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
         root = square_root(xp, epsilon*(1.0 - epsilon)*
@@ -2962,27 +2043,25 @@ def damping_at(xp, alpha, beta, l, epsilon, psi):
             (xp.sin(psi)*xp.sin(psi))) + (n*n))
         return 0.5*n + 0.5*root
 
-    return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
-        (alpha, beta, epsilon, l, psi))
+    return select(xp, epsilon == 0.0, lambda early: early, (early,), no,
+        (alpha, beta, early, epsilon, l, psi))
 
 
 def chord(xp, k, x):
     """(2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3"""
     turn_ = x*(k + 1.0)
+    order = 2.0*k + 2.0
+    along = cos_next(xp, k, x)
 
-    def yes(k, turn_, x):
-        order = 2.0*k + 2.0
-        along = cos_next(xp, k, x)
+    def yes(along, order, turn_, x):
         wave = sinc(xp, 0.5*turn_)
         inner = 0.5*(wave*wave) - gap(xp, turn_)
         return order*(along*gap(xp, x) + 0.25*inner*(order*order))
 
-    def no(k, x):
-        order = 2.0*k + 2.0
-        along = cos_next(xp, k, x)
+    def no(along, k, order, x):
         return (2.0*sin_next(xp, k, x) - along*order*xp.sin(x))/(x*x*x)
 
-    return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
+    return select(xp, turn_ < 1.5, yes, (along, order, turn_, x), no, (along, k, order, x))
 
 
 def rising(xp, alpha, beta, l, epsilon, psi):
@@ -3012,143 +2091,36 @@ def steepness(xp, alpha, beta, l, epsilon, psi):
         )
 
     def no(alpha, beta, epsilon, l, psi):
+        rising_ = rising(xp, alpha, beta, l, epsilon, psi)
         phase = (
             psi*(2.0*l + 2.0) + xp.atan2(alpha*xp.cos(psi), (alpha + 2.0*beta)*xp.sin(psi)) +
             xp.atan2(epsilon*xp.sin(2.0*psi), epsilon*xp.cos(2.0*psi) - epsilon + 1.0) -
             3.141592653589793
         )
-
-        def yes(alpha, beta, epsilon, l, psi):
-            rising_ = rising(xp, alpha, beta, l, epsilon, psi)
-            return -xp.abs(rising_)
-
-        def no(alpha, beta, epsilon, l, psi):
-            return rising(xp, alpha, beta, l, epsilon, psi)
-
-        return select(xp, phase > 0.0, yes, (alpha, beta, epsilon, l, psi), no,
-            (alpha, beta, epsilon, l, psi))
+        return xp.where(phase > 0.0, -xp.abs(rising_), rising_)
 
     return select(xp, epsilon == 0.0, yes, (alpha, beta, l, psi), no,
         (alpha, beta, epsilon, l, psi))
 
 
-def worst_angle_single(xp, alpha, beta, l, epsilon):
-    """The same in single precision."""
-    size = xp.abs(alpha) + xp.abs(beta)
-    whole = xp.where(size == 0.0, 1.0, size)
-    stiffness = alpha/whole
-    damping = beta/whole
-    above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
-
-    def yes(above):
-        return 0.0
-
-    def no(above, damping, epsilon, l, stiffness):
-        high = 3.141592502593994/(2.0*l + 2.0)
-        below = steepness(xp, stiffness, damping, l, epsilon, high)
-
-        def yes(high):
-            root = high
-            return root
-
-        def no(above, below, damping, epsilon, high, l, stiffness):
-
-            def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 7.62939453125e-06*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 7.62939453125e-06))
-                value = steepness(xp, stiffness, damping, l, epsilon, new)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (high,), no,
-            (above, below, damping, epsilon, high, l, stiffness))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, damping, epsilon, l, stiffness))
-
-    return root
-
-
 def worst_angle(xp, alpha, beta, l, epsilon):
     """half of the angle at which the wall needs most damping"""
-    if alpha.dtype == xp.float32:
-        return worst_angle_single(xp, alpha, beta, l, epsilon)
+    number, flat = (3.141592502593994, 7.62939453125e-06) if alpha.dtype == xp.float32 else (
+        3.141592653589793, 4.656612873077393e-10)
     size = xp.abs(alpha) + xp.abs(beta)
     whole = xp.where(size == 0.0, 1.0, size)
     stiffness = alpha/whole
     damping = beta/whole
-    above = steepness(xp, stiffness, damping, l, epsilon, xp.full_like(damping, 0.0))
+    high = number/(2.0*l + 2.0)
 
-    def yes(above):
-        return 0.0
+    def value(at, damping, epsilon, l, stiffness):
+        return steepness(xp, stiffness, damping, l, epsilon, at)
 
-    def no(above, damping, epsilon, l, stiffness):
-        high = 3.141592653589793/(2.0*l + 2.0)
-        below = steepness(xp, stiffness, damping, l, epsilon, high)
-
-        def yes(high):
-            root = high
-            return root
-
-        def no(above, below, damping, epsilon, high, l, stiffness):
-
-            def over(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 4.656612873077393e-10*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, damping, epsilon, l, stiffness):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.656612873077393e-10))
-                value = steepness(xp, stiffness, damping, l, epsilon, new)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (0.0, above, high, below, high, below), (damping, epsilon, l, stiffness))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (high,), no,
-            (above, below, damping, epsilon, high, l, stiffness))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (above,), no, (above, damping, epsilon, l, stiffness))
-
-    return root
+    return crossing(xp, value, 0.0, high, flat, (damping, epsilon, l, stiffness))
 
 
 def largest_required_damping(xp, alpha, beta, d):
     """the damping that the wall needs at its worst angle"""
-
-    def yes(alpha):
-        return xp.inf
 
     def no(alpha, beta, d):
         whole = xp.floor(d)
@@ -3156,7 +2128,7 @@ def largest_required_damping(xp, alpha, beta, d):
         psi = worst_angle(xp, alpha, beta, whole, part)
         return damping_at(xp, alpha, beta, whole, part, psi)
 
-    return select(xp, alpha < 0.0, yes, (alpha,), no, (alpha, beta, d))
+    return select(xp, alpha < 0.0, lambda alpha: xp.inf, (alpha,), no, (alpha, beta, d))
 
 
 def between(xp, share, early, late):
@@ -3173,30 +2145,26 @@ def lead(xp, theta, l, epsilon):
         late = sin_next(xp, l + 1.0, theta)
         return early + epsilon*(late - early)
 
-    def no(l):
-        return -1.0
-
-    return select(xp, theta*(l + 1.0) < 4.0, yes, (epsilon, l, theta), no, (l,))
+    return select(xp, theta*(l + 1.0) < 4.0, yes, (epsilon, l, theta), lambda l: -1.0, (l,))
 
 
-def rated(xp, number, value):
+def rated(xp, number, value_):
     """the value, NaN for number < 0"""
-    return xp.where(number < 0.0, xp.nan, value)
+    return xp.where(number < 0.0, xp.nan, value_)
 
 
 def spread(xp, k, x):
     """((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3"""
     turn_ = x*(k + 1.0)
+    order = 2.0*k + 2.0
 
-    def yes(k, turn_, x):
-        order = 2.0*k + 2.0
+    def yes(order, turn_, x):
         return order*((order*order)*gap(xp, 2.0*turn_) - gap(xp, x))
 
-    def no(k, x):
-        order = 2.0*k + 2.0
+    def no(k, order, x):
         return (order*xp.sin(x) - 2.0*cos_next(xp, k, x)*sin_next(xp, k, x))/(x*x*x)
 
-    return select(xp, turn_ < 1.5, yes, (k, turn_, x), no, (k, x))
+    return select(xp, turn_ < 1.5, yes, (order, turn_, x), no, (k, order, x))
 
 
 def straight(xp, stiffness, damping, k, angle):
@@ -3241,83 +2209,9 @@ def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
     )
 
 
-def turn_single(xp, psi, l, epsilon):
-    """The same in single precision."""
-    wave = xp.sin(psi)
-    wave2 = xp.cos(psi)
-    wave3 = chord(xp, l, 2.0*psi)
-    wave4 = chord(xp, l + 1.0, 2.0*psi)
-    wave5 = cos_next(xp, l, 2.0*psi)
-    wave6 = cos_next(xp, l + 1.0, 2.0*psi)
-    wave7 = sinc(xp, psi)
-    wave8 = sinc(xp, 2.0*psi)
-    wave9 = sinc(xp, psi*(2.0*l + 1.0))
-    wave10 = sinc(xp, psi*(2.0*l + 2.0))
-    wave11 = sinc(xp, psi*(2.0*l + 3.0))
-    wave12 = sinc(xp, psi*(2.0*l + 4.0))
-    above = turning(xp, xp.full_like(epsilon, 0.0), l, epsilon, wave, wave2, wave3, wave4, wave5,
-        wave6, wave7, wave8, wave9, wave10, wave11, wave12)
-
-    def yes(above):
-        return 0.0
-
-    def no(above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
-        wave7, wave8, wave9):
-        below = turning(xp, xp.full_like(epsilon, 0.5*3.141592653589793), l, epsilon, wave, wave2,
-            wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10, wave11, wave12)
-
-        def yes(below):
-            return 0.5*3.141592653589793
-
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
-            wave6, wave7, wave8, wave9):
-
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
-                wave4, wave5, wave6, wave7, wave8, wave9):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 2.384185791015625e-07*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
-                wave4, wave5, wave6, wave7, wave8, wave9):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 2.384185791015625e-07))
-                value = turning(xp, new, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
-                    wave7, wave8, wave9, wave10, wave11, wave12)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
-                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
-                wave7, wave8, wave9))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (below,), no,
-            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
-            wave6, wave7, wave8, wave9))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (above,), no,
-        (above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7,
-        wave8, wave9))
-
-    return root
-
-
 def turn(xp, psi, l, epsilon):
     """the wall whose worst angle is 2 psi, as an angle"""
-    if psi.dtype == xp.float32:
-        return turn_single(xp, psi, l, epsilon)
+    close = 2.384185791015625e-07 if psi.dtype == xp.float32 else 4.440892098500626e-16
     wave = xp.sin(psi)
     wave2 = xp.cos(psi)
     wave3 = chord(xp, l, 2.0*psi)
@@ -3330,63 +2224,15 @@ def turn(xp, psi, l, epsilon):
     wave10 = sinc(xp, psi*(2.0*l + 2.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     wave12 = sinc(xp, psi*(2.0*l + 4.0))
-    above = turning(xp, xp.full_like(epsilon, 0.0), l, epsilon, wave, wave2, wave3, wave4, wave5,
-        wave6, wave7, wave8, wave9, wave10, wave11, wave12)
 
-    def yes(above):
-        return 0.0
-
-    def no(above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
+    def value(at, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
         wave7, wave8, wave9):
-        below = turning(xp, xp.full_like(epsilon, 0.5*3.141592653589793), l, epsilon, wave, wave2,
-            wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10, wave11, wave12)
+        return turning(xp, at, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8,
+            wave9, wave10, wave11, wave12)
 
-        def yes(below):
-            return 0.5*3.141592653589793
-
-        def no(above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
-            wave6, wave7, wave8, wave9):
-
-            def over(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
-                wave4, wave5, wave6, wave7, wave8, wave9):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 4.440892098500626e-16*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3,
-                wave4, wave5, wave6, wave7, wave8, wave9):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.440892098500626e-16))
-                value = turning(xp, new, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
-                    wave7, wave8, wave9, wave10, wave11, wave12)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (0.0, above, 0.5*3.141592653589793, below, 0.5*3.141592653589793, below),
-                (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
-                wave7, wave8, wave9))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (below,), no,
-            (above, below, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5,
-            wave6, wave7, wave8, wave9))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (above,), no,
-        (above, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7,
-        wave8, wave9))
-
-    return root
+    return crossing(xp, value, 0.0, 0.5*3.141592653589793, close,
+        (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8,
+        wave9))
 
 
 def touching(xp, theta, l, epsilon):
@@ -3408,110 +2254,29 @@ def passive_slope(xp, psi, l, epsilon):
     )
 
 
-def passive_angle_single(xp, l, epsilon):
-    """The same in single precision."""
-    low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    above = passive_slope(xp, low, l, epsilon)
-
-    def yes(low):
-        root = low
-        return root
-
-    def no(above, epsilon, l, low):
-        high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-        below = passive_slope(xp, high, l, epsilon)
-
-        def yes(high):
-            root = high
-            return root
-
-        def no(above, below, epsilon, high, l, low):
-
-            def over(b, fb, a, fa, c, fc, epsilon, l):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 2.384185791015625e-07*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, epsilon, l):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 2.384185791015625e-07))
-                value = passive_slope(xp, new, l, epsilon)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (low, above, high, below, high, below), (epsilon, l))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, epsilon, high, l, low))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (low,), no, (above, epsilon, l, low))
-
-    return 2.0*root
-
-
 def passive_angle(xp, l, epsilon):
     """the worst angle of the stiffest passive wall, at a fraction"""
-    if l.dtype == xp.float32:
-        return passive_angle_single(xp, l, epsilon)
+    close = 2.384185791015625e-07 if l.dtype == xp.float32 else 4.440892098500626e-16
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    above = passive_slope(xp, low, l, epsilon)
+    high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
 
-    def yes(low):
-        root = low
-        return root
+    def value(at, epsilon, l):
+        return passive_slope(xp, at, l, epsilon)
 
-    def no(above, epsilon, l, low):
-        high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-        below = passive_slope(xp, high, l, epsilon)
-
-        def yes(high):
-            root = high
-            return root
-
-        def no(above, below, epsilon, high, l, low):
-
-            def over(b, fb, a, fa, c, fc, epsilon, l):
-                return (
-                    ((fa <= 0.0) & (fb <= 0.0)) | ((fa >= 0.0) & (fb >= 0.0)) |
-                    (xp.abs(a - b) <= 4.440892098500626e-16*
-                    xp.abs(xp.where(xp.abs(fa) < xp.abs(fb), a, b)))
-                )
-
-            def step(b, fb, a, fa, c, fc, epsilon, l):
-                new = next_guess(xp, b, fb, a, fa, c, fc, xp.full_like(a, 4.440892098500626e-16))
-                value = passive_slope(xp, new, l, epsilon)
-                same = xp.where(((fa < 0.0) & (value < 0.0)) | ((fa > 0.0) & (value > 0.0)),
-                    xp.full_like(fa, 1.0), 0.0)
-                case1 = same > 0.0
-                next_b = xp.where(case1, b, a)
-                next_fb = xp.where(case1, fb, fa)
-                next_c = xp.where(case1, a, b)
-                next_fc = xp.where(case1, fa, fb)
-                return next_b, next_fb, new, value, next_c, next_fc
-
-            b, fb, a, fa, c, fc = repeat(xp, 120, over, step,
-                (low, above, high, below, high, below), (epsilon, l))
-            root = xp.where(xp.abs(fa) < xp.abs(fb), a, b)
-            return root
-
-        root = select(xp, below >= 0.0, yes, (high,), no, (above, below, epsilon, high, l, low))
-
-        return root
-
-    root = select(xp, above <= 0.0, yes, (low,), no, (above, epsilon, l, low))
-
+    root = crossing(xp, value, low, high, close, (epsilon, l))
     return 2.0*root
+
+
+INSIDE = {
+    "gamma": lambda xp, most, gamma: (gamma <= most.size) & (gamma >= 0.0),
+    "delta": lambda xp, most, delta: (delta <= most.size) & (delta >= 0.0),
+    "epsilon": lambda xp, most, epsilon: (epsilon < 1.0) & (epsilon >= 0.0),
+    "alpha": lambda xp, most, alpha: xp.abs(alpha) <= most.size,
+    "beta": lambda xp, most, beta: xp.abs(beta) <= most.size,
+    "d": lambda xp, most, d: (d <= most.periods) & (d >= 0.0),
+    "theta": lambda xp, most, theta: (theta <= most.angle) & (theta > 0.0),
+}
+"""What is true of each argument inside its domain alone."""
 
 
 @by_value
@@ -3524,16 +2289,12 @@ def discretize(gamma, delta):
     NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta = arrays(gamma, delta)
-    most = limits(xp, gamma)
 
     def work(gamma, delta):
-        plant_n0_of, plant_n1_of, plant_trace_of = plant_n0_plant_n1_plant_trace(xp, gamma, delta)
-        return plant_n1_of, plant_n0_of, plant_trace_of, xp.exp(-delta)
+        n0, n1, trace = device_n0_n1_trace(xp, gamma, delta)
+        return n1, n0, trace, xp.exp(-delta)
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
-
-    return guarded(xp, work, inside, 4, math.nan, gamma, delta)
+    return guarded(xp, work, "gamma delta", 4, math.nan, gamma, delta)
 
 
 @by_value
@@ -3548,36 +2309,26 @@ def discretize_fractional(gamma, delta, epsilon):
     NaN outside, and where an argument is NaN or larger than 1e70.
     """
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
-    most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        numerator_at_one_of, plant_trace_of = numerator_at_one_plant_trace(xp, gamma, delta)
-        return numerator_at_one_of, plant_trace_of
+        together, trace = device_together_trace(xp, gamma, delta)
+        return together, trace
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+    together, trace = guarded(xp, plant, "gamma delta", 2, math.nan, gamma, delta)
 
-    numerator_at_one_of, plant_trace_of = guarded(xp, plant, inside, 2, math.nan, gamma, delta)
-
-    def work(gamma, delta, epsilon, numerator_at_one_of, plant_trace_of):
+    def work(gamma, delta, epsilon, together, trace):
         t0 = 1.0 - epsilon
         t1 = (t0*t0)
         t0 = delta*t0
-        plant_n1_of = plant_n1(xp, gamma*t1, t0)
-        t1 = plant_n1_of*t1
+        n1 = plant_n1(xp, gamma*t1, t0)
+        t1 = n1*t1
         t4 = (epsilon*epsilon)
-        plant_n0_of = plant_n0(xp, gamma*t4, delta*epsilon)
-        t4 = plant_n0_of*t4*xp.exp(-t0)
-        return t1, numerator_at_one_of - t1 - t4, t4, plant_trace_of, xp.exp(-delta)
+        n0 = plant_n0(xp, gamma*t4, delta*epsilon)
+        t4 = n0*t4*xp.exp(-t0)
+        return t1, together - t1 - t4, t4, trace, xp.exp(-delta)
 
-    def inside(gamma, delta, epsilon, numerator_at_one_of, plant_trace_of):
-        return (
-            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((epsilon < 1.0) & (epsilon >= 0.0)) & ~xp.isnan(numerator_at_one_of)
-        )
-
-    return guarded(xp, work, inside, 5, math.nan, gamma, delta, epsilon, numerator_at_one_of,
-        plant_trace_of)
+    return guarded(xp, work, "gamma delta epsilon", 5, math.nan, gamma, delta, epsilon, together,
+        trace)
 
 
 @by_value
@@ -3594,76 +2345,36 @@ def is_stable(alpha, beta, gamma, delta, d):
     False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
-    most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        (
-            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-                plant_n1_of3
-        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
-        return (
-            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3, gamma*numerator_at_one_of, delta*decay(xp, delta)
+        at_minus_one, together, n_gap, n0, n1 = (
+            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
         )
+        return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+    at_minus_one, together, n_gap, n0, n1, t1, t3 = (
+        guarded(xp, plant, "gamma delta", 7, math.nan, gamma, delta)
+    )
 
-    (
-        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3, t1, t3
-    ) = guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
+        whole = xp.floor(d)
+        part = d - whole
 
-    def work(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
-        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
+        def yes(alpha, beta, d, delta, at_minus_one, gamma, together, n_gap, n0, n1, t1, t3):
+            return stable(xp, whole_roots(xp, alpha, beta, d, n1, n0, t1, at_minus_one, t3,
+                together, delta*n_gap), alpha, beta, gamma, delta) != 0.0
 
-        def yes(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of,
-            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
-            return stable(xp, whole_roots(xp, alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-                denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of),
-                alpha, beta, gamma, delta) != 0.0
+        def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
+            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            return stable(xp, fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one,
+                t3, together, apart), alpha, beta, gamma, delta) != 0.0
 
-        def no(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
-            t3):
-            t4 = some_part(xp, d)
-            t5 = 1.0 - t4
-            t6 = (t5*t5)
-            t7 = gamma*t6
-            t8 = delta*t5
-            kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t7, t8)
-            )
-            t10 = (t4*t4)
-            t11 = gamma*t10
-            t12 = delta*t4
-            kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2 = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t11, t12)
-            )
-            t13 = plant_n0_of*t10
-            return stable(xp, fractional_roots(xp, alpha, beta, whole_part(xp, d), plant_n1_of*t6,
-                t13*xp.exp(-t8), t1, denominator_at_minus_one_of, t3, numerator_at_one_of,
-                fractional_numerator_gap(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of,
-                delta*numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4),
-                plant_n0_of3*t6*(kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*
-                t7 - t13*t8*decay(xp, t8))), alpha, beta, gamma, delta) != 0.0
+        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, at_minus_one, gamma, together,
+            n_gap, n0, n1, t1, t3), no, (alpha, beta, delta, at_minus_one, gamma, together, part,
+            t1, t3, whole))
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes,
-            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of,
-            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3), no,
-            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
-            t3))
-
-    def inside(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
-        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
-        return (
-            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
-            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
-        )
-
-    return guarded(xp, work, inside, 1, False, alpha, beta, gamma, delta, d,
-        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3, t1, t3)
+    return guarded(xp, work, "alpha beta gamma delta d", 1, False, alpha, beta, gamma, delta, d,
+        at_minus_one, together, n_gap, n0, n1, t1, t3)
 
 
 @by_value
@@ -3680,75 +2391,36 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
-    most = limits(xp, alpha)
 
     def plant(gamma, delta):
-        (
-            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-                plant_n1_of3
-        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
-        return (
-            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3, gamma*numerator_at_one_of, delta*decay(xp, delta)
+        at_minus_one, together, n_gap, n0, n1 = (
+            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
         )
+        return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+    at_minus_one, together, n_gap, n0, n1, t1, t3 = (
+        guarded(xp, plant, "gamma delta", 7, math.nan, gamma, delta)
+    )
 
-    (
-        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3, t1, t3
-    ) = guarded(xp, plant, inside, 7, math.nan, gamma, delta)
+    def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
+        whole = xp.floor(d)
+        part = d - whole
 
-    def work(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
-        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
+        def yes(alpha, beta, d, delta, at_minus_one, together, n_gap, n0, n1, t1, t3):
+            return whole_roots(xp, alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
+                n_gap)
 
-        def yes(alpha, beta, d, delta, denominator_at_minus_one_of, numerator_at_one_of,
-            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
-            return whole_roots(xp, alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-                denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of)
+        def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
+            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            return fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
+                apart)
 
-        def no(alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
-            t3):
-            t4 = some_part(xp, d)
-            t5 = 1.0 - t4
-            t6 = (t5*t5)
-            t7 = gamma*t6
-            t8 = delta*t5
-            kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t7, t8)
-            )
-            t10 = (t4*t4)
-            t11 = gamma*t10
-            t12 = delta*t4
-            kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2 = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t11, t12)
-            )
-            t13 = plant_n0_of*t10
-            return fractional_roots(xp, alpha, beta, whole_part(xp, d), plant_n1_of*t6, t13*
-                xp.exp(-t8), t1, denominator_at_minus_one_of, t3, numerator_at_one_of,
-                fractional_numerator_gap(xp, t4, kick_of2, kick_low_of2, kick_of, kick_low_of,
-                delta*numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4),
-                plant_n0_of3*t6*(kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*
-                t7 - t13*t8*decay(xp, t8)))
+        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, at_minus_one, together, n_gap,
+            n0, n1, t1, t3), no, (alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3,
+            whole))
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes,
-            (alpha, beta, d, delta, denominator_at_minus_one_of, numerator_at_one_of,
-            numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3), no,
-            (alpha, beta, d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1,
-            t3))
-
-    def inside(alpha, beta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of,
-        numerator_gap_of, plant_n0_of2, plant_n1_of3, t1, t3):
-        return (
-            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
-            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
-        )
-
-    return guarded(xp, work, inside, 1, -1, alpha, beta, gamma, delta, d,
-        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3, t1, t3)
+    return guarded(xp, work, "alpha beta gamma delta d", 1, -1, alpha, beta, gamma, delta, d,
+        at_minus_one, together, n_gap, n0, n1, t1, t3)
 
 
 @by_value
@@ -3763,83 +2435,44 @@ def stability_boundary(theta, gamma, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
-    most = limits(xp, theta)
 
     def plant(gamma, delta):
-        denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of = (
-            denominator_at_minus_one_numerator_at_one_numerator_gap(xp, gamma, delta)
-        )
-        t6 = delta*numerator_gap_of
-        return (
-            denominator_at_minus_one_of, numerator_at_one_of, gamma*numerator_at_one_of, delta*
-            decay(xp, delta), t6, numerator_at_one_of + t6
-        )
+        at_minus_one, together, n_gap = device_at_minus_one_together_n_gap(xp, gamma, delta)
+        t6 = delta*n_gap
+        return at_minus_one, together, gamma*together, delta*decay(xp, delta), t6, together + t6
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
-
-    denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7 = (
-        guarded(xp, plant, inside, 6, math.nan, gamma, delta)
+    at_minus_one, together, t3, t5, t6, t7 = (
+        guarded(xp, plant, "gamma delta", 6, math.nan, gamma, delta)
     )
 
-    def work(theta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6,
-        t7):
+    def work(theta, gamma, delta, d, at_minus_one, together, t3, t5, t6, t7):
+        whole = xp.floor(d)
+        part = d - whole
+        t1 = 0.5*theta
+        t11 = xp.tan(t1)
+        t13 = xp.sin(theta)
 
-        def yes(d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7, theta):
-            cos_next_of, sin_next_of = cos_next_sin_next(xp, d, theta)
-            t1 = 0.5*theta
-            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, denominator_at_minus_one_of, t5,
-                numerator_at_one_of, t6, t7)
-            t1 = xp.tan(t1)
-            t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of
-            t13 = xp.sin(theta)
-            return ahead_of*sin_next_of - cos_next_of*in_phase_of + t1*t12, -t12/t13
+        def yes(d, at_minus_one, together, t1, t11, t13, t3, t5, t6, t7, theta):
+            cosine, sine = next_wave(xp, d, theta)
+            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, t6, t7)
+            t12 = ahead_of*cosine + in_phase_of*sine
+            return ahead_of*sine - cosine*in_phase_of + t11*t12, -t12/t13
 
-        def no(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t3, t5, theta):
-            t1 = 0.5*theta
-            t11 = xp.tan(t1)
-            t13 = xp.sin(theta)
-            t14 = whole_part(xp, d)
-            cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t14, theta)
-            t14 = some_part(xp, d)
-            t17 = 1.0 - t14
-            t18 = (t17*t17)
-            t19 = gamma*t18
-            t20 = delta*t17
-            kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of2, plant_n1_of2 = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t19, t20)
-            )
-            t21 = (t14*t14)
-            t22 = gamma*t21
-            t23 = delta*t14
-            kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of, plant_n1_of = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t22, t23)
-            )
-            t25 = plant_n0_of*t21
-            t23 = fractional_numerator_gap(xp, t14, kick_of2, kick_low_of, kick_of, kick_low_of2,
-                delta*numerator_gap_of2*(t17*t17*t17), delta*numerator_gap_of3*(t14*t14*t14),
-                plant_n0_of2*t18*(kick_of*t23 + plant_n1_of*t22) + plant_n1_of*plant_n1_of2*t19*
-                t21 - t20*t25*decay(xp, t20))
-            t25 = 2.0*plant_n1_of2*t18 - 2.0*t25*xp.exp(-t20)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, denominator_at_minus_one_of, t5,
-                numerator_at_one_of, t23, t25)
-            t25 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2
-            return ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t25, -t25/t13
+        def no(delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5, theta, whole):
+            cosine_2, sine_2 = next_wave(xp, whole, theta)
+            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            t18 = 2.0*m2 - 2.0*m0
+            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, apart,
+                t18)
+            t18 = ahead_of2*cosine_2 + in_phase_of2*sine_2
+            return ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t18, -t18/t13
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes,
-            (d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7, theta), no,
-            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t3, t5, theta))
+        return select(xp, part == 0.0, yes, (d, at_minus_one, together, t1, t11, t13, t3, t5, t6,
+            t7, theta), no, (delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5,
+            theta, whole))
 
-    def inside(theta, gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, t3, t5,
-        t6, t7):
-        return (
-            ((theta <= most.angle) & (theta > 0.0)) & ((gamma <= most.size) & (gamma >= 0.0)) &
-            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0)) &
-            ~xp.isnan(denominator_at_minus_one_of)
-        )
-
-    return guarded(xp, work, inside, 2, math.nan, theta, gamma, delta, d,
-        denominator_at_minus_one_of, numerator_at_one_of, t3, t5, t6, t7)
+    return guarded(xp, work, "theta gamma delta d", 2, math.nan, theta, gamma, delta, d,
+        at_minus_one, together, t3, t5, t6, t7)
 
 
 @by_value
@@ -3856,107 +2489,69 @@ def max_stable_stiffness(gamma, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
-    most = limits(xp, gamma)
 
     def plant(gamma, delta):
-        (
-            denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
-                plant_n1_of
-        ) = den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(xp, gamma, delta)
-        t3 = delta*decay(xp, delta)
-        t4 = delta*numerator_gap_of
-        return (
-            denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of, plant_n1_of, gamma*
-            numerator_at_one_of, t3, t4, numerator_at_one_of + t4, 2.0*t3
+        at_minus_one, together, n_gap, n0, n1 = (
+            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
         )
+        t3 = delta*decay(xp, delta)
+        t4 = delta*n_gap
+        return at_minus_one, together, n0, n1, gamma*together, t3, t4, together + t4, 2.0*t3
 
-    def inside(gamma, delta):
-        return ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0))
+    at_minus_one, together, n0, n1, t1, t3, t4, t10, t16 = (
+        guarded(xp, plant, "gamma delta", 9, math.nan, gamma, delta)
+    )
 
-    (
-        denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of, plant_n1_of, t1, t3, t4,
-            t10, t16
-    ) = guarded(xp, plant, inside, 9, math.nan, gamma, delta)
+    def work(gamma, delta, d, at_minus_one, together, n0, n1, t1, t3, t4, t10, t16):
+        whole = xp.floor(d)
+        part = d - whole
 
-    def work(gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of,
-        plant_n1_of, t1, t3, t4, t10, t16):
-
-        def yes(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, plant_n0_of,
-            plant_n1_of, t1, t10, t16, t3, t4):
-            t5 = max_stiffness_angle(xp, gamma, delta, d, d, xp.full_like(d, 0.0), plant_n1_of,
-                plant_n0_of, t1, denominator_at_minus_one_of, t3, numerator_at_one_of, t4)
-            cos_next_of, sin_next_of = cos_next_sin_next(xp, d, t5)
+        def yes(d, delta, at_minus_one, gamma, together, n0, n1, t1, t10, t16, t3, t4):
+            t5 = max_stiffness_angle(xp, gamma, delta, d, d, xp.full_like(at_minus_one, 0.0), n1,
+                n0, t1, at_minus_one, t3, together, t4)
+            cosine, sine = next_wave(xp, d, t5)
             t7 = 0.5*t5
             t8 = xp.sin(t7)
             t7 = xp.cos(t7)
             t11 = (t7*t7)
             t12 = (t8*t8)
             t13 = t11*t12
-            t14 = numerator_at_one_of*t11 - t12*t4
+            t14 = together*t11 - t12*t4
             t15 = 1.0/((t10*t10)*t13 + (t14*t14))
-            t11 = t1*t11 - denominator_at_minus_one_of*t12
+            t11 = t1*t11 - at_minus_one*t12
             t18 = t14*t16 - t10*t11
             t11 = t10*t13*t16 + t14*t11
-            t14 = cos_next_of*t15
-            t13 = -sin_next_of*t15*t11/xp.sin(t5) - 0.5*t18*t14
-            return sin_next_of*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
+            t14 = cosine*t15
+            t13 = -sine*t15*t11/xp.sin(t5) - 0.5*t18*t14
+            return sine*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
-        def no(d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1, t16, t3):
-            t22 = whole_part(xp, d)
-            t23 = some_part(xp, d)
-            t24 = 1.0 - t23
-            t25 = (t24*t24)
-            t26 = gamma*t25
-            t27 = delta*t24
-            kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of3, plant_n1_of2 = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t26, t27)
-            )
-            t29 = plant_n1_of2*t25
-            t30 = (t23*t23)
-            t31 = gamma*t30
-            t32 = delta*t23
-            kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of2, plant_n1_of3 = (
-                kick_kick_low_numerator_gap_plant_n0_plant_n1(xp, t31, t32)
-            )
-            t33 = plant_n0_of2*t30
-            t34 = t33*xp.exp(-t27)
-            t33 = fractional_numerator_gap(xp, t23, kick_of2, kick_low_of, kick_of, kick_low_of2,
-                delta*numerator_gap_of2*(t24*t24*t24), delta*numerator_gap_of3*(t23*t23*t23),
-                plant_n0_of3*t25*(kick_of*t32 + plant_n1_of3*t31) + plant_n1_of2*plant_n1_of3*t26*
-                t30 - t27*t33*decay(xp, t27))
-            t23 = max_stiffness_angle(xp, gamma, delta, d, t22, t23, t29, t34, t1,
-                denominator_at_minus_one_of, t3, numerator_at_one_of, t33)
-            cos_next_of2, sin_next_of2 = cos_next_sin_next(xp, t22, t23)
-            t22 = 0.5*t23
-            t32 = xp.sin(t22)
-            t22 = xp.cos(t22)
-            t34 = 2.0*t29 - 2.0*t34
-            t29 = (t22*t22)
-            t31 = (t32*t32)
-            t30 = t29*t31
-            t33 = numerator_at_one_of*t29 - t33*t31
-            t27 = 1.0/((t34*t34)*t30 + (t33*t33))
-            t29 = t1*t29 - denominator_at_minus_one_of*t31
-            t26 = t16*t33 - t34*t29
-            t29 = t16*t34*t30 + t33*t29
-            t33 = cos_next_of2*t27
-            t30 = -sin_next_of2*t27*t29/xp.sin(t23) - 0.5*t26*t33
-            return sin_next_of2*t32*t22*t27*t26 - 2.0*t31*t30 - t29*t33, t30, t23
+        def no(d, delta, at_minus_one, gamma, together, part, t1, t16, t3, whole):
+            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            t27 = max_stiffness_angle(xp, gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
+                t3, together, apart)
+            cosine_2, sine_2 = next_wave(xp, whole, t27)
+            t28 = 0.5*t27
+            t29 = xp.sin(t28)
+            t28 = xp.cos(t28)
+            t32 = (t28*t28)
+            t33 = (t29*t29)
+            t34 = together*t32 - apart*t33
+            t35 = 2.0*m2 - 2.0*m0
+            t36 = t32*t33
+            t37 = 1.0/((t34*t34) + (t35*t35)*t36)
+            t32 = t1*t32 - at_minus_one*t33
+            t39 = t16*t34 - t35*t32
+            t32 = t16*t35*t36 + t34*t32
+            t36 = cosine_2*t37
+            t35 = -sine_2*t37*t32/xp.sin(t27) - 0.5*t39*t36
+            return sine_2*t29*t28*t37*t39 - 2.0*t33*t35 - t32*t36, t35, t27
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes,
-            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, plant_n0_of,
-            plant_n1_of, t1, t10, t16, t3, t4), no,
-            (d, delta, denominator_at_minus_one_of, gamma, numerator_at_one_of, t1, t16, t3))
+        return select(xp, part == 0.0, yes, (d, delta, at_minus_one, gamma, together, n0, n1, t1,
+            t10, t16, t3, t4), no, (d, delta, at_minus_one, gamma, together, part, t1, t16, t3,
+            whole))
 
-    def inside(gamma, delta, d, denominator_at_minus_one_of, numerator_at_one_of, plant_n0_of,
-        plant_n1_of, t1, t3, t4, t10, t16):
-        return (
-            ((gamma <= most.size) & (gamma >= 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0)) & ~xp.isnan(denominator_at_minus_one_of)
-        )
-
-    return guarded(xp, work, inside, 3, math.nan, gamma, delta, d, denominator_at_minus_one_of,
-        numerator_at_one_of, plant_n0_of, plant_n1_of, t1, t3, t4, t10, t16)
+    return guarded(xp, work, "gamma delta d", 3, math.nan, gamma, delta, d, at_minus_one, together,
+        n0, n1, t1, t3, t4, t10, t16)
 
 
 @by_value
@@ -3973,22 +2568,14 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
-    most = limits(xp, theta)
 
     def work(theta, alpha, beta, delta, d):
         t0 = 0.5*theta
-        cos_next_of = cos_next(xp, d, theta)
-        sin_next_of = sin_next(xp, 2.0*d, t0)
-        return beta*cos_next_of - 0.5*alpha*sin_next_of/xp.sin(t0) + delta
+        cosine = cos_next(xp, d, theta)
+        sine = sin_next(xp, 2.0*d, t0)
+        return beta*cosine - 0.5*alpha*sine/xp.sin(t0) + delta
 
-    def inside(theta, alpha, beta, delta, d):
-        return (
-            ((theta <= most.angle) & (theta > 0.0)) & (xp.abs(alpha) <= most.size) &
-            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0))
-        )
-
-    return guarded(xp, work, inside, 1, math.nan, theta, alpha, beta, delta, d)
+    return guarded(xp, work, "theta alpha beta delta d", 1, math.nan, theta, alpha, beta, delta, d)
 
 
 @by_value
@@ -4004,18 +2591,11 @@ def passivity_margin(alpha, beta, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, delta, d = arrays(alpha, beta, delta, d)
-    most = limits(xp, alpha)
 
     def work(alpha, beta, delta, d):
         return delta - largest_required_damping(xp, alpha, beta, d)
 
-    def inside(alpha, beta, delta, d):
-        return (
-            (xp.abs(alpha) <= most.size) & (xp.abs(beta) <= most.size) &
-            ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
-        )
-
-    return guarded(xp, work, inside, 1, math.nan, alpha, beta, delta, d)
+    return guarded(xp, work, "alpha beta delta d", 1, math.nan, alpha, beta, delta, d)
 
 
 @by_value
@@ -4030,47 +2610,40 @@ def passivity_boundary(theta, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, delta, d = arrays(theta, delta, d)
-    most = limits(xp, theta)
 
     def work(theta, delta, d):
+        whole = xp.floor(d)
+        part = d - whole
+        t2 = 0.5*theta
 
-        def yes(d, delta, theta):
+        def yes(d, delta, t2, theta):
             t0 = lead(xp, theta, d, xp.full_like(d, 0.0))
             t1 = delta/spread(xp, d, theta)
-            t2 = 0.5*theta
-            t2 = sinc(xp, t2)
-            sin_next_of = sin_next(xp, d, theta)
-            t2 = sin_next_of*(t2*t2)*(d + 1.0)/theta
-            return rated(xp, t0, 2.0*t1*t2), rated(xp, t0, t1*(chord(xp, d, theta) - t2))
+            t15 = sinc(xp, t2)
+            sine = sin_next(xp, d, theta)
+            t15 = sine*(t15*t15)*(d + 1.0)/theta
+            return rated(xp, t0, 2.0*t1*t15), rated(xp, t0, t1*(chord(xp, d, theta) - t15))
 
-        def no(d, delta, theta):
-            t2 = 0.5*theta
-            t4 = whole_part(xp, d)
-            t5 = some_part(xp, d)
-            t6 = lead(xp, theta, t4, t5)
-            t7 = t4 + 1.0
-            t8 = touching(xp, theta, t4, t5)
+        def no(delta, part, t2, theta, whole):
+            t6 = lead(xp, theta, whole, part)
+            t7 = whole + 1.0
+            t8 = touching(xp, theta, whole, part)
             t9 = xp.cos(t8)
             t10 = t9/t7
             t8 = xp.sin(t8)
             t12 = t8 - 0.5*t10
-            t4 = between(xp, t5, straight(xp, t10, t12, t4, t2), straight(xp, t10, t12, t7, t2))
+            t13 = between(xp, part, straight(xp, t10, t12, whole, t2),
+                straight(xp, t10, t12, t7, t2))
             t16 = xp.sin(t2)
-            t2 = xp.cos(t2)
-            t2 = delta/(0.5*t4 + 0.5*square_root(xp, (t4*t4) + t5*(1.0 - t5)*
-                (4.0*(t8*t8)*(t16*t16) + (t2*t2)*(t9*t9)/(t7*t7))))
-            return rated(xp, t6, t10*t2), rated(xp, t6, t12*t2)
+            t17 = xp.cos(t2)
+            t17 = delta/(0.5*t13 + 0.5*square_root(xp, part*(1.0 - part)*
+                (4.0*(t8*t8)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + (t13*t13)))
+            return rated(xp, t6, t10*t17), rated(xp, t6, t12*t17)
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes, (d, delta, theta), no,
-            (d, delta, theta))
+        return select(xp, part == 0.0, yes, (d, delta, t2, theta), no,
+            (delta, part, t2, theta, whole))
 
-    def inside(theta, delta, d):
-        return (
-            ((theta <= most.angle) & (theta > 0.0)) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0))
-        )
-
-    return guarded(xp, work, inside, 2, math.nan, theta, delta, d)
+    return guarded(xp, work, "theta delta d", 2, math.nan, theta, delta, d)
 
 
 @by_value
@@ -4083,9 +2656,10 @@ def max_passive_stiffness(delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, delta, d = arrays(delta, d)
-    most = limits(xp, delta)
 
     def work(delta, d):
+        whole = xp.floor(d)
+        part = d - whole
 
         def yes(d, delta):
             t0 = 3.141592653589793/(d + 1.0)
@@ -4093,30 +2667,26 @@ def max_passive_stiffness(delta, d):
             t0 = 0.5*t0
             return 2.0*delta*t1, delta*(2.0/(3.141592653589793*sinc(xp, t0)) - t1), t0
 
-        def no(d, delta):
-            t3 = whole_part(xp, d)
-            t4 = t3 + 1.0
-            t5 = some_part(xp, d)
-            t6 = passive_angle(xp, t3, t5)
-            t7 = touching(xp, t6, t3, t5)
+        def no(delta, part, whole):
+            t4 = whole + 1.0
+            t6 = passive_angle(xp, whole, part)
+            t7 = touching(xp, t6, whole, part)
             t8 = xp.cos(t7)
             t9 = t8/t4
             t7 = xp.sin(t7)
             t11 = t7 - 0.5*t9
             t12 = 0.5*t6
-            t3 = between(xp, t5, straight(xp, t9, t11, t3, t12), straight(xp, t9, t11, t4, t12))
+            t13 = between(xp, part, straight(xp, t9, t11, whole, t12),
+                straight(xp, t9, t11, t4, t12))
             t15 = xp.sin(t12)
             t12 = xp.cos(t12)
-            t12 = delta/(0.5*t3 + 0.5*square_root(xp, (t3*t3) + t5*(1.0 - t5)*
-                (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4))))
+            t12 = delta/(0.5*t13 + 0.5*square_root(xp, part*(1.0 - part)*
+                (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4)) + (t13*t13)))
             return t12*t9, t11*t12, t6
 
-        return select(xp, fractional_part(xp, d) == 0.0, yes, (d, delta), no, (d, delta))
+        return select(xp, part == 0.0, yes, (d, delta), no, (delta, part, whole))
 
-    def inside(delta, d):
-        return ((delta <= most.size) & (delta >= 0.0)) & ((d <= most.periods) & (d >= 0.0))
-
-    return guarded(xp, work, inside, 3, math.nan, delta, d)
+    return guarded(xp, work, "delta d", 3, math.nan, delta, d)
 
 
 @by_value
@@ -4130,15 +2700,8 @@ def linear_limit(beta, delta, d):
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, beta, delta, d = arrays(beta, delta, d)
-    most = limits(xp, beta)
 
     def work(beta, delta, d):
         return (beta + delta)/(d + 0.5)
 
-    def inside(beta, delta, d):
-        return (
-            (xp.abs(beta) <= most.size) & ((delta <= most.size) & (delta >= 0.0)) &
-            ((d <= most.periods) & (d >= 0.0))
-        )
-
-    return guarded(xp, work, inside, 1, math.nan, beta, delta, d)
+    return guarded(xp, work, "beta delta d", 1, math.nan, beta, delta, d)

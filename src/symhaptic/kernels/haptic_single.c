@@ -8,21 +8,28 @@
 #error "this file needs IEEE arithmetic: compile it without -ffast-math, -Ofast and /fp:fast"
 #endif
 
+// 1/n!
+static const float inverse_factorial[] =
+    {1.0f, 1.0f, 0.5f, 0.16666667f, 0.041666668f, 0.008333334f, 0.0013888889f, 0.0001984127f,
+    2.4801588e-05f, 2.7557319e-06f, 2.755732e-07f, 2.5052108e-08f, 2.0876756e-09f, 1.6059044e-10f,
+    1.1470745e-11f, 7.6471636e-13f, 4.7794773e-14f, 2.8114574e-15f, 1.5619207e-16f, 8.220635e-18f,
+    4.1103176e-19f};
+
 // x + y and what it misses, for |x| >= |y|
-static void fast_two_sum(float x, float y, float *total_out, float *lost_out) {
+static inline void fast_two_sum(float x, float y, float *total_out, float *lost_out) {
     const float total = x + y, back = total - x;
     *total_out = total; *lost_out = -back + y; return;
 }
 
 // x - y and what it misses
-static void two_diff(float x, float y, float *total_out, float *lost_out) {
+static inline void two_diff(float x, float y, float *total_out, float *lost_out) {
     const float total = x - y, back = total - x, rest = -back + total, one = -rest + x;
     const float two = -back - y;
     *total_out = total; *lost_out = one + two; return;
 }
 
 // w = delta^2/4 - gamma, what it misses, its root and the size of the poles
-static void device_motion(float gamma, float delta, float *w_out, float *w_low_out,
+static inline void device_motion(float gamma, float delta, float *w_out, float *w_low_out,
     float *root_out, float *reach_out) {
     const float half = 0.5f*delta, square = (half*half);
     float total, lost; two_diff(square, gamma, &total, &lost);
@@ -35,7 +42,7 @@ static void device_motion(float gamma, float delta, float *w_out, float *w_low_o
 }
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
-static float decay_series(float x) {
+static inline float decay_series(float x) {
     const float square = (x*x);
     return square*(square*(square*(2.5052108e-08f*square + 2.7557319e-06f) + 0.0001984127f) +
         0.008333334f) - x*(square*(square*(square*(2.0876756e-09f*square + 2.755732e-07f) +
@@ -43,12 +50,12 @@ static float decay_series(float x) {
 }
 
 // x (y + y_low) and what it misses
-static void wide_prod(float x, float y, float y_low, float *total_out, float *lost_out) {
+static inline void wide_prod(float x, float y, float y_low, float *total_out, float *lost_out) {
     *total_out = x*y; *lost_out = x*y_low + fmaf(x, y, -(x*y)); return;
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
-static void brief_fading(float rate, float low, float *fall_out, float *fall_low_out,
+static inline void brief_fading(float rate, float low, float *fall_out, float *fall_low_out,
     float *mean_out, float *mean_low_out) {
     float total, lost; fast_two_sum(1.0f, -0.5f*rate, &total, &lost);
     const float curved = (rate*rate)*decay_series(rate);
@@ -63,7 +70,7 @@ static void brief_fading(float rate, float low, float *fall_out, float *fall_low
 }
 
 // (x + x_low)/(y + y_low) and what it misses
-static void wide_quot(float x, float y, float x_low, float y_low, float *total_out,
+static inline void wide_quot(float x, float y, float x_low, float y_low, float *total_out,
     float *lost_out) {
     const float total = x/y, left = -total*y + x;
     const float left2 = left - fmaf(total, y, -(total*y)), rest = -total*y_low + x_low;
@@ -72,7 +79,7 @@ static void wide_quot(float x, float y, float x_low, float y_low, float *total_o
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
-static void fading_pair(float rate, float low, float *fall_out, float *fall_low_out,
+static inline void fading_pair(float rate, float low, float *fall_out, float *fall_low_out,
     float *mean_out, float *mean_low_out) {
     if (rate < 0.75f) {
         float fall, fall_low, mean, mean_low;
@@ -89,7 +96,7 @@ static void fading_pair(float rate, float low, float *fall_out, float *fall_low_
 }
 
 // number + delta one - gamma two and what it misses, of pairs
-static void plant_n0_term(float gamma, float delta, float one, float one_low, float two,
+static inline void plant_n0_term(float gamma, float delta, float one, float one_low, float two,
     float two_low, float number, float *total_out, float *low_out) {
     float total, lost; wide_prod(delta, one, one_low, &total, &lost);
     float total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
@@ -100,51 +107,42 @@ static void plant_n0_term(float gamma, float delta, float one, float one_low, fl
 }
 
 // divided difference of exp at 0, p and q, less 1/2
-static float plant_n0_series(float gamma, float delta) {
-    float one2, two2;
-    if ((delta < 0.125f) && (fabsf(gamma) < 0.00390625f)) {
-        one2 = 0.0f; two2 = 0.0f;
-    } else {
-        float one = 0.0f, two = 0.0f;
-        static const float number_of[] = {4.1103176e-19f, 8.220635e-18f, 1.5619207e-16f,
-            2.8114574e-15f, 4.7794773e-14f, 7.6471636e-13f, 1.1470745e-11f, 1.6059044e-10f,
-            2.0876756e-09f, 2.5052108e-08f, 2.755732e-07f};
-        for (int at_number = 0; at_number < 11; ++at_number) {
-            const float number = number_of[at_number];
-            const float next_one = delta*one - gamma*two + number;
-            two = one; one = next_one;
-        }
-        one2 = one; two2 = two;
+static inline float plant_n0_series(float gamma, float delta) {
+    float one = 0.0f, two = 0.0f;
+    for (int n = ((0.5f*delta < 0.0625f) && (fabsf(gamma) < 0.00390625f) ? 9 :
+        20); n >= 6; n -= 1) {
+        const float number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
+        two = one; one = next_one;
     }
-    const float one3 = delta*one2 - gamma*two2 + 2.7557319e-06f;
-    const float one4 = delta*one3 - gamma*one2 + 2.4801588e-05f;
-    const float one5 = delta*one4 - gamma*one3 + 0.0001984127f;
-    const float one6 = delta*one5 - gamma*one4 + 0.0013888889f;
-    float one7, one_low;
-    plant_n0_term(gamma, delta, one6, 0.0f, one5, 0.0f, 0.008333334f, &one7, &one_low);
-    float one8, one_low2;
-    plant_n0_term(gamma, delta, one7, one_low, one6, 0.0f, 0.041666668f, &one8, &one_low2);
-    float one9, one_low3;
-    plant_n0_term(gamma, delta, one8, one_low2, one7, one_low, 0.16666667f, &one9, &one_low3);
-    float one10, one_low4;
-    plant_n0_term(gamma, delta, one9, one_low3, one8, one_low2, 0.0f, &one10, &one_low4);
-    return one10 + one_low4;
+    float one2, one_low;
+    plant_n0_term(gamma, delta, one, 0.0f, two, 0.0f, 0.008333334f, &one2, &one_low);
+    float one3, one_low2;
+    plant_n0_term(gamma, delta, one2, one_low, one, 0.0f, 0.041666668f, &one3, &one_low2);
+    float one4, one_low3;
+    plant_n0_term(gamma, delta, one3, one_low2, one2, one_low, 0.16666667f, &one4, &one_low3);
+    float one5, one_low4;
+    plant_n0_term(gamma, delta, one4, one_low3, one3, one_low2, 0.0f, &one5, &one_low4);
+    return one5 + one_low4;
+}
+
+// (fall + fall_low) (y + z), rounded once
+static inline float scaled_sum(float fall, float fall_low, float y, float z) {
+    float total, lost; two_diff(y, -z, &total, &lost);
+    float total2, lost2; wide_prod(fall, total, lost, &total2, &lost2);
+    const float low = fall_low*total + lost2;
+    return low + total2;
 }
 
 // n0 of a device with slow poles
-static float plant_n0_near(float fade_, float fade_low, float gamma, float delta) {
+static inline float plant_n0_near(float fade_, float fade_low, float gamma, float delta) {
     float total, lost; wide_prod(fade_, fade_, 2.0f*fade_low, &total, &lost);
-    const float rest = plant_n0_series(gamma, delta);
-    float total2, lost2; two_diff(rest, -0.5f, &total2, &lost2);
-    float total3, lost3; wide_prod(total, total2, lost2, &total3, &lost3);
-    const float low = lost*total2 + lost3;
-    return low + total3;
+    return scaled_sum(total, lost, plant_n0_series(gamma, delta), 0.5f);
 }
 
 // n0 of a creeping device
-static float plant_n0_creep(float reach, float fade_, float fade_low, float gamma, float delta,
-    float p, float p_low, float slow, float slow_low, float mean, float mean_low, float ratio,
-    float ratio_low, float even, float even_low) {
+static inline float plant_n0_creep(float reach, float fade_, float fade_low, float gamma,
+    float delta, float p, float p_low, float slow, float slow_low, float mean, float mean_low,
+    float ratio, float ratio_low, float even, float even_low) {
     if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, delta); }
     float total, lost; wide_prod(ratio, mean, mean_low, &total, &lost);
     float total2, lost2; two_diff(even, total, &total2, &lost2);
@@ -157,8 +155,9 @@ static float plant_n0_creep(float reach, float fade_, float fade_low, float gamm
 }
 
 // n0 of a swinging device
-static float plant_n0_swing(float reach, float fade_, float fade_low, float half, float envelope,
-    float even, float even_low, float wave, float wave_low, float gamma, float near, float known) {
+static inline float plant_n0_swing(float reach, float fade_, float fade_low, float half,
+    float envelope, float even, float even_low, float wave, float wave_low, float gamma,
+    float near, float known) {
     if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, 2.0f*half); }
     if (near > 0.0f) { return known; }
     float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
@@ -172,47 +171,20 @@ static float plant_n0_swing(float reach, float fade_, float fade_low, float half
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
-static float plant_n1_series(float h, float w) {
-    float total2, one2, two2;
-    if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        total2 = 0.0f; one2 = 0.0f; two2 = 0.0f;
-    } else {
-        float total = 0.0f, one = 0.0f, two = 0.0f;
-        static const float number_of[] = {4.1103176e-19f, 8.220635e-18f, 1.5619207e-16f,
-            2.8114574e-15f, 4.7794773e-14f, 7.6471636e-13f, 1.1470745e-11f, 1.6059044e-10f,
-            2.0876756e-09f, 2.5052108e-08f, 2.755732e-07f};
-        for (int at_number = 0; at_number < 11; ++at_number) {
-            const float number = number_of[at_number];
-            const float even = number + two*w, next_total = even + h*total;
-            two = one; one = even; total = next_total;
-        }
-        total2 = total; one2 = one; two2 = two;
+static inline float plant_n1_series(float h, float w) {
+    float total = 0.0f, one = 0.0f, two = 0.0f;
+    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 9 : 20); n >= 3; n -= 1) {
+        const float number = inverse_factorial[n], even = number + two*w;
+        total = even + h*total; two = one; one = even;
     }
-    const float even2 = two2*w + 2.7557319e-06f, total3 = even2 + h*total2;
-    const float even3 = one2*w + 2.4801588e-05f, total4 = even3 + h*total3;
-    const float even4 = even2*w + 0.0001984127f, total5 = even4 + h*total4;
-    const float even5 = even3*w + 0.0013888889f, total6 = even5 + h*total5;
-    const float even6 = even4*w + 0.008333334f, total7 = even6 + h*total6;
-    const float even7 = even5*w + 0.041666668f, total8 = even7 + h*total7;
-    const float even8 = even6*w + 0.16666667f, total9 = even8 + h*total8;
-    const float even9 = even7*w;
-    return even9 + h*total9;
-}
-
-// n1 of a device with slow poles
-static float plant_n1_near(float fade_, float fade_low, float half, float w) {
-    const float rest = plant_n1_series(half, w);
-    float total, lost; two_diff(rest, -0.5f, &total, &lost);
-    float total2, lost2; wide_prod(fade_, total, lost, &total2, &lost2);
-    const float low = fade_low*total + lost2;
-    return low + total2;
+    return h*total + two*w;
 }
 
 // n1 of a creeping device
-static float plant_n1_creep(float reach, float fade_, float fade_low, float half, float w, float p,
-    float p_low, float slow, float slow_low, float mean, float mean_low, float even,
+static inline float plant_n1_creep(float reach, float fade_, float fade_low, float half, float w,
+    float p, float p_low, float slow, float slow_low, float mean, float mean_low, float even,
     float even_low) {
-    if (reach < 0.5625f) { return plant_n1_near(fade_, fade_low, half, w); }
+    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
     float total, lost; wide_prod(slow, even, even_low, &total, &lost);
     float total2, lost2; two_diff(mean, total, &total2, &lost2);
     const float pulled_low = even*slow_low + lost, rest = lost2 + mean_low - pulled_low;
@@ -221,10 +193,10 @@ static float plant_n1_creep(float reach, float fade_, float fade_low, float half
 }
 
 // n1 of a swinging device
-static float plant_n1_swing(float reach, float fade_, float fade_low, float half, float w,
+static inline float plant_n1_swing(float reach, float fade_, float fade_low, float half, float w,
     float envelope, float even, float even_low, float wave, float wave_low, float gamma,
     float near, float known) {
-    if (reach < 0.5625f) { return plant_n1_near(fade_, fade_low, half, w); }
+    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
     if (near > 0.0f) { return known; }
     float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
     float total2, lost2; two_diff(even, -total, &total2, &lost2);
@@ -237,7 +209,7 @@ static float plant_n1_swing(float reach, float fade_, float fade_low, float half
 }
 
 // a of a creeping device
-static float plant_trace_creep(float slow, float slow_low, float ratio, float ratio_low) {
+static inline float plant_trace_creep(float slow, float slow_low, float ratio, float ratio_low) {
     float total, lost; fast_two_sum(1.0f, ratio, &total, &lost);
     float total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
     const float low = lost2 + slow_low*total;
@@ -245,13 +217,13 @@ static float plant_trace_creep(float slow, float slow_low, float ratio, float ra
 }
 
 // a of a swinging device
-static float plant_trace_swing(float envelope, float even, float even_low) {
+static inline float plant_trace_swing(float envelope, float even, float even_low) {
     float total, lost; wide_prod(envelope, even, even_low, &total, &lost);
     return 2.0f*lost + 2.0f*total;
 }
 
 // what the root of |square + square_low| misses
-static float root_miss(float square, float square_low, float root) {
+static inline float root_miss(float square, float square_low, float root) {
     const float sign_low = (square < 0.0f ? -square_low : square_low);
     const float left = -(root*root) + fabsf(square);
     const float left2 = left - fmaf(root, root, -(root*root)), left3 = left2 + sign_low;
@@ -260,8 +232,8 @@ static float root_miss(float square, float square_low, float root) {
 }
 
 // the poles p = half + root and q = gamma/p and what they miss
-static void real_poles(float gamma, float half, float w, float w_low, float root, float *p_out,
-    float *p_low_out, float *q_out, float *q_low_out) {
+static inline void real_poles(float gamma, float half, float w, float w_low, float root,
+    float *p_out, float *p_low_out, float *q_out, float *q_low_out) {
     float total, lost; fast_two_sum(half, root, &total, &lost);
     const float p_low = lost + root_miss(w, w_low, root);
     const float whole = (total == 0.0f ? 1.0f : total), q = gamma/whole;
@@ -271,7 +243,7 @@ static void real_poles(float gamma, float half, float w, float w_low, float root
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static void slow_fade(float reach, float half, float *fade_out, float *low_out) {
+static inline void slow_fade(float reach, float half, float *fade_out, float *low_out) {
     if (reach < 0.5625f) {
         float fall, fall_low, mean, mean_low;
         brief_fading(0.5f*half, 0.0f, &fall, &fall_low, &mean, &mean_low);
@@ -282,21 +254,29 @@ static void slow_fade(float reach, float half, float *fade_out, float *low_out) 
 }
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
-static float cos_series(float w) {
+static inline float cos_series(float w) {
     const float square = (w*w);
-    return square*(2.0876756e-09f*square + 2.4801588e-05f) + w*
-        (square*(1.1470745e-11f*square + 2.755732e-07f) + 0.0013888889f) + 0.041666668f;
+    float one = 0.0f, two = 0.0f;
+    for (int n = 14; n >= 6; n -= 2) {
+        const float number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return one*w + square*two + 0.041666668f;
 }
 
 // (sinh(sqrt(w))/sqrt(w) - 1)/w
-static float sin_series(float w) {
+static inline float sin_series(float w) {
     const float square = (w*w);
-    return square*(2.5052108e-08f*square + 0.0001984127f) + w*
-        (square*(1.6059044e-10f*square + 2.7557319e-06f) + 0.008333334f) + 0.16666667f;
+    float one = 0.0f, two = 0.0f;
+    for (int n = 13; n >= 5; n -= 2) {
+        const float number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return one*w + square*two + 0.16666667f;
 }
 
 // cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle
-static void waving_pair(float square, float square_low, float angle, float *even_out,
+static inline void waving_pair(float square, float square_low, float angle, float *even_out,
     float *even_low_out, float *odd_out, float *odd_low_out) {
     if (square > -1.5f) {
         float total, lost; fast_two_sum(1.0f, 0.5f*square, &total, &lost);
@@ -316,12 +296,12 @@ static void waving_pair(float square, float square_low, float angle, float *even
 }
 
 // x y and what it misses
-static void two_prod(float x, float y, float *total_out, float *lost_out) {
+static inline void two_prod(float x, float y, float *total_out, float *lost_out) {
     *total_out = x*y; *lost_out = fmaf(x, y, -(x*y)); return;
 }
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
-static void whole_turns(float half, float square, float square_low, float root, float stiff,
+static inline void whole_turns(float half, float square, float square_low, float root, float stiff,
     float *near_out, float *risen_out, float *sunk_out, float *moved_out) {
     if ((half < 0.75f) && (root < 4096.0f) && (root > 3.0f)) {
         const float count = floorf(0.5f*root/3.1415927f + 0.5f);
@@ -334,9 +314,11 @@ static void whole_turns(float half, float square, float square_low, float root, 
         float total4, lost4; two_diff(total3, lost, &total4, &lost4);
         float total5, lost5; two_diff(total4, total2, &total5, &lost5);
         float total6, lost6; two_diff(total5, square_low, &total6, &lost6);
-        const float low = -lost2 + lost3 + lost4 + lost5 + lost6 + 1.1704737e-14f*turns;
+        const float turned_low = -1.1704737e-14f*turns;
+        const float low = -lost2 + lost3 + lost4 + lost5 + lost6 - turned_low;
         float total7, lost7; two_diff(total6, -low, &total7, &lost7);
-        const float both_low = -1.7484555e-07f*count + lost8 + lost9 + missed;
+        const float back = -1.7484555e-07f*count;
+        const float both_low = back + lost8 + lost9 + missed;
         const float whole = (total9 == 0.0f ? 1.0f : total9);
         float total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
         const float far = (total10*total10);
@@ -389,24 +371,23 @@ static void whole_turns(float half, float square, float square_low, float root, 
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
-static void plant_n0_plant_n1_plant_trace(float gamma, float delta, float *plant_n0_out,
-    float *plant_n1_out, float *plant_trace_out) {
+static inline void device_n0_n1_trace(float gamma, float delta, float *n0_out, float *n1_out,
+    float *trace_out) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const float half = 0.5f*delta;
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const float envelope = expf(-half);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
-        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
+        *trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
@@ -415,56 +396,37 @@ static void plant_n0_plant_n1_plant_trace(float gamma, float delta, float *plant
     const float root_low = root_miss(w, w_low, root);
     float fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
-    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
 // exp(-p), of the faster pole, and what it misses
-static void fast_fall(float slow, float slow_low, float ratio, float ratio_low, float *fast_out,
-    float *low_out) {
+static inline void fast_fall(float slow, float slow_low, float ratio, float ratio_low,
+    float *fast_out, float *low_out) {
     float total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
     *fast_out = total; *low_out = lost + ratio*slow_low; return;
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
-static float numerator_at_one_series(float h, float w) {
+static inline float numerator_at_one_series(float h, float w) {
     const float y = (h*h);
-    float total2, inner2;
-    if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        total2 = 0.0f; inner2 = 0.0f;
-    } else {
-        float total = 0.0f, inner = 0.0f;
-        static const float number_of[] = {4.1103176e-19f, 1.5619207e-16f, 4.7794773e-14f,
-            1.1470745e-11f, 2.0876756e-09f, 2.755732e-07f};
-        for (int at_number = 0; at_number < 6; ++at_number) {
-            const float number = number_of[at_number];
-            const float own = inner*w + number, next_total = own + total*y;
-            inner = own; total = next_total;
-        }
-        total2 = total; inner2 = inner;
+    float total = 0.0f, inner = 0.0f;
+    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 8 : 20); n >= 4; n -= 2) {
+        const float number = inverse_factorial[n], own = inner*w + number;
+        total = own + total*y; inner = own;
     }
-    const float own2 = inner2*w + 2.4801588e-05f, total3 = own2 + total2*y;
-    const float own3 = own2*w + 0.0013888889f, total4 = own3 + total3*y;
-    const float own4 = own3*w + 0.041666668f, total5 = own4 + total4*y, own5 = own4*w;
-    return own5 + total5*y;
-}
-
-// n1 + n0 of a device with slow poles
-static float numerator_at_one_near(float half, float w) {
-    const float rest = numerator_at_one_series(half, w);
-    float total, lost; two_diff(rest, -0.5f, &total, &lost);
-    const float envelope = expf(-half);
-    float total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
-    return 2.0f*lost2 + 2.0f*total2;
+    return inner*w + total*y;
 }
 
 // n1 + n0 of a creeping device
-static float numerator_at_one_creep(float reach, float half, float w, float p, float p_low,
+static inline float numerator_at_one_creep(float reach, float half, float w, float p, float p_low,
     float slow, float slow_low, float mean, float mean_low, float ratio, float ratio_low) {
-    if (reach < 1.0f) { return numerator_at_one_near(half, w); }
+    if (reach < 1.0f) {
+        return 2.0f*scaled_sum(expf(-half), 0.0f, numerator_at_one_series(half, w), 0.5f);
+    }
     float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
     float total, lost; fast_two_sum(1.0f, -fast, &total, &lost);
     float total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
@@ -474,8 +436,8 @@ static float numerator_at_one_creep(float reach, float half, float w, float p, f
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
-static void half_squares(float half, float envelope, float wave, float back, float *total_out,
-    float *low_out) {
+static inline void half_squares(float half, float envelope, float wave, float back,
+    float *total_out, float *low_out) {
     float total, lost; two_diff(wave, back, &total, &lost);
     float total2, lost2; two_prod(total, total, &total2, &lost2);
     const float grown = -0.5f*expm1f(-half), low = 2.0f*lost*total + lost2;
@@ -485,9 +447,11 @@ static void half_squares(float half, float envelope, float wave, float back, flo
 }
 
 // n1 + n0 of a swinging device
-static float numerator_at_one_swing(float reach, float half, float w, float w_low, float envelope,
-    float root, float gamma, float near, float known) {
-    if (reach < 1.0f) { return numerator_at_one_near(half, w); }
+static inline float numerator_at_one_swing(float reach, float half, float w, float w_low,
+    float envelope, float root, float gamma, float near, float known) {
+    if (reach < 1.0f) {
+        return 2.0f*scaled_sum(envelope, 0.0f, numerator_at_one_series(half, w), 0.5f);
+    }
     if (near > 0.0f) { return known; }
     const float angle = 0.5f*root, back = -0.5f*root_miss(w, w_low, root)*cosf(angle);
     float total, low; half_squares(half, envelope, sinf(angle), back, &total, &low);
@@ -497,21 +461,20 @@ static float numerator_at_one_swing(float reach, float half, float w, float w_lo
 }
 
 // n1 + n0; a, the sum of the sampled device's poles
-static void numerator_at_one_plant_trace(float gamma, float delta, float *numerator_at_one_out,
-    float *plant_trace_out) {
+static inline void device_together_trace(float gamma, float delta, float *together_out,
+    float *trace_out) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const float half = 0.5f*delta;
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         const float envelope = expf(-half);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *plant_trace_out = plant_trace_swing(envelope, even, even_low); return;
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *trace_out = plant_trace_swing(envelope, even, even_low); return;
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
@@ -519,36 +482,30 @@ static void numerator_at_one_plant_trace(float gamma, float delta, float *numera
     const float root_low = root_miss(w, w_low, root);
     float fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2);
-    *plant_trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
-static float plant_n0(float gamma, float delta) {
+static inline float plant_n0(float gamma, float delta) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625f) {
-        const float half = 0.5f*delta;
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return plant_n0_near(fade_, fade_low, gamma, delta);
-    }
+    const float half = 0.5f*delta;
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, delta); }
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const float envelope = expf(-half);
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         return plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
             gamma, near, sunk);
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
     fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const float root_low = root_miss(w, w_low, root);
     float fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
@@ -557,30 +514,24 @@ static float plant_n0(float gamma, float delta) {
 }
 
 // n1, how far a unit force moves the device in a period
-static float plant_n1(float gamma, float delta) {
+static inline float plant_n1(float gamma, float delta) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (reach < 0.5625f) {
-        const float half = 0.5f*delta;
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        return plant_n1_near(fade_, fade_low, half, w);
-    }
+    const float half = 0.5f*delta;
+    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
+    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const float envelope = expf(-half);
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         return plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
             odd_low, gamma, near, risen);
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
     fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
     const float root_low = root_miss(w, w_low, root);
     float fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
@@ -589,13 +540,13 @@ static float plant_n1(float gamma, float delta) {
 }
 
 // (1 - exp(-x))/x
-static float decay(float x) {
+static inline float decay(float x) {
     if (x == 0.0f) { return 1.0f; }
     return -expm1f(-x)/x;
 }
 
 // 1 + a + e of a creeping device
-static float denominator_at_minus_one_creep(float slow, float slow_low, float ratio,
+static inline float denominator_at_minus_one_creep(float slow, float slow_low, float ratio,
     float ratio_low) {
     float total, lost; fast_two_sum(1.0f, slow, &total, &lost);
     float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
@@ -606,8 +557,8 @@ static float denominator_at_minus_one_creep(float slow, float slow_low, float ra
 }
 
 // 1 + a + e of a swinging device
-static float denominator_at_minus_one_swing(float half, float w, float w_low, float envelope,
-    float even, float even_low, float root) {
+static inline float denominator_at_minus_one_swing(float half, float w, float w_low,
+    float envelope, float even, float even_low, float root) {
     float total3, lost2; wide_prod(2.0f*envelope, even, even_low, &total3, &lost2);
     if (total3 > 0.0f) {
         const float e = expf(-2.0f*half);
@@ -622,42 +573,22 @@ static float denominator_at_minus_one_swing(float half, float w, float w_low, fl
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
-static float numerator_gap_series(float h, float w) {
+static inline float numerator_gap_series(float h, float w) {
     const float y = (h*h);
-    float total2, inner2;
-    if ((fabsf(w) < 0.00390625f) && (h < 0.0625f)) {
-        total2 = 0.0f; inner2 = 0.0f;
-    } else {
-        float total = 0.0f, inner = 0.0f;
-        static const float number_of[] = {8.220635e-18f, 2.8114574e-15f, 7.6471636e-13f,
-            1.6059044e-10f, 2.5052108e-08f};
-        for (int at_number = 0; at_number < 5; ++at_number) {
-            const float number = number_of[at_number];
-            const float own = inner*w + number, next_total = own + total*y;
-            inner = own; total = next_total;
-        }
-        total2 = total; inner2 = inner;
+    float total = 0.0f, inner = 0.0f;
+    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 9 : 19); n >= 5; n -= 2) {
+        const float number = inverse_factorial[n], own = inner*w + number;
+        total = own + total*y; inner = own;
     }
-    const float own2 = inner2*w + 2.7557319e-06f, total3 = own2 + total2*y;
-    const float own3 = own2*w + 0.0001984127f, total4 = own3 + total3*y;
-    const float own4 = own3*w + 0.008333334f, total5 = own4 + total4*y, own5 = own4*w;
-    const float total6 = own5 + total5*y;
-    return total6 - 4.967054e-09f;
-}
-
-// (n1 - n0)/delta of a device with slow poles
-static float numerator_gap_near(float half, float w) {
-    const float rest = numerator_gap_series(half, w);
-    float total, lost; two_diff(rest, -0.16666667f, &total, &lost);
-    const float envelope = expf(-half);
-    float total2, lost2; wide_prod(envelope, total, lost, &total2, &lost2);
-    return lost2 + total2;
+    return inner*w + total*y - 4.967054e-09f;
 }
 
 // (n1 - n0)/delta of a creeping device
-static float numerator_gap_creep(float reach, float half, float w, float delta, float p,
+static inline float numerator_gap_creep(float reach, float half, float w, float delta, float p,
     float slow, float mean, float mean_low, float ratio, float even, float even_low) {
-    if (reach < 1.0f) { return numerator_gap_near(half, w); }
+    if (reach < 1.0f) {
+        return scaled_sum(expf(-half), 0.0f, numerator_gap_series(half, w), 0.16666667f);
+    }
     const float fast = ratio*slow;
     float total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
     const float twice = 2.0f*slow;
@@ -669,9 +600,11 @@ static float numerator_gap_creep(float reach, float half, float w, float delta, 
 }
 
 // (n1 - n0)/delta of a swinging device
-static float numerator_gap_swing(float reach, float half, float w, float envelope, float wave,
-    float wave_low, float gamma, float delta) {
-    if (reach < 1.0f) { return numerator_gap_near(half, w); }
+static inline float numerator_gap_swing(float reach, float half, float w, float envelope,
+    float wave, float wave_low, float gamma, float delta) {
+    if (reach < 1.0f) {
+        return scaled_sum(envelope, 0.0f, numerator_gap_series(half, w), 0.16666667f);
+    }
     float total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
     const float mean = decay(delta);
     float total2, lost2; two_diff(mean, total, &total2, &lost2);
@@ -682,31 +615,28 @@ static float numerator_gap_swing(float reach, float half, float w, float envelop
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
 // exp(-delta); n1, how far a unit force moves the device in a period
-static void den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(float gamma, float delta,
-    float *denominator_at_minus_one_out, float *numerator_at_one_out, float *numerator_gap_out,
-    float *plant_n0_out, float *plant_n1_out) {
+static inline void device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta,
+    float *at_minus_one_out, float *together_out, float *n_gap_out, float *n0_out, float *n1_out) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const float half = 0.5f*delta;
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
         const float envelope = expf(-half);
-        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
-            even, even_low, root);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
+            even_low, root);
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
         return;
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
@@ -715,42 +645,21 @@ static void den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(float gamma, float d
     const float root_low = root_miss(w, w_low, root);
     float fall2, fall_low2, mean2, mean_low2;
     fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
-        fall_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
         mean_low, fall2, fall_low2);
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
     return;
 }
 
-// m2 - m1 + m0, M at z = -1 behind a fraction of a period
-static float fractional_numerator_gap(float epsilon, float x, float x_low, float y, float y_low,
-    float first, float last, float turned) {
-    float total, lost; fast_two_sum(1.0f, -epsilon, &total, &lost);
-    float total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
-    float total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
-    const float both_low = lost3 + x_low*y;
-    float total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
-    float total5, lost5; two_diff(first, 2.0f*total4, &total5, &lost5);
-    float total6, lost6; two_diff(total5, last, &total6, &lost6);
-    float total7, lost7; two_diff(total6, -turned, &total7, &lost7);
-    const float low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
-    const float rest3 = -2.0f*low + rest2;
-    return rest3 + total7;
-}
-
-// the fraction of a period in a delay
-static float fractional_part(float d) {
-    return d - floorf(d);
-}
-
 // the root of a cubic on a piece where it bends one way
-static float cubic_root(float k0, float k1, float k2, float k3, float low, float high, float rise) {
+static inline float cubic_root(float k0, float k1, float k2, float k3, float low, float high,
+    float rise) {
     const float convex = (2.0f*k2 + 3.0f*k3*(high + low) > 0.0f ? 1.0f : -1.0f);
     const float down = (convex*rise > 0.0f ? 1.0f : -1.0f);
     float y = (down > 0.0f ? high : low), moves = 1.0f;
@@ -759,21 +668,20 @@ static float cubic_root(float k0, float k1, float k2, float k3, float low, float
         const float steep = k1 + y*(2.0f*k2 + 3.0f*k3*y), some = (steep == 0.0f ? 1.0f : steep);
         const float move = (steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
         const float new_ = fminf(high, -move + y), new2 = fmaxf(low, new_);
-        const float next_moves = (down*(-new2 + y) > 0.0f ? 1.0f : 0.0f);
-        moves = next_moves; y = new2;
+        moves = (down*(-new2 + y) > 0.0f ? 1.0f : 0.0f); y = new2;
     }
     return y;
 }
 
 // the angle of x + j y in half turns, and the rest
-static void turn_angle(float x, float y, float *halves_out, float *rest_out) {
+static inline void turn_angle(float x, float y, float *halves_out, float *rest_out) {
     *halves_out = (x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f);
     *rest_out = atan2f((x < 0.0f ? -y : y), fabsf(x)); return;
 }
 
 // the nearest whole number of turns in the phase at a crossing
-static float phase_turns(float y, float rest, float off, float alpha, float slope, float far,
-    float d, float n1, float loss, float together, float apart) {
+static inline float phase_turns(float y, float rest, float off, float alpha, float slope,
+    float far, float d, float n1, float loss, float together, float apart) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest);
     const float sine = 2.0f*sqrtf(at*still);
     float halves, turned; turn_angle(off*(2.0f*loss - 4.0f), loss*sine, &halves, &turned);
@@ -792,7 +700,7 @@ static float phase_turns(float y, float rest, float off, float alpha, float slop
 }
 
 // what the crossing on a piece, if there is one, adds
-static float piece_turns(float k0, float k1, float k2, float k3, float low, float high,
+static inline float piece_turns(float k0, float k1, float k2, float k3, float low, float high,
     float at_low, float at_high, float zone, float alpha, float slope, float far, float n1,
     float loss, float together, float apart, float center, float beyond, float d) {
     if ((((at_high < 0.0f) && (at_low >= 0.0f)) || ((at_high >= 0.0f) && (at_low < 0.0f))) &&
@@ -816,7 +724,7 @@ static float piece_turns(float k0, float k1, float k2, float k3, float low, floa
 }
 
 // what the crossings between two points add to the count
-static float zone_turns(float k0, float k1, float k2, float k3, float low, float high,
+static inline float zone_turns(float k0, float k1, float k2, float k3, float low, float high,
     float at_low, float at_high, float zone, float alpha, float slope, float far, float n1,
     float loss, float together, float apart, float center, float beyond, float d) {
     const float disc = -3.0f*k1*k3 + (k2*k2);
@@ -851,8 +759,8 @@ static float zone_turns(float k0, float k1, float k2, float k3, float low, float
 }
 
 // roots outside the unit circle, behind a fractional delay
-static float fractional_roots(float alpha, float beta, float d, float m2, float m0, float at_one,
-    float at_minus_one, float loss, float together, float apart) {
+static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
+    float at_one, float at_minus_one, float loss, float together, float apart) {
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
     const float across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
     const float linear = (across*across) - even, pushed_ = alpha*together;
@@ -896,17 +804,32 @@ static float fractional_roots(float alpha, float beta, float d, float m2, float 
         (far1 < 0.0f)) && (far0 == 0.0f)) || (far0 < 0.0f) ? end : 0.0f);
 }
 
+// m2 - m1 + m0, M at z = -1 behind a fraction of a period
+static inline float fractional_numerator_gap(float epsilon, float x, float x_low, float y,
+    float y_low, float first, float last, float turned) {
+    float total, lost; fast_two_sum(1.0f, -epsilon, &total, &lost);
+    float total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
+    float total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
+    const float both_low = lost3 + x_low*y;
+    float total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
+    float total5, lost5; two_diff(first, 2.0f*total4, &total5, &lost5);
+    float total6, lost6; two_diff(total5, last, &total6, &lost6);
+    float total7, lost7; two_diff(total6, -turned, &total7, &lost7);
+    const float low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
+    const float rest3 = -2.0f*low + rest2;
+    return rest3 + total7;
+}
+
 // displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
 // n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
 // force moves the device in a period
-static void kick_kick_low_numerator_gap_plant_n0_plant_n1(float gamma, float delta,
-    float *kick_out, float *kick_low_out, float *numerator_gap_out, float *plant_n0_out,
-    float *plant_n1_out) {
+static inline void device_kick_kick_low_n_gap_n0_n1(float gamma, float delta, float *kick_out,
+    float *kick_low_out, float *n_gap_out, float *n0_out, float *n1_out) {
     float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const float half = 0.5f*delta;
     if (w < 0.0f) {
         float even, even_low, odd, odd_low;
         waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
         float near, risen, sunk, moved;
         whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
         float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
@@ -914,15 +837,13 @@ static void kick_kick_low_numerator_gap_plant_n0_plant_n1(float gamma, float del
         float total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
         float total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
         *kick_out = total3; *kick_low_out = lost3;
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
-        *plant_n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
             odd_low, gamma, near, sunk);
-        *plant_n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low,
-            odd, odd_low, gamma, near, risen);
+        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
+            odd_low, gamma, near, risen);
         return;
     }
-    const float half = 0.5f*delta;
     float p, p_low, q, q_low;
     real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
     float fall, fall_low, mean, mean_low;
@@ -935,24 +856,33 @@ static void kick_kick_low_numerator_gap_plant_n0_plant_n1(float gamma, float del
     const float creep_low = fall_low*mean2 + lost;
     float total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
     *kick_out = total4; *kick_low_out = lost4;
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
-    *plant_n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-        mean, mean_low, fall2, fall_low2, mean2, mean_low2);
-    *plant_n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
+    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2, mean2, mean_low2);
+    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
         mean_low, mean2, mean_low2);
     return;
 }
 
-// the same, or 1/2 where it is 0
-static float some_part(float d) {
-    const float part = d - floorf(d);
-    if (part == 0.0f) { return 0.5f; }
-    return part;
+// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
+static inline void late_device(float gamma, float delta, float part, float *apart_out,
+    float *m2_out, float *m0_out) {
+    const float t0 = 1.0f - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
+    float kick_of2, kick_low_of, n_gap, n0_2, n1;
+    device_kick_kick_low_n_gap_n0_n1(t2, t3, &kick_of2, &kick_low_of, &n_gap, &n0_2, &n1);
+    const float t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
+    float kick_of, kick_low_of2, n_gap_2, n0, n1_2;
+    device_kick_kick_low_n_gap_n0_n1(t5, t6, &kick_of, &kick_low_of2, &n_gap_2, &n0, &n1_2);
+    const float t8 = n0*t4;
+    *apart_out = fractional_numerator_gap(part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
+        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
+        t2*t4 - t3*t8*decay(t3));
+    *m2_out = n1*t1; *m0_out = t8*expf(-t3); return;
 }
 
 // 1 where the loop is stable, else 0
-static float stable(float roots, float alpha, float beta, float gamma, float delta) {
+static inline float stable(float roots, float alpha, float beta, float gamma, float delta) {
     const float swing = sqrtf(gamma);
     if ((!((alpha == 0.0f) && (beta == 0.0f) && (delta == 0.0f))) &&
         (!((delta < 5.9604645e-07f) && (gamma > 1.0f) &&
@@ -962,13 +892,8 @@ static float stable(float roots, float alpha, float beta, float gamma, float del
     return 0.0f;
 }
 
-// whole periods of a delay
-static float whole_part(float d) {
-    return floorf(d);
-}
-
 // the turns at a crossing, if there is one
-static float crossing_turns(float y, float rest, float off, float center, float beyond,
+static inline float crossing_turns(float y, float rest, float off, float center, float beyond,
     float alpha, float slope, float far, float d, float n1, float loss, float together,
     float apart) {
     const float edge = (rest > y ? y : rest);
@@ -984,22 +909,17 @@ static float crossing_turns(float y, float rest, float off, float center, float 
 }
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
-static void quadratic_roots(float c, float b, float a, float root, float *low_out,
+static inline void quadratic_roots(float c, float b, float a, float root, float *low_out,
     float *high_out) {
-    if (b >= 0.0f) {
-        const float q = -0.5f*b - 0.5f*root, lead_ = (a == 0.0f ? 1.0f : a);
-        const float own = (q == 0.0f ? 1.0f : q);
-        *low_out = (a == 0.0f ? -1.0f : q/lead_);
-        *high_out = (q == 0.0f ? -1.0f : c/own); return;
-    }
-    const float q = -0.5f*b + 0.5f*root, lead_ = (a == 0.0f ? 1.0f : a);
-    const float own = (q == 0.0f ? 1.0f : q);
-    *low_out = (q == 0.0f ? -1.0f : c/own); *high_out = (a == 0.0f ? -1.0f : q/lead_);
-    return;
+    const float q = -0.5f*b - 0.5f*(b >= 0.0f ? root : -root);
+    const float lead_ = (a == 0.0f ? 1.0f : a), own = (q == 0.0f ? 1.0f : q);
+    const float one = (a == 0.0f ? -1.0f : q/lead_), two = (q == 0.0f ? -1.0f : c/own);
+    if (b >= 0.0f) { *low_out = one; *high_out = two; return; }
+    *low_out = two; *high_out = one; return;
 }
 
 // roots outside the unit circle
-static float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
+static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
     float at_minus_one, float loss, float together, float apart) {
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
     const float force = beta*slope, cross = n0*n1, lost = (loss*loss);
@@ -1045,8 +965,8 @@ static float whole_roots(float alpha, float beta, float d, float n1, float n0, f
 }
 
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
-static void ahead_in_phase(float psi, float at_one, float at_minus_one, float loss, float together,
-    float apart, float across, float *ahead_out, float *in_phase_out) {
+static inline void ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
+    float together, float apart, float across, float *ahead_out, float *in_phase_out) {
     const float t = tanf(psi), square = (t*t), low = fmaf(t, t, -(t*t));
     const float taken = at_minus_one*square;
     float total, lost; two_diff(at_one, taken, &total, &lost);
@@ -1067,8 +987,41 @@ static void ahead_in_phase(float psi, float at_one, float at_minus_one, float lo
     *ahead_out = found2/size; *in_phase_out = found3/size; return;
 }
 
-// cos((k + 1) x); sin((k + 1) x)
-static void cos_next_sin_next(float k, float x, float *cos_next_out, float *sin_next_out) {
+// 1 + a + e; n1 + n0; (n1 - n0)/delta
+static inline void device_at_minus_one_together_n_gap(float gamma, float delta,
+    float *at_minus_one_out, float *together_out, float *n_gap_out) {
+    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
+    const float half = 0.5f*delta;
+    if (w < 0.0f) {
+        float even, even_low, odd, odd_low;
+        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
+        float near, risen, sunk, moved;
+        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
+        const float envelope = expf(-half);
+        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
+            even_low, root);
+        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
+            moved);
+        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
+        return;
+    }
+    float p, p_low, q, q_low;
+    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
+    float fall, fall_low, mean, mean_low;
+    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
+    const float root_low = root_miss(w, w_low, root);
+    float fall2, fall_low2, mean2, mean_low2;
+    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
+    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
+    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
+        mean_low, fall2, fall_low2);
+    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
+        mean_low2);
+    return;
+}
+
+// cos((k + 1) x) and sin((k + 1) x)
+static inline void next_wave(float k, float x, float *cosine_out, float *sine_out) {
     const float count = k + 1.0f, before = count - 1.0f, angle = count*x;
     const float missed = -before + k, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
     const float left = angle - 1.5707964f*quarters;
@@ -1084,84 +1037,18 @@ static void cos_next_sin_next(float k, float x, float *cos_next_out, float *sin_
     const float sine = low2*still + wave, cosine = -low2*wave + still;
     const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
     const float value2 = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
-    *cos_next_out = ((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value);
-    *sin_next_out = (turn_ >= 2.0f ? -value2 : value2); return;
-}
-
-// 1 + a + e; n1 + n0; (n1 - n0)/delta
-static void denominator_at_minus_one_numerator_at_one_numerator_gap(float gamma, float delta,
-    float *denominator_at_minus_one_out, float *numerator_at_one_out, float *numerator_gap_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float half = 0.5f*delta;
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        const float envelope = expf(-half);
-        *denominator_at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope,
-            even, even_low, root);
-        *numerator_at_one_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root,
-            gamma, near, moved);
-        *numerator_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma,
-            delta);
-        return;
-    }
-    const float half = 0.5f*delta;
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *denominator_at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2,
-        fall_low2);
-    *numerator_at_one_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *numerator_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2,
-        mean2, mean_low2);
-    return;
+    *cosine_out = ((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value);
+    *sine_out = (turn_ >= 2.0f ? -value2 : value2); return;
 }
 
 // cos((k + 1) x)
-static float cos_next(float k, float x) {
-    const float count = k + 1.0f, angle = count*x;
-    const float quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
-    const float turn_ = quarters - 4.0f*floorf(0.25f*quarters);
-    if ((turn_ <= 2.0f) && (turn_ >= 1.0f)) {
-        const float before = count - 1.0f, missed = -before + k;
-        const float left = angle - 1.5707964f*quarters;
-        float total, lost;
-        two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
-        float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
-        float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
-        float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
-        const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
-            fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
-        const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(total4);
-        const float still = cosf(total4), sine = low2*still + wave;
-        const float cosine = -low2*wave + still;
-        const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
-        return -value;
-    }
-    const float before = count - 1.0f, missed = -before + k;
-    const float left = angle - 1.5707964f*quarters;
-    float total, lost;
-    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
-    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
-    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
-    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
-    const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
-        fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
-    const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(total4);
-    const float still = cosf(total4), sine = low2*still + wave;
-    const float cosine = -low2*wave + still;
-    return ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
+static inline float cos_next(float k, float x) {
+    float cosine, sine; next_wave(k, x, &cosine, &sine);
+    return cosine;
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
-static float early_slope(float theta, float k4, float k3, float k2, float k1, float k0) {
+static inline float early_slope(float theta, float k4, float k3, float k2, float k1, float k0) {
     const float sine = sinf(0.5f*theta), cosine = cosf(0.5f*theta), up = (sine*sine);
     const float along = (cosine*cosine), found = along*k3 + k4*up;
     const float power2 = (along*along), found2 = found*up + k2*power2;
@@ -1171,7 +1058,8 @@ static float early_slope(float theta, float k4, float k3, float k2, float k1, fl
 }
 
 // has the sign of the slope of the boundary's alpha next to pi
-static float end_slope(float at_minus_one, float loss, float together, float apart, float last) {
+static inline float end_slope(float at_minus_one, float loss, float together, float apart,
+    float last) {
     float total, lost; two_diff(together, 4.0f*last, &total, &lost);
     float total2, lost2; wide_prod(total, total, 2.0f*lost, &total2, &lost2);
     float total3, lost3; two_prod(apart, together, &total3, &lost3);
@@ -1197,7 +1085,8 @@ static float end_slope(float at_minus_one, float loss, float together, float apa
 }
 
 // the next point of a search between a and b, where f is fa and fb, after c
-static float next_guess(float b, float fb, float a, float fa, float c, float fc, float close) {
+static inline float next_guess(float b, float fb, float a, float fa, float c, float fc,
+    float close) {
     const float span = -b + c, rise = -fb + fc, whole = (span == 0.0f ? 1.0f : span);
     const float place = (a - b)/whole, whole2 = (rise == 0.0f ? 1.0f : rise);
     const float height = (fa - fb)/whole2;
@@ -1219,8 +1108,8 @@ static float next_guess(float b, float fb, float a, float fa, float c, float fc,
 }
 
 // the angle of the largest stiffness for delays below a period
-static float early_angle(float at_one, float at_minus_one, float loss, float together, float apart,
-    float last) {
+static inline float early_angle(float at_one, float at_minus_one, float loss, float together,
+    float apart, float last) {
     const float t = (apart*apart*apart), t2 = (together*together*together);
     const float t3 = (together*together), t4 = apart*t3, t5 = (apart*apart);
     const float t6 = 2.0f*loss, t7 = at_minus_one + t6, t8 = 4.0f*together;
@@ -1246,81 +1135,43 @@ static float early_angle(float at_one, float at_minus_one, float loss, float tog
         if ((count > 24.0f) || (found > 0.0f)) { break; }
         const float rises = early_slope(0.041666668f*3.1415927f*count, k, k2, k3, k4, k5);
         const float next_count = (rises > 0.0f ? count + 1.0f : count);
-        const float next_found = (rises > 0.0f ? 0.0f : 1.0f);
-        found = next_found; count = next_count;
+        found = (rises > 0.0f ? 0.0f : 1.0f); count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*3.1415927f*count;
         const float low = fmaxf(0.001f*high, 0.041666668f*3.1415927f*(count - 1.0f));
         const float above = early_slope(low, k, k2, k3, k4, k5);
-        float root;
-        if (above <= 0.0f) {
-            root = low;
-        } else {
-            const float below = early_slope(high, k, k2, k3, k4, k5);
-            if (below >= 0.0f) {
-                root = high;
-            } else {
-                float b = low, fb = above, a = high, fa = below, c = high, fc = below;
-                for (int count_b = 0; count_b < 120; ++count_b) {
-                    if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                        (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
-                        break; }
-                    const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
-                    const float value = early_slope(new_, k, k2, k3, k4, k5);
-                    const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-                    const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-                    const float next_c = (same > 0.0f ? a : b), next_fc = (same > 0.0f ? fa : fb);
-                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-                }
-                root = (fabsf(fa) < fabsf(fb) ? a : b);
-            }
+        if (above <= 0.0f) { return low; }
+        const float below = early_slope(high, k, k2, k3, k4, k5);
+        if (below >= 0.0f) { return high; }
+        float b = low, fb = above, a = high, fa = below, c = high, fc = below;
+        for (int count_b = 0; count_b < 120; ++count_b) {
+            if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
+                (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+            const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
+            const float value = early_slope(new_, k, k2, k3, k4, k5);
+            const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+            const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
+            const float next_c = (same > 0.0f ? a : b);
+            fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
+            b = next_b;
         }
-        return root;
+        if (fabsf(fa) < fabsf(fb)) { return a; }
+        return b;
     }
     return 3.1415927f;
 }
 
 // sin((k + 1) x)
-static float sin_next(float k, float x) {
-    const float count = k + 1.0f, angle = count*x;
-    const float quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
-    const float turn_ = quarters - 4.0f*floorf(0.25f*quarters);
-    if (turn_ >= 2.0f) {
-        const float before = count - 1.0f, missed = -before + k;
-        const float left = angle - 1.5707964f*quarters;
-        float total, lost;
-        two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
-        float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
-        float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
-        float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
-        const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
-            fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
-        const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(total4);
-        const float still = cosf(total4), sine = low2*still + wave;
-        const float cosine = -low2*wave + still;
-        const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
-        return -value;
-    }
-    const float before = count - 1.0f, missed = -before + k;
-    const float left = angle - 1.5707964f*quarters;
-    float total, lost;
-    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
-    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
-    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
-    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
-    const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
-        fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
-    const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(total4);
-    const float still = cosf(total4), sine = low2*still + wave;
-    const float cosine = -low2*wave + still;
-    return ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
+static inline float sin_next(float k, float x) {
+    float cosine, sine; next_wave(k, x, &cosine, &sine);
+    return sine;
 }
 
 // has the sign of the slope of the boundary's alpha
-static float boundary_slope(float theta, float l, float at_one, float at_minus_one, float loss,
-    float together, float apart, float across) {
+static inline float boundary_slope(float theta, float l, float at_one, float at_minus_one,
+    float loss, float together, float apart, float across) {
     const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = sin_next(t, t2), t4 = tanf(t2);
     const float t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5, t8 = -t7 + together;
     const float t9 = at_minus_one*t5, t10 = at_one - t9, t11 = across*loss*t6 + t10*t8;
@@ -1333,7 +1184,7 @@ static float boundary_slope(float theta, float l, float at_one, float at_minus_o
 }
 
 // the angle of the largest stiffness for a period and more
-static float later_angle(float d, float l, float at_one, float at_minus_one, float loss,
+static inline float later_angle(float d, float l, float at_one, float at_minus_one, float loss,
     float together, float apart, float across) {
     const float turn_ = 3.1415927f/(d + 1.0f);
     float count = 1.0f, found = 0.0f;
@@ -1342,47 +1193,39 @@ static float later_angle(float d, float l, float at_one, float at_minus_one, flo
         const float rises = boundary_slope(0.041666668f*count*turn_, l, at_one, at_minus_one, loss,
             together, apart, across);
         const float next_count = (rises > 0.0f ? count + 1.0f : count);
-        const float next_found = (rises > 0.0f ? 0.0f : 1.0f);
-        found = next_found; count = next_count;
+        found = (rises > 0.0f ? 0.0f : 1.0f); count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*count*turn_;
         const float low = fmaxf(0.001f*high, 0.041666668f*turn_*(count - 1.0f));
         const float above = boundary_slope(low, l, at_one, at_minus_one, loss, together, apart,
             across);
-        float root;
-        if (above <= 0.0f) {
-            root = low;
-        } else {
-            const float below = boundary_slope(high, l, at_one, at_minus_one, loss, together,
+        if (above <= 0.0f) { return low; }
+        const float below = boundary_slope(high, l, at_one, at_minus_one, loss, together, apart,
+            across);
+        if (below >= 0.0f) { return high; }
+        float b = low, fb = above, a = high, fa = below, c = high, fc = below;
+        for (int count_b = 0; count_b < 120; ++count_b) {
+            if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
+                (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+            const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
+            const float value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            if (below >= 0.0f) {
-                root = high;
-            } else {
-                float b = low, fb = above, a = high, fa = below, c = high, fc = below;
-                for (int count_b = 0; count_b < 120; ++count_b) {
-                    if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                        (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
-                        break; }
-                    const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
-                    const float value = boundary_slope(new_, l, at_one, at_minus_one, loss,
-                        together, apart, across);
-                    const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                        ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-                    const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-                    const float next_c = (same > 0.0f ? a : b), next_fc = (same > 0.0f ? fa : fb);
-                    fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-                }
-                root = (fabsf(fa) < fabsf(fb) ? a : b);
-            }
+            const float same = (((fa < 0.0f) && (value < 0.0f)) ||
+                ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
+            const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
+            const float next_c = (same > 0.0f ? a : b);
+            fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
+            b = next_b;
         }
-        return root;
+        if (fabsf(fa) < fabsf(fb)) { return a; }
+        return b;
     }
     return NAN;
 }
 
 // the angle of the largest stiffness without delay
-static float undelayed_angle(float at_one, float at_minus_one, float loss, float together,
+static inline float undelayed_angle(float at_one, float at_minus_one, float loss, float together,
     float apart) {
     const float k = end_slope(at_minus_one, loss, together, apart, 0.0f);
     const float t = 2.0f*apart, t2 = -together, t3 = 2.0f*together;
@@ -1408,7 +1251,7 @@ static float undelayed_angle(float at_one, float at_minus_one, float loss, float
 }
 
 // the angle of the wall of largest stable stiffness, or NaN
-static float max_stiffness_angle(float gamma, float delta, float d, float l, float part,
+static inline float max_stiffness_angle(float gamma, float delta, float d, float l, float part,
     float first, float last, float at_one, float at_minus_one, float loss, float together,
     float apart) {
     if (((d <= 1.0f) || (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) && (gamma <= 9.8f)) {
@@ -1443,32 +1286,31 @@ static float max_stiffness_angle(float gamma, float delta, float d, float l, flo
 }
 
 // (x - sin(x))/x^3
-static float gap(float x) {
+static inline float gap(float x) {
     if (fabsf(x) < 2.0f) {
         const float square = -(x*x);
-        const float rest = square*(square*(square*
-            (square*(square*(square*(2.8114574e-15f*square + 7.6471636e-13f) + 1.6059044e-10f) +
-            2.5052108e-08f) + 2.7557319e-06f) + 0.0001984127f) + 0.008333334f) - 4.967054e-09f;
+        float total = 0.0f;
+        for (int n = 17; n >= 5; n -= 2) {
+            const float number = inverse_factorial[n];
+            total = number + square*total;
+        }
+        const float rest = square*total - 4.967054e-09f;
         return rest + 0.16666667f;
     }
     return (x - sinf(x))/(x*x*x);
 }
 
 // sin(x)/x
-static float sinc(float x) {
+static inline float sinc(float x) {
     if (fabsf(x) < 1.0f) { return -(x*x)*gap(x) + 1.0f; }
-    const float whole = (x == 0.0f ? 1.0f : x);
-    return sinf(x)/whole;
+    return sinf(x)/x;
 }
 
 // the damping that the wall needs at the angle 2 psi
-static float damping_at(float alpha, float beta, float l, float epsilon, float psi) {
-    if (epsilon == 0.0f) {
-        return 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
-            cos_next(l, 2.0f*psi);
-    }
+static inline float damping_at(float alpha, float beta, float l, float epsilon, float psi) {
     const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
         cos_next(l, 2.0f*psi);
+    if (epsilon == 0.0f) { return early; }
     const float n = early + epsilon*(0.5f*alpha*(2.0f*l + 3.0f)*sinc(psi*(2.0f*l + 3.0f))/
         sinc(psi) - beta*cos_next(l + 1.0f, 2.0f*psi) - early);
     const float root = sqrtf(epsilon*(1.0f - epsilon)*
@@ -1478,19 +1320,17 @@ static float damping_at(float alpha, float beta, float l, float epsilon, float p
 }
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
-static float chord(float k, float x) {
-    const float turn_ = x*(k + 1.0f);
+static inline float chord(float k, float x) {
+    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f, along = cos_next(k, x);
     if (turn_ < 1.5f) {
-        const float order = 2.0f*k + 2.0f, along = cos_next(k, x);
         const float wave = sinc(0.5f*turn_), inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
     }
-    const float order = 2.0f*k + 2.0f, along = cos_next(k, x);
     return (-along*order*sinf(x) + 2.0f*sin_next(k, x))/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
-static float rising(float alpha, float beta, float l, float epsilon, float psi) {
+static inline float rising(float alpha, float beta, float l, float epsilon, float psi) {
     const float t = 2.0f*psi, t2 = 2.0f*alpha/(sinc(psi)*sinc(psi));
     const float t3 = 0.5f*alpha + beta, t4 = 2.0f*l, t5 = t4 + 2.0f, t6 = t4 + 4.0f;
     const float early = -t2*chord(l, t) + t3*(t5*t5)*sinc(psi*t5);
@@ -1500,57 +1340,48 @@ static float rising(float alpha, float beta, float l, float epsilon, float psi) 
 }
 
 // has the sign of the slope of DampingAt, up to the angle in phase
-static float steepness(float alpha, float beta, float l, float epsilon, float psi) {
+static inline float steepness(float alpha, float beta, float l, float epsilon, float psi) {
     if (epsilon == 0.0f) {
         const float t = 2.0f*l + 2.0f;
         return -2.0f*alpha*chord(l, 2.0f*psi)/(sinc(psi)*sinc(psi)) + (t*t)*(0.5f*alpha + beta)*
             sinc(psi*t);
     }
+    const float rising_ = rising(alpha, beta, l, epsilon, psi);
     const float phase = psi*(2.0f*l + 2.0f) +
         atan2f(alpha*cosf(psi), (alpha + 2.0f*beta)*sinf(psi)) +
         atan2f(epsilon*sinf(2.0f*psi), epsilon*cosf(2.0f*psi) - epsilon + 1.0f) - 3.1415927f;
-    if (phase > 0.0f) {
-        const float rising_ = rising(alpha, beta, l, epsilon, psi);
-        return -fabsf(rising_);
-    }
-    return rising(alpha, beta, l, epsilon, psi);
+    if (phase > 0.0f) { return -fabsf(rising_); }
+    return rising_;
 }
 
 // half of the angle at which the wall needs most damping
-static float worst_angle(float alpha, float beta, float l, float epsilon) {
+static inline float worst_angle(float alpha, float beta, float l, float epsilon) {
     const float size = fabsf(alpha) + fabsf(beta), whole = (size == 0.0f ? 1.0f : size);
     const float stiffness = alpha/whole, damping = beta/whole, low = 0.0f;
     const float above = steepness(stiffness, damping, l, epsilon, low);
-    float root;
-    if (above <= 0.0f) {
-        root = low;
-    } else {
-        const float high = 3.1415925f/(2.0f*l + 2.0f);
-        const float below = steepness(stiffness, damping, l, epsilon, high);
-        if (below >= 0.0f) {
-            root = high;
-        } else {
-            float b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                    (fabsf(a - b) <= 7.6293945e-06f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
-                    break; }
-                const float new_ = next_guess(b, fb, a, fa, c, fc, 7.6293945e-06f);
-                const float value = steepness(stiffness, damping, l, epsilon, new_);
-                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-                const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-                const float next_c = (same > 0.0f ? a : b), next_fc = (same > 0.0f ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabsf(fa) < fabsf(fb) ? a : b);
-        }
+    if (above <= 0.0f) { return low; }
+    const float high = 3.1415925f/(2.0f*l + 2.0f);
+    const float below = steepness(stiffness, damping, l, epsilon, high);
+    if (below >= 0.0f) { return high; }
+    float b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
+            (fabsf(a - b) <= 7.6293945e-06f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+        const float new_ = next_guess(b, fb, a, fa, c, fc, 7.6293945e-06f);
+        const float value = steepness(stiffness, damping, l, epsilon, new_);
+        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f);
+        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
+        const float next_c = (same > 0.0f ? a : b);
+        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
+        b = next_b;
     }
-    return root;
+    if (fabsf(fa) < fabsf(fb)) { return a; }
+    return b;
 }
 
 // the damping that the wall needs at its worst angle
-static float largest_required_damping(float alpha, float beta, float d) {
+static inline float largest_required_damping(float alpha, float beta, float d) {
     if (alpha < 0.0f) { return INFINITY; }
     const float whole = floorf(d), part = d - whole;
     const float psi = worst_angle(alpha, beta, whole, part);
@@ -1558,13 +1389,13 @@ static float largest_required_damping(float alpha, float beta, float d) {
 }
 
 // early + share (late - early)
-static float between(float share, float early, float late) {
+static inline float between(float share, float early, float late) {
     const float more = -early + late;
     return early + more*share;
 }
 
 // negative beyond the angle in phase with the delay
-static float lead(float theta, float l, float epsilon) {
+static inline float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
         const float early = sin_next(l, theta), late = sin_next(l + 1.0f, theta);
         return early + epsilon*(-early + late);
@@ -1573,24 +1404,20 @@ static float lead(float theta, float l, float epsilon) {
 }
 
 // the value, NaN for number < 0
-static float rated(float number, float value) {
+static inline float rated(float number, float value) {
     if (number < 0.0f) { return NAN; }
     return value;
 }
 
 // ((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3
-static float spread(float k, float x) {
-    const float turn_ = x*(k + 1.0f);
-    if (turn_ < 1.5f) {
-        const float order = 2.0f*k + 2.0f;
-        return order*((order*order)*gap(2.0f*turn_) - gap(x));
-    }
-    const float order = 2.0f*k + 2.0f;
+static inline float spread(float k, float x) {
+    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
+    if (turn_ < 1.5f) { return order*((order*order)*gap(2.0f*turn_) - gap(x)); }
     return (order*sinf(x) - 2.0f*cos_next(k, x)*sin_next(k, x))/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
-static float straight(float stiffness, float damping, float k, float angle) {
+static inline float straight(float stiffness, float damping, float k, float angle) {
     const float order = 2.0f*k + 1.0f, wave = sinc(angle*order);
     float total, lost; two_prod(order, wave, &total, &lost);
     const float near = 2.0f*sinc(angle);
@@ -1604,9 +1431,9 @@ static float straight(float stiffness, float damping, float k, float angle) {
 }
 
 // has the sign of minus the slope of what the wall phi needs
-static float turning(float phi, float l, float epsilon, float wave, float wave2, float wave3,
-    float wave4, float wave5, float wave6, float wave7, float wave8, float wave9, float wave10,
-    float wave11, float wave12) {
+static inline float turning(float phi, float l, float epsilon, float wave, float wave2,
+    float wave3, float wave4, float wave5, float wave6, float wave7, float wave8, float wave9,
+    float wave10, float wave11, float wave12) {
     const float t = sinf(phi), t2 = l + 1.0f, t3 = cosf(phi), t4 = t3/t2, t5 = 0.5f*t4;
     const float t6 = t - t5, t7 = epsilon*(1.0f - epsilon), t8 = 2.0f*l;
     const float t9 = 2.0f*t4/(wave7*wave7);
@@ -1621,7 +1448,7 @@ static float turning(float phi, float l, float epsilon, float wave, float wave2,
 }
 
 // the wall whose worst angle is 2 psi, as an angle
-static float turn(float psi, float l, float epsilon) {
+static inline float turn(float psi, float l, float epsilon) {
     const float wave = sinf(psi), wave2 = cosf(psi), wave3 = chord(l, 2.0f*psi);
     const float wave4 = chord(l + 1.0f, 2.0f*psi), wave5 = cos_next(l, 2.0f*psi);
     const float wave6 = cos_next(l + 1.0f, 2.0f*psi), wave7 = sinc(psi);
@@ -1630,45 +1457,38 @@ static float turn(float psi, float l, float epsilon) {
     const float wave12 = sinc(psi*(2.0f*l + 4.0f)), low = 0.0f;
     const float above = turning(low, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
         wave8, wave9, wave10, wave11, wave12);
-    float root;
-    if (above <= 0.0f) {
-        root = low;
-    } else {
-        const float high = 0.5f*3.1415927f;
-        const float below = turning(high, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
+    if (above <= 0.0f) { return low; }
+    const float high = 0.5f*3.1415927f;
+    const float below = turning(high, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
+        wave8, wave9, wave10, wave11, wave12);
+    if (below >= 0.0f) { return high; }
+    float b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
+            (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+        const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
+        const float value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        if (below >= 0.0f) {
-            root = high;
-        } else {
-            float b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                    (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
-                    break; }
-                const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
-                const float value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5,
-                    wave6, wave7, wave8, wave9, wave10, wave11, wave12);
-                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-                const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-                const float next_c = (same > 0.0f ? a : b), next_fc = (same > 0.0f ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabsf(fa) < fabsf(fb) ? a : b);
-        }
+        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f);
+        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
+        const float next_c = (same > 0.0f ? a : b);
+        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
+        b = next_b;
     }
-    return root;
+    if (fabsf(fa) < fabsf(fb)) { return a; }
+    return b;
 }
 
 // the wall whose worst angle is theta, as an angle, or NaN
-static float touching(float theta, float l, float epsilon) {
+static inline float touching(float theta, float l, float epsilon) {
     const float found = turn(0.5f*theta, l, epsilon);
     if (found < 0.5f*3.1415927f) { return found; }
     return NAN;
 }
 
 // whether another angle allows more stiffness, at a fraction
-static float passive_slope(float psi, float l, float epsilon) {
+static inline float passive_slope(float psi, float l, float epsilon) {
     const float turned = turn(psi, l, epsilon), wall = cosf(turned)/(l + 1.0f);
     const float wall2 = sinf(turned) - 0.5f*cosf(turned)/(l + 1.0f);
     const float need = damping_at(wall, wall2, l, epsilon, psi);
@@ -1677,35 +1497,28 @@ static float passive_slope(float psi, float l, float epsilon) {
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
-static float passive_angle(float l, float epsilon) {
+static inline float passive_angle(float l, float epsilon) {
     const float low = 1e-06f*3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
     const float above = passive_slope(low, l, epsilon);
-    float root;
-    if (above <= 0.0f) {
-        root = low;
-    } else {
-        const float high = 3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
-        const float below = passive_slope(high, l, epsilon);
-        if (below >= 0.0f) {
-            root = high;
-        } else {
-            float b = low, fb = above, a = high, fa = below, c = high, fc = below;
-            for (int count_b = 0; count_b < 120; ++count_b) {
-                if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                    (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) {
-                    break; }
-                const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
-                const float value = passive_slope(new_, l, epsilon);
-                const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                    ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-                const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-                const float next_c = (same > 0.0f ? a : b), next_fc = (same > 0.0f ? fa : fb);
-                fc = next_fc; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
-            }
-            root = (fabsf(fa) < fabsf(fb) ? a : b);
-        }
+    if (above <= 0.0f) { return 2.0f*low; }
+    const float high = 3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
+    const float below = passive_slope(high, l, epsilon);
+    if (below >= 0.0f) { return 2.0f*high; }
+    float b = low, fb = above, a = high, fa = below, c = high, fc = below;
+    for (int count_b = 0; count_b < 120; ++count_b) {
+        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
+            (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+        const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
+        const float value = passive_slope(new_, l, epsilon);
+        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f);
+        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
+        const float next_c = (same > 0.0f ? a : b);
+        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
+        b = next_b;
     }
-    return 2.0f*root;
+    if (fabsf(fa) < fabsf(fb)) { return 2.0f*a; }
+    return 2.0f*b;
 }
 
 void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
@@ -1713,10 +1526,8 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
     if (!((delta <= 1e+08f) && (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    float plant_n0_of, plant_n1_of, plant_trace_of;
-    plant_n0_plant_n1_plant_trace(gamma, delta, &plant_n0_of, &plant_n1_of, &plant_trace_of);
-    *n1_out = plant_n1_of; *n0_out = plant_n0_of; *a_out = plant_trace_of;
-    *e_out = expf(-delta); return;
+    float n0, n1, trace; device_n0_n1_trace(gamma, delta, &n0, &n1, &trace);
+    *n1_out = n1; *n0_out = n0; *a_out = trace; *e_out = expf(-delta); return;
 }
 
 void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
@@ -1725,14 +1536,12 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    float numerator_at_one_of, plant_trace_of;
-    numerator_at_one_plant_trace(gamma, delta, &numerator_at_one_of, &plant_trace_of);
+    float together, trace; device_together_trace(gamma, delta, &together, &trace);
     const float t0 = 1.0f - epsilon, t1 = (t0*t0), t2 = delta*t0;
-    const float plant_n1_of = plant_n1(gamma*t1, t2), t3 = plant_n1_of*t1;
-    const float t4 = (epsilon*epsilon), plant_n0_of = plant_n0(gamma*t4, delta*epsilon);
-    const float t5 = plant_n0_of*t4*expf(-t2);
-    *m2_out = t3; *m1_out = numerator_at_one_of - t3 - t5; *m0_out = t5;
-    *a_out = plant_trace_of; *e_out = expf(-delta); return;
+    const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
+    const float n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*expf(-t2);
+    *m2_out = t3; *m1_out = together - t3 - t5; *m0_out = t5; *a_out = trace;
+    *e_out = expf(-delta); return;
 }
 
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d) {
@@ -1741,37 +1550,18 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
         (gamma >= 0.0f))) {
         return false;
     }
-    if (fractional_part(d) == 0.0f) {
-        float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-        const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        return stable(whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of), alpha,
-            beta, gamma, delta) != 0.0f;
+    float at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const float t3 = delta*decay(delta);
+    if (part == 0.0f) {
+        return stable(whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
+            n_gap), alpha, beta, gamma, delta) != 0.0f;
     }
-    float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-    const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-    const float t4 = some_part(d), t5 = 1.0f - t4, t6 = (t5*t5), t7 = gamma*t6;
-    const float t8 = delta*t5;
-    float kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
-    const float t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
-    float kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
-    const float t13 = plant_n0_of*t10;
-    return stable(fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*expf(-t8), t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of,
-        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
-        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
-        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8))),
-        alpha, beta, gamma, delta) != 0.0f;
+    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    return stable(fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
+        apart), alpha, beta, gamma, delta) != 0.0f;
 }
 
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d) {
@@ -1780,35 +1570,16 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
         (gamma >= 0.0f))) {
         return -1.0f;
     }
-    if (fractional_part(d) == 0.0f) {
-        float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-            plant_n1_of3;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-        const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        return whole_roots(alpha, beta, d, plant_n1_of3, plant_n0_of2, t1,
-            denominator_at_minus_one_of, t3, numerator_at_one_of, delta*numerator_gap_of);
+    float at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const float t3 = delta*decay(delta);
+    if (part == 0.0f) {
+        return whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*n_gap);
     }
-    float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of2,
-        plant_n1_of3;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of2, &plant_n1_of3);
-    const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-    const float t4 = some_part(d), t5 = 1.0f - t4, t6 = (t5*t5), t7 = gamma*t6;
-    const float t8 = delta*t5;
-    float kick_of2, kick_low_of2, numerator_gap_of3, plant_n0_of3, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t7, t8, &kick_of2, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of3, &plant_n1_of);
-    const float t10 = (t4*t4), t11 = gamma*t10, t12 = delta*t4;
-    float kick_of, kick_low_of, numerator_gap_of2, plant_n0_of, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t11, t12, &kick_of, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of, &plant_n1_of2);
-    const float t13 = plant_n0_of*t10;
-    return fractional_roots(alpha, beta, whole_part(d), plant_n1_of*t6, t13*expf(-t8), t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of,
-        fractional_numerator_gap(t4, kick_of2, kick_low_of2, kick_of, kick_low_of, delta*
-        numerator_gap_of3*(t5*t5*t5), delta*numerator_gap_of2*(t4*t4*t4), plant_n0_of3*t6*
-        (kick_of*t12 + plant_n1_of2*t11) + plant_n1_of*plant_n1_of2*t10*t7 - t13*t8*decay(t8)));
+    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    return fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together, apart);
 }
 
 void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
@@ -1817,53 +1588,28 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0f) {
-        float cos_next_of, sin_next_of;
-        cos_next_sin_next(d, theta, &cos_next_of, &sin_next_of);
-        float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
-        denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
-            &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
-        const float t1 = 0.5f*theta, t3 = gamma*numerator_at_one_of;
-        const float t5 = delta*decay(delta), t6 = delta*numerator_gap_of;
-        const float t7 = numerator_at_one_of + t6;
+    float at_minus_one, together, n_gap;
+    device_at_minus_one_together_n_gap(gamma, delta, &at_minus_one, &together, &n_gap);
+    const float whole = floorf(d), part = d - whole, t1 = 0.5f*theta;
+    const float t3 = gamma*together, t5 = delta*decay(delta), t11 = tanf(t1);
+    const float t13 = sinf(theta);
+    if (part == 0.0f) {
+        float cosine, sine; next_wave(d, theta, &cosine, &sine);
+        const float t6 = delta*n_gap, t7 = together + t6;
         float ahead_of, in_phase_of;
-        ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t6, t7,
-            &ahead_of, &in_phase_of);
-        const float t11 = tanf(t1);
-        const float t12 = ahead_of*cos_next_of + in_phase_of*sin_next_of;
-        const float t13 = sinf(theta);
-        *alpha_out = ahead_of*sin_next_of - cos_next_of*in_phase_of + t11*t12;
-        *beta_out = -t12/t13; return;
+        ahead_in_phase(t1, t3, at_minus_one, t5, together, t6, t7, &ahead_of, &in_phase_of);
+        const float t12 = ahead_of*cosine + in_phase_of*sine;
+        *alpha_out = ahead_of*sine - cosine*in_phase_of + t11*t12; *beta_out = -t12/t13;
+        return;
     }
-    float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of;
-    denominator_at_minus_one_numerator_at_one_numerator_gap(gamma, delta,
-        &denominator_at_minus_one_of, &numerator_at_one_of, &numerator_gap_of);
-    const float t1 = 0.5f*theta, t3 = gamma*numerator_at_one_of;
-    const float t5 = delta*decay(delta), t11 = tanf(t1), t13 = sinf(theta);
-    const float t14 = whole_part(d);
-    float cos_next_of2, sin_next_of2;
-    cos_next_sin_next(t14, theta, &cos_next_of2, &sin_next_of2);
-    const float t16 = some_part(d), t17 = 1.0f - t16, t18 = (t17*t17), t19 = gamma*t18;
-    const float t20 = delta*t17;
-    float kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of2, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t19, t20, &kick_of2, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of2, &plant_n1_of2);
-    const float t21 = (t16*t16), t22 = gamma*t21, t23 = delta*t16;
-    float kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of, plant_n1_of;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t22, t23, &kick_of, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of, &plant_n1_of);
-    const float t25 = plant_n0_of*t21;
-    const float t28 = fractional_numerator_gap(t16, kick_of2, kick_low_of, kick_of, kick_low_of2,
-        delta*numerator_gap_of2*(t17*t17*t17), delta*numerator_gap_of3*(t16*t16*t16), plant_n0_of2*
-        t18*(kick_of*t23 + plant_n1_of*t22) + plant_n1_of*plant_n1_of2*t19*t21 - t20*t25*
-        decay(t20));
-    const float t29 = 2.0f*plant_n1_of2*t18 - 2.0f*t25*expf(-t20);
+    float cosine_2, sine_2; next_wave(whole, theta, &cosine_2, &sine_2);
+    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    const float t18 = 2.0f*m2 - 2.0f*m0;
     float ahead_of2, in_phase_of2;
-    ahead_in_phase(t1, t3, denominator_at_minus_one_of, t5, numerator_at_one_of, t28, t29,
-        &ahead_of2, &in_phase_of2);
-    const float t33 = ahead_of2*cos_next_of2 + in_phase_of2*sin_next_of2;
-    *alpha_out = ahead_of2*sin_next_of2 - cos_next_of2*in_phase_of2 + t11*t33;
-    *beta_out = -t33/t13; return;
+    ahead_in_phase(t1, t3, at_minus_one, t5, together, apart, t18, &ahead_of2, &in_phase_of2);
+    const float t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2;
+    *alpha_out = ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22;
+    *beta_out = -t22/t13; return;
 }
 
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
@@ -1872,61 +1618,38 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0f) {
-        float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
-            plant_n1_of;
-        den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-            &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
-        const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta);
-        const float t4 = delta*numerator_gap_of;
-        const float t5 = max_stiffness_angle(gamma, delta, d, d, 0.0f, plant_n1_of, plant_n0_of,
-            t1, denominator_at_minus_one_of, t3, numerator_at_one_of, t4);
-        float cos_next_of, sin_next_of; cos_next_sin_next(d, t5, &cos_next_of, &sin_next_of);
-        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7);
-        const float t10 = numerator_at_one_of + t4, t11 = (t9*t9), t12 = (t8*t8);
-        const float t13 = t11*t12, t14 = numerator_at_one_of*t11 - t12*t4;
-        const float t15 = 1.0f/((t10*t10)*t13 + (t14*t14)), t16 = 2.0f*t3;
-        const float t17 = -denominator_at_minus_one_of*t12 + t1*t11;
-        const float t18 = -t10*t17 + t14*t16, t19 = t10*t13*t16 + t14*t17;
-        const float t20 = cos_next_of*t15;
-        const float t21 = -sin_next_of*t15*t19/sinf(t5) - 0.5f*t18*t20;
-        *alpha_out = sin_next_of*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20;
-        *beta_out = t21; *theta_out = t5; return;
+    float at_minus_one, together, n_gap, n0, n1;
+    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
+        &n1);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const float t3 = delta*decay(delta), t16 = 2.0f*t3;
+    if (part == 0.0f) {
+        const float t4 = delta*n_gap;
+        const float t5 = max_stiffness_angle(gamma, delta, d, d, 0.0f, n1, n0, t1, at_minus_one,
+            t3, together, t4);
+        float cosine, sine; next_wave(d, t5, &cosine, &sine);
+        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7), t10 = together + t4;
+        const float t11 = (t9*t9), t12 = (t8*t8), t13 = t11*t12;
+        const float t14 = together*t11 - t12*t4, t15 = 1.0f/((t10*t10)*t13 + (t14*t14));
+        const float t17 = -at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const float t19 = t10*t13*t16 + t14*t17, t20 = cosine*t15;
+        const float t21 = -sine*t15*t19/sinf(t5) - 0.5f*t18*t20;
+        *alpha_out = sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20; *beta_out = t21;
+        *theta_out = t5; return;
     }
-    float denominator_at_minus_one_of, numerator_at_one_of, numerator_gap_of, plant_n0_of,
-        plant_n1_of;
-    den_at_min_one_num_at_one_num_gap_pla_n0_pla_n1(gamma, delta, &denominator_at_minus_one_of,
-        &numerator_at_one_of, &numerator_gap_of, &plant_n0_of, &plant_n1_of);
-    const float t1 = gamma*numerator_at_one_of, t3 = delta*decay(delta), t16 = 2.0f*t3;
-    const float t22 = whole_part(d), t23 = some_part(d), t24 = 1.0f - t23;
-    const float t25 = (t24*t24), t26 = gamma*t25, t27 = delta*t24;
-    float kick_of2, kick_low_of, numerator_gap_of2, plant_n0_of3, plant_n1_of2;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t26, t27, &kick_of2, &kick_low_of,
-        &numerator_gap_of2, &plant_n0_of3, &plant_n1_of2);
-    const float t29 = plant_n1_of2*t25, t30 = (t23*t23), t31 = gamma*t30;
-    const float t32 = delta*t23;
-    float kick_of, kick_low_of2, numerator_gap_of3, plant_n0_of2, plant_n1_of3;
-    kick_kick_low_numerator_gap_plant_n0_plant_n1(t31, t32, &kick_of, &kick_low_of2,
-        &numerator_gap_of3, &plant_n0_of2, &plant_n1_of3);
-    const float t33 = plant_n0_of2*t30, t34 = t33*expf(-t27);
-    const float t37 = fractional_numerator_gap(t23, kick_of2, kick_low_of, kick_of, kick_low_of2,
-        delta*numerator_gap_of2*(t24*t24*t24), delta*numerator_gap_of3*(t23*t23*t23), plant_n0_of3*
-        t25*(kick_of*t32 + plant_n1_of3*t31) + plant_n1_of2*plant_n1_of3*t26*t30 - t27*t33*
-        decay(t27));
-    const float t38 = max_stiffness_angle(gamma, delta, d, t22, t23, t29, t34, t1,
-        denominator_at_minus_one_of, t3, numerator_at_one_of, t37);
-    float cos_next_of2, sin_next_of2;
-    cos_next_sin_next(t22, t38, &cos_next_of2, &sin_next_of2);
-    const float t39 = 0.5f*t38, t40 = sinf(t39), t41 = cosf(t39);
-    const float t43 = 2.0f*t29 - 2.0f*t34, t44 = (t41*t41), t45 = (t40*t40);
-    const float t46 = t44*t45, t47 = numerator_at_one_of*t44 - t37*t45;
-    const float t48 = 1.0f/((t43*t43)*t46 + (t47*t47));
-    const float t49 = -denominator_at_minus_one_of*t45 + t1*t44;
-    const float t50 = t16*t47 - t43*t49, t51 = t16*t43*t46 + t47*t49;
-    const float t52 = cos_next_of2*t48;
-    const float t53 = -sin_next_of2*t48*t51/sinf(t38) - 0.5f*t50*t52;
-    *alpha_out = sin_next_of2*t40*t41*t48*t50 - 2.0f*t45*t53 - t51*t52; *beta_out = t53;
-    *theta_out = t38; return;
+    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
+    const float t27 = max_stiffness_angle(gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
+        t3, together, apart);
+    float cosine_2, sine_2; next_wave(whole, t27, &cosine_2, &sine_2);
+    const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = (t30*t30);
+    const float t33 = (t29*t29), t34 = -apart*t33 + together*t32;
+    const float t35 = 2.0f*m2 - 2.0f*m0, t36 = t32*t33;
+    const float t37 = 1.0f/((t34*t34) + (t35*t35)*t36);
+    const float t38 = -at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const float t40 = t16*t35*t36 + t34*t38, t41 = cosine_2*t37;
+    const float t42 = -sine_2*t37*t40/sinf(t27) - 0.5f*t39*t41;
+    *alpha_out = sine_2*t29*t30*t37*t39 - 2.0f*t33*t42 - t40*t41; *beta_out = t42;
+    *theta_out = t27; return;
 }
 
 float haptic_single_passivity_margin_at(float theta, float alpha, float beta, float delta,
@@ -1936,9 +1659,9 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         (theta > 0.0f))) {
         return NAN;
     }
-    const float t0 = 0.5f*theta, cos_next_of = cos_next(d, theta);
-    const float sin_next_of = sin_next(2.0f*d, t0);
-    return -0.5f*alpha*sin_next_of/sinf(t0) + beta*cos_next_of + delta;
+    const float t0 = 0.5f*theta, cosine = cos_next(d, theta);
+    const float sine = sin_next(2.0f*d, t0);
+    return -0.5f*alpha*sine/sinf(t0) + beta*cosine + delta;
 }
 
 float haptic_single_passivity_margin(float alpha, float beta, float delta, float d) {
@@ -1955,20 +1678,22 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
         (theta <= 3.1415925f) && (theta > 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0f) {
+    const float whole = floorf(d), part = d - whole, t2 = 0.5f*theta;
+    if (part == 0.0f) {
         const float t0 = lead(theta, d, 0.0f), t1 = delta/spread(d, theta);
-        const float t2 = 0.5f*theta, t15 = sinc(t2), sin_next_of = sin_next(d, theta);
-        const float t3 = sin_next_of*(t15*t15)*(d + 1.0f)/theta;
+        const float t15 = sinc(t2), sine = sin_next(d, theta);
+        const float t3 = sine*(t15*t15)*(d + 1.0f)/theta;
         *alpha_out = rated(t0, 2.0f*t1*t3);
         *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
     }
-    const float t2 = 0.5f*theta, t4 = whole_part(d), t5 = some_part(d);
-    const float t6 = lead(theta, t4, t5), t7 = t4 + 1.0f, t8 = touching(theta, t4, t5);
-    const float t9 = cosf(t8), t10 = t9/t7, t11 = sinf(t8), t12 = -0.5f*t10 + t11;
-    const float t13 = between(t5, straight(t10, t12, t4, t2), straight(t10, t12, t7, t2));
+    const float t6 = lead(theta, whole, part), t7 = whole + 1.0f;
+    const float t8 = touching(theta, whole, part), t9 = cosf(t8), t10 = t9/t7;
+    const float t11 = sinf(t8), t12 = -0.5f*t10 + t11;
+    const float t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const float t16 = sinf(t2), t17 = cosf(t2);
     const float t14 = delta/(0.5f*t13 + 0.5f*
-        sqrtf((t13*t13) + t5*(1.0f - t5)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7))));
+        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) +
+        (t13*t13)));
     *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14); return;
 }
 
@@ -1977,18 +1702,20 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    if (fractional_part(d) == 0.0f) {
+    const float whole = floorf(d), part = d - whole;
+    if (part == 0.0f) {
         const float t0 = 3.1415927f/(d + 1.0f), t1 = tanf(0.25f*t0), t2 = 0.5f*t0;
         *alpha_out = 2.0f*delta*t1;
         *beta_out = delta*(-t1 + 2.0f/(3.1415927f*sinc(t2))); *theta_out = t2; return;
     }
-    const float t3 = whole_part(d), t4 = t3 + 1.0f, t5 = some_part(d);
-    const float t6 = passive_angle(t3, t5), t7 = touching(t6, t3, t5), t8 = cosf(t7);
-    const float t9 = t8/t4, t10 = sinf(t7), t11 = t10 - 0.5f*t9, t12 = 0.5f*t6;
-    const float t13 = between(t5, straight(t9, t11, t3, t12), straight(t9, t11, t4, t12));
+    const float t4 = whole + 1.0f, t6 = passive_angle(whole, part);
+    const float t7 = touching(t6, whole, part), t8 = cosf(t7), t9 = t8/t4;
+    const float t10 = sinf(t7), t11 = t10 - 0.5f*t9, t12 = 0.5f*t6;
+    const float t13 = between(part, straight(t9, t11, whole, t12), straight(t9, t11, t4, t12));
     const float t15 = sinf(t12), t16 = cosf(t12);
     const float t14 = delta/(0.5f*t13 + 0.5f*
-        sqrtf((t13*t13) + t5*(1.0f - t5)*(4.0f*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4))));
+        sqrtf(part*(1.0f - part)*(4.0f*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4)) +
+        (t13*t13)));
     *alpha_out = t14*t9; *beta_out = t11*t14; *theta_out = t6; return;
 }
 

@@ -72,7 +72,7 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     late = np.asarray(0.0 if part is None else part)
     rest, whole = 1 - late, late == 0
     share = np.where(whole, 1.0, late)
-    ends = haptic.denominator_at_minus_one_numerator_at_one_numerator_gap
+    ends = haptic.device_at_minus_one_together_n_gap
     at_minus_one, together, apart = _by_kernel(ends, gamma, delta)
     n1 = _by_kernel(haptic.plant_n1, gamma * rest**2, delta * rest)
     n0 = _by_kernel(haptic.plant_n0, gamma * share**2, delta * share)
