@@ -8,7 +8,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
@@ -17,7 +18,7 @@ from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
-from symhaptic.book.site import explorer, mathml, reference, tables
+from symhaptic.book.site import explorer, mathml, mentions, reference, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.guides import guides, more, pictures
 from symhaptic.book.site.place import MARK, allowed
@@ -45,8 +46,9 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
     shown, edges = shown_in(numbered), between(numbered)
     places = {number: chapter.name for number, chapter in numbered}
     settled = frozenset(id for _, chapter in numbered for id in chapter.page.settled)
+    mentioned = _mentioned(numbered, mentions.places(places, settled))
     pages = {
-        c.name: chapter_page(c, Place(number, shown, whole, places, edges, settled))
+        c.name: chapter_page(c, Place(number, shown, whole, places, edges, settled, mentioned))
         for number, c in numbered
     }
     entries = listed(entry for _, chapter in numbered for entry in of_chapter(chapter))
@@ -64,6 +66,15 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
     pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
     pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
     return {f"{name}.rst": text for name, text in pages.items()}
+
+
+def _mentioned(numbered: Sequence[Numbered], known: Mapping[str, str]) -> dict[str, frozenset[int]]:
+    """For each label that words of a chapter mention the numbers of these chapters."""
+    found: dict[str, set[int]] = defaultdict(set)
+    for number, chapter in numbered:
+        for label in mentions.mentioned(chapter, known):
+            found[label].add(number)
+    return {label: frozenset(numbers) for label, numbers in found.items()}
 
 
 TASKS = (
@@ -138,6 +149,9 @@ def _sources(
     for _, chapter in numbered:
         shutil.copy(chapter.path, source / "code")
     (source / mathml.FORMULAS).write_text(json.dumps(found), encoding="utf-8")
+    settled = (id for _, chapter in numbered for id in chapter.page.settled)
+    known = mentions.places({number: chapter.name for number, chapter in numbered}, settled)
+    (source / mentions.PLACES).write_text(json.dumps(known), encoding="utf-8")
     for _, chapter in numbered:
         for block in chapter.page.blocks:
             if block.draw is not None:
@@ -168,7 +182,10 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_search_summary": False,
         "html_show_sphinx": False,
         "html_show_copyright": False,
-        "extensions": ["symhaptic.book.site.mathml", "sphinx.ext.autodoc"],
+        "extensions": [
+            *(f"symhaptic.book.site.{name}" for name in ("mathml", "mentions")),
+            "sphinx.ext.autodoc",
+        ],
         **reference.SETTINGS,
         "rst_prolog": f"{roles}\n\n",
     }
