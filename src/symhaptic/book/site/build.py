@@ -18,7 +18,7 @@ from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
 from symhaptic.book.rests import between, shown_in
-from symhaptic.book.site import explorer, mathml, mentions, reference, tables
+from symhaptic.book.site import explorer, gallery, mathml, mentions, reference, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.guides import guides, more, pictures
 from symhaptic.book.site.place import MARK, allowed
@@ -60,6 +60,7 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "ledger": tables.ledger(entries, names),
             **guides(),
             **more(),
+            **({gallery.NAME: gallery.page()} if gallery.programs() else {}),
             **reference.pages(),
         }
     pages["believed"] = tables.believed(entries)
@@ -83,7 +84,7 @@ TASKS = (
     ("Which formula, and under which condition?", ":ref:`The formulas to use <results>`"),
     ("What is wrong in the paper?", ":ref:`errata`, and :ref:`every statement <ledger>`"),
     ("Is my own formula right? Is my code?", ":doc:`verify` and :doc:`check`"),
-    ("A figure, a sweep, a microcontroller, a thesis", ":doc:`howto`"),
+    ("A figure, a sweep, a microcontroller, a thesis", ":doc:`howto` and :doc:`gallery`"),
     ("What does a verdict mean, what is believed?", ":doc:`verdicts`"),
     ("Every name", ":doc:`reference`"),
 )
@@ -99,7 +100,11 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
     before = ["results", "errata", "ledger"] if whole else []
     out += _tree("Results", [*before, "believed"])
-    out += _tree("Use it", [explorer.NAME, *(guides() if whole else ())])
+    shown = [
+        *(guides() if whole else ()),
+        *([gallery.NAME] if whole and gallery.programs() else []),
+    ]
+    out += _tree("Use it", [explorer.NAME, *shown])
     out += _tree("Reference", [*reference.pages(), *more()]) if whole else []
     for part in (*PARTS, OWN):
         inside = [chapter.name for chapter in chapters if part_of(chapter.name) is part]
@@ -140,6 +145,7 @@ def _sources(
 ) -> None:
     texts = sources(numbered, whole)
     (source / "figures").mkdir(parents=True)
+    drawing = gallery.begin(source) if whole else None
     for name, text in texts.items():
         (source / name).write_text(text, encoding="utf-8")
     say("formulas of the site")
@@ -164,6 +170,8 @@ def _sources(
     if whole:
         for picture in pictures():
             shutil.copy(picture, source)
+    say("gallery of the site")
+    gallery.end(drawing)
 
 
 def _sphinx(source: Path, made: Path, trees: Path) -> None:
@@ -183,7 +191,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_sphinx": False,
         "html_show_copyright": False,
         "extensions": [
-            *(f"symhaptic.book.site.{name}" for name in ("mathml", "mentions")),
+            *(f"symhaptic.book.site.{name}" for name in ("mathml", "mentions", "navigation")),
             "sphinx.ext.autodoc",
         ],
         **reference.SETTINGS,
