@@ -62,7 +62,7 @@ def broken(folder):
             file, _, anchor = link.partition("#")
             there = pages.get(file or name)
             if link != "#" and not link.startswith("http"):
-                code = file.endswith(".py") and (folder / file).is_file()
+                code = file.endswith((".py", ".ipynb")) and (folder / file).is_file()
                 lost = not code if there is None else anchor and anchor not in there.ids
                 found[name] += [link] if lost else []
         files = [load.partition("?")[0] for load in page.loads if load != "#"]

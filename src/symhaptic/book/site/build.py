@@ -13,25 +13,32 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.figures.passivity import save
+from symhaptic.book.figures import drawings
 from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
+from symhaptic.book.record import Block
 from symhaptic.book.rests import between, shown_in
 from symhaptic.book.site import explorer, gallery, mathml, mentions, reference, tables
 from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.guides import guides, more, pictures
+from symhaptic.book.site.notebooks import FOLDER, GUIDES, notebooks
 from symhaptic.book.site.place import MARK, allowed
-from symhaptic.book.site.words import heading, table, words
+from symhaptic.book.site.words import container, heading, table, words
 from symhaptic.book.tex.build import MEANINGS
 from symhaptic.book.tex.tex import ReportError
 from symhaptic.proof.verdict import Kind
 
 STATIC = Path(__file__).parent / "static"
 TITLE = "Haptic walls, verified"
+EXTRA = "extra"
+"""Where the sources have what Sphinx takes over as it is."""
 
 Numbered = tuple[int, Chapter]
 """A chapter and its number in the book."""
+
+Take = Callable[[Block, Path], None]
+"""Puts a figure into its file."""
 
 OPENING = """\
 Every formula of *Passivity and Stability Boundaries for Haptic Systems with Time Delay*
@@ -58,7 +65,7 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
             "results": tables.results(entries),
             "errata": tables.errata(entries),
             "ledger": tables.ledger(entries, names),
-            **guides(),
+            **{name: _with_notebook(name, text) for name, text in guides().items()},
             **more(),
             **({gallery.NAME: gallery.page()} if gallery.programs() else {}),
             **reference.pages(),
@@ -67,6 +74,15 @@ def sources(numbered: Sequence[Numbered], whole: bool) -> dict[str, str]:
     pages[explorer.NAME] = explorer.page({chapter.name for _, chapter in numbered})
     pages["index"] = _index([chapter for _, chapter in numbered], entries, whole)
     return {f"{name}.rst": text for name, text in pages.items()}
+
+
+def _with_notebook(name: str, text: str) -> str:
+    """A guide that leads to itself as a notebook, below its title."""
+    if name not in GUIDES:
+        return text
+    title, _, rest = text.partition("\n\n")
+    link = f"The same `as a notebook <{FOLDER}/{name}.ipynb>`__, to be run and changed."
+    return "\n".join([title, "", *container("source", [link]), rest])
 
 
 def _mentioned(numbered: Sequence[Numbered], known: Mapping[str, str]) -> dict[str, frozenset[int]]:
@@ -119,19 +135,23 @@ def _tree(title: str, names: Sequence[str]) -> list[str]:
 
 
 def write(
-    numbered: Sequence[Numbered], target: Path, say: Callable[[str], None], whole: bool = True
+    numbered: Sequence[Numbered],
+    target: Path,
+    say: Callable[[str], None],
+    whole: bool = True,
+    take: Take = drawings.take,
 ) -> None:
     """Make the site in a folder of its own; what was made there before is replaced as a whole.
 
     ``numbered`` are chapters with their numbers in the book; where they are not the ``whole``,
-    errata, ledger and results are left out.
+    errata, ledger and results are left out.  ``take`` puts a figure into its file.
     """
     allowed(target)
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".draft-", dir=target.parent) as folder:
         draft = Path(folder)
         source, made = draft / "source", draft / "site"
-        _sources(numbered, source, say, whole)
+        _sources(numbered, source, say, whole, take)
         say("pages of the site")
         _sphinx(source, made, draft / "trees")
         (made / MARK).write_text("written by `symhaptic report`; may be replaced\n")
@@ -141,7 +161,11 @@ def write(
 
 
 def _sources(
-    numbered: Sequence[Numbered], source: Path, say: Callable[[str], None], whole: bool
+    numbered: Sequence[Numbered],
+    source: Path,
+    say: Callable[[str], None],
+    whole: bool,
+    take: Take,
 ) -> None:
     texts = sources(numbered, whole)
     (source / "figures").mkdir(parents=True)
@@ -158,18 +182,19 @@ def _sources(
     settled = (id for _, chapter in numbered for id in chapter.page.settled)
     known = mentions.places({number: chapter.name for number, chapter in numbered}, settled)
     (source / mentions.PLACES).write_text(json.dumps(known), encoding="utf-8")
-    for _, chapter in numbered:
-        for block in chapter.page.blocks:
-            if block.draw is not None:
-                say(f"figure {block.title} of the site")
-                place = source / "figures" / f"{block.title}.svg"
-                save(block.draw, place, block.panels, block.height)
+    for block in drawings.figures([chapter for _, chapter in numbered]):
+        say(f"figure {block.title} of the site")
+        take(block, source / "figures" / f"{block.title}.svg")
     (source / "scripts" / explorer.NAME).mkdir(parents=True)
     for name, text in explorer.files():
         (source / "scripts" / name).write_text(text, encoding="utf-8")
     if whole:
         for picture in pictures():
             shutil.copy(picture, source)
+    beside = source / EXTRA / FOLDER
+    beside.mkdir(parents=True)
+    for name, text in notebooks().items() if whole else ():
+        (beside / f"{name}.ipynb").write_text(text, encoding="utf-8")
     say("gallery of the site")
     gallery.end(drawing)
 
@@ -183,6 +208,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_theme": "furo",
         "html_math_renderer": "mathml",
         "html_static_path": [str(STATIC), "scripts"],
+        "html_extra_path": [EXTRA],
         "html_css_files": ["site.css"],
         "html_js_files": ["site.js"],
         "html_copy_source": False,
