@@ -19,4 +19,9 @@ for K in (0.9 * limit.K, limit.K, 1.1 * limit.K):
     plt.plot(1e3 * t, 1e3 * x, label=f"{K:.0f} N/m")
 plt.xlabel("time in ms")
 plt.ylabel("position in mm")
-plt.legend(title=f"at {limit.frequency_hz:.0f} Hz the limit is {limit.K:.0f} N/m")
+plt.ylim(-0.5, 0.6)
+plt.legend(
+    loc="lower left",
+    ncols=3,
+    title=f"at {limit.frequency_hz:.0f} Hz the limit is {limit.K:.0f} N/m",
+)
