@@ -19,7 +19,7 @@ from symhaptic.book.site.words import words
 from symhaptic.book.tex.tex import ReportError
 
 ALL = in_parts([path.stem for path in shipped()], str)
-SOME = ["s2a_device", "s3b_envelope", "s3c_stiffness_maximum", "s4a_discretisation"]
+SOME = ["s2a_device", "s3b_envelope", "s3b_rise", "s3c_stiffness_maximum", "s4a_discretisation"]
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 browser_needed = pytest.mark.skipif(CHROMIUM is None, reason="no chromium is installed")
 
@@ -62,7 +62,7 @@ def broken(folder):
             file, _, anchor = link.partition("#")
             there = pages.get(file or name)
             if link != "#" and not link.startswith("http"):
-                code = file.endswith(".py") and (folder / file).is_file()
+                code = file.endswith((".py", ".ipynb")) and (folder / file).is_file()
                 lost = not code if there is None else anchor and anchor not in there.ids
                 found[name] += [link] if lost else []
         files = [load.partition("?")[0] for load in page.loads if load != "#"]
@@ -310,3 +310,28 @@ def test_the_pictures_of_the_guides_are_there():
     assert sum(
         text.count("image:: ") + text.count("figure:: ") for text in guides().values()
     ) == len(shown)
+
+
+def linked(text, of):
+    """Where the words of a link lead to on a page: what mentions a place is no plain text."""
+    pattern = rf'<a class="reference internal" href="([^"]*)"><span[^>]*>{re.escape(of)}</span></a>'
+    return set(re.findall(pattern, text))
+
+
+def test_what_a_chapter_mentions_is_a_link_both_ways(some):
+    """Section 3-C mentions the chapter on its rise, and another that is not among these few."""
+    text = (some / "s3c_stiffness_maximum.html").read_text(encoding="utf-8")
+    rise, extent = (ALL.index(name) + 1 for name in ("s3b_rise", "s3b_extent"))
+    assert linked(text, f"chapter {rise}") == {"s3b_rise.html#chapter-s3b-rise"}
+    assert f"chapter {extent} says so" in text
+    back = (some / "s3b_rise.html").read_text(encoding="utf-8")
+    (neighbours,) = re.findall(r'<div class="source.*?</div>', back, re.DOTALL)
+    assert "s3c_stiffness_maximum.html" in neighbours
+
+
+def test_titles_code_and_formulas_are_left_alone(some):
+    for path in some.glob("s*.html"):
+        text = path.read_text(encoding="utf-8")
+        for tag in ("h1", "title", "code", "math", "pre"):
+            for inside in re.findall(rf"<{tag}[ >].*?</{tag}>", text, re.DOTALL):
+                assert "#statement-" not in inside, path.name

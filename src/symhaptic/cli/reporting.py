@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -64,6 +65,7 @@ def report(
     With --source the chapters of your own source, each to be \\input, and chapters.tex with all.
     """
     from symhaptic.book import chapters as library
+    from symhaptic.book.figures.drawings import Drawings
     from symhaptic.book.parts import in_parts
     from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
@@ -91,42 +93,47 @@ def report(
     single = only_html and standalone
     alone = standalone or pdf
     try:
-        build.check(paths)
-        if not check:
-            folder_allowed(output)
-            names = build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
-            names = [f"{path.stem}.html" for path in some] if single else names
-            place.refuse_foreign(output, names if single or not only_html else [])
-            if single and not site.can():
-                refuse(f"--format html: {site.NEEDS}")
-            if html and not single:
-                site.allowed(output / "site")
-        elif not output.is_dir():
-            refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
-        chapters = chapters_of(some or paths)
-        numbered = [(paths.index(one.path) + 1, one) for one in chapters]
-        if check:
-            files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)
-            diff = build.differences(files, output, whole=not some)
-            typer.echo(diff, nl=False)
-            if diff:
-                typer.echo(f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True)
-                raise typer.Exit(1)
-            return
-        if some and not only_html:
-            build.write_excerpt(numbered, output, alone, pdf, say)
-        elif not only_html:
-            build.write(chapters, output, pdf, say)
-        if single:
-            from symhaptic.book.site.single import write_single
+        with Drawings() as drawings:
+            build.check(paths)
+            if not check:
+                folder_allowed(output)
+                names = (
+                    build.names_of_excerpt(some, alone, pdf) if some else build.names_of(paths, pdf)
+                )
+                names = [f"{path.stem}.html" for path in some] if single else names
+                place.refuse_foreign(output, names if single or not only_html else [])
+                if single and not site.can():
+                    refuse(f"--format html: {site.NEEDS}")
+                if html and not single:
+                    site.allowed(output / "site")
+            elif not output.is_dir():
+                refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
+            chapters = chapters_of(some or paths, nothing if check or some else drawings.begin)
+            numbered = [(paths.index(one.path) + 1, one) for one in chapters]
+            if check:
+                files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)
+                diff = build.differences(files, output, whole=not some)
+                typer.echo(diff, nl=False)
+                if diff:
+                    typer.echo(
+                        f"symhaptic: {output} is stale; `symhaptic report` writes it", err=True
+                    )
+                    raise typer.Exit(1)
+                return
+            if some and not only_html:
+                build.write_excerpt(numbered, output, alone, pdf, say)
+            elif not only_html:
+                build.write(chapters, output, pdf, say, drawings.take)
+            if single:
+                from symhaptic.book.site.single import write_single
 
-            made = write_single(numbered, output, say)
-            typer.echo("\n".join(f"wrote {path}" for path in made))
-            return
-        if html:
-            from symhaptic.book.site.build import write as write_site
+                made = write_single(numbered, output, say)
+                typer.echo("\n".join(f"wrote {path}" for path in made))
+                return
+            if html:
+                from symhaptic.book.site.build import write as write_site
 
-            write_site(numbered, output / "site", say, whole=not some)
+                write_site(numbered, output / "site", say, not some, drawings.take)
     except tex.ReportError as wrong:
         refuse(str(wrong))
     mains = ["book"] if not some else ["chapters"] if alone else [path.stem for path in some]
@@ -153,8 +160,12 @@ def named(name: str, paths: list[Path]) -> Path:
     return found[name]
 
 
-def chapters_of(paths: list[Path]) -> list[Chapter]:
-    """Run derivations one after the other, whole with their pages."""
+def nothing(chapter: Chapter) -> None:
+    """What is done with a chapter that is only read."""
+
+
+def chapters_of(paths: list[Path], derived: Callable[[Chapter], None]) -> list[Chapter]:
+    """Run derivations one after the other, whole with their pages; each is heard of at once."""
     from symhaptic.book.chapters import BadChapter, run
 
     done: list[Chapter] = []
@@ -163,6 +174,7 @@ def chapters_of(paths: list[Path]) -> list[Chapter]:
             for path in paths:
                 told(len(done), path)
                 done.append(run(path))
+                derived(done[-1])
     except BadChapter as wrong:
         refuse(f"--derivation {wrong}")
     return done

@@ -16,7 +16,7 @@ from symhaptic.notation import T, alpha, b, beta, d, theta
 from symhaptic.paper.figures import DELAYS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from matplotlib.axes import Axes
 
@@ -174,6 +174,13 @@ def save(
     ``panels`` are rows and columns; ``draw`` gets the axes, or the array of them where there are
     several.  ``height`` is in widths of the text.
     """
+    save_all(draw, [target], panels, height)
+
+
+def save_all(
+    draw: Callable[..., None], targets: Sequence[Path], panels: tuple[int, int], height: float
+) -> None:
+    """The same into several files, drawn once."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -183,6 +190,7 @@ def save(
         size = (WIDTH, height * WIDTH)
         figure, axes = plt.subplots(*panels, figsize=size, layout="constrained")
         draw(axes)
-        clear = target.suffix == ".svg"  # a page of the site gives it its background
-        figure.savefig(target, dpi=200, transparent=clear, metadata=_METADATA[target.suffix])
+        for target in targets:
+            clear = target.suffix == ".svg"  # a page of the site gives it its background
+            figure.savefig(target, dpi=200, transparent=clear, metadata=_METADATA[target.suffix])
         plt.close(figure)

@@ -50,6 +50,8 @@ class Place:
     """For each chapter those whose theorems it applies."""
     settled: frozenset[str] = frozenset()
     """Ids of the statements that have a place on the site."""
+    mentioned: Mapping[str, frozenset[int]] = field(default_factory=dict)
+    """For the label of a chapter or a statement those chapters whose words mention it."""
 
 
 def chapter_page(chapter: Chapter, place: Place) -> str:
@@ -87,7 +89,12 @@ def _neighbours(place: Place) -> list[str]:
     """The chapters whose theorems are applied, and those that apply theorems of this one."""
     below = place.edges.get(place.number, frozenset())
     above = {number for number, under in place.edges.items() if place.number in under}
-    found = [("Applies theorems of", below), ("Its theorems are applied in", above)]
+    told = place.mentioned.get(f"chapter-{place.names[place.number]}", frozenset())
+    found = [
+        ("Applies theorems of", below),
+        ("Its theorems are applied in", above),
+        ("Also mentioned in", told - above),
+    ]
     return [f"{words} {_chapters(numbers, place)}" for words, numbers in found if numbers]
 
 
@@ -224,12 +231,15 @@ def _printed(item: Settled, place: Place) -> list[str]:
     if place.whole and names:
         functions = ", ".join(f":func:`~symhaptic.{name}`" for name in names if name in PUBLIC)
         out += [f"Computed by {functions}.", ""] if functions else []
+    label = f"statement-{anchor(statement.id)}"
+    if label in place.mentioned:
+        out += [f"Mentioned in {_chapters(place.mentioned[label], place)}.", ""]
     judged = item.settlement.judged
     ground = "a theorem" + by([judged.theorem], place.shown) if judged else words(verdict.method)
     shows = [words(text) for text in shown_by(verdict)]
     said = "; ".join([ground, *shows])
     out += container("verdict", [kind(verdict.kind), "", said])
-    return [f".. _statement-{anchor(statement.id)}:", "", *container("statement", out)]
+    return [f".. _{label}:", "", *container("statement", out)]
 
 
 def _right(verdict: Verdict) -> list[str]:

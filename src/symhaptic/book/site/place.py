@@ -7,14 +7,14 @@ from pathlib import Path
 
 from symhaptic.book.tex.tex import ReportError
 
-NEEDS = "the site needs sphinx, furo and pypandoc_binary: pip install 'symhaptic[report]'"
+NEEDS = "the site needs sphinx, furo, nbformat and pypandoc_binary: pip install 'symhaptic[report]'"
 MARK = ".symhaptic-site"
 """Stands in a folder that may be written anew, since it was made here."""
 
 
 def can() -> bool:
     """Whether what makes the site is installed."""
-    return all(find_spec(name) for name in ("sphinx", "furo", "pypandoc"))
+    return all(find_spec(name) for name in ("sphinx", "furo", "nbformat", "pypandoc"))
 
 
 def allowed(target: Path) -> None:

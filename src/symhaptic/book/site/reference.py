@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import symhaptic
+from symhaptic.book.site import gallery
 from symhaptic.book.site.words import display, heading, math, plain, table
 from symhaptic.book.tex.words import anchor
 from symhaptic.forms.stable import STATEMENTS
@@ -70,14 +71,23 @@ def pages() -> dict[str, str]:
 def _entry(name: str) -> list[str]:
     thing = getattr(symhaptic, name)
     if inspect.isclass(thing):
-        return [f".. autoclass:: {name}", "   :members:", ""]
+        return [f".. autoclass:: {name}", "   :members:", "", *_picture(name)]
     return [
         *heading(f"``{name}``", "~"),
         f".. autofunction:: {name}",
         "",
         *_arguments(thing),
         *_formula(name),
+        *_picture(name),
     ]
+
+
+def _picture(name: str) -> list[str]:
+    """The first picture of the gallery that a name makes, which leads to the lines that do so."""
+    for path in gallery.shows(name)[:1]:
+        place = f":ref:`In the gallery <{gallery.NAME}-{path.stem}>`"
+        return [*gallery.picture(path), f"   {place}", ""]
+    return []
 
 
 def _arguments(function: Any) -> list[str]:

@@ -21,6 +21,7 @@ from symhaptic.book.ledger import (
 from symhaptic.book.measured.chapter import measurement
 from symhaptic.book.measured.record import BadRecord
 from symhaptic.book.parts import in_parts
+from symhaptic.book.record import Block
 from symhaptic.book.rests import between
 from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.believed import believed, symbols
@@ -164,8 +165,16 @@ def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
 # -- writing --------------------------------------------------------------------------
 
 
-def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str], None]) -> None:
+def write(
+    chapters: list[Chapter],
+    target: Path,
+    pdf: bool,
+    say: Callable[[str], None],
+    take: Callable[[Block, Path], None] | None = None,
+) -> None:
     """Write text, figures and, if asked and possible, the PDF into ``target``.
+
+    ``take`` puts a figure into its file; if not given, it is drawn there and then.
 
     Raises :class:`ReportError` where that cannot be, or would cost a file that is no report's.
     """
@@ -173,7 +182,7 @@ def write(chapters: list[Chapter], target: Path, pdf: bool, say: Callable[[str],
     refuse_foreign(target, [*files, *_drawn(chapters)])
     with drafted(target) as draft:
         _texts(files, draft)
-        _figures(chapters, draft / "figures", say)
+        _figures(chapters, draft / "figures", say, take)
         _graph(chapters, draft / "figures", say)
         _measured(draft / "figures", say)
         if pdf:
@@ -210,16 +219,19 @@ def _drawn(chapters: list[Chapter]) -> list[str]:
     return [f"figures/{block.title}.pdf" for block in blocks if block.draw is not None]
 
 
-def _figures(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:
+def _figures(
+    chapters: list[Chapter],
+    folder: Path,
+    say: Callable[[str], None],
+    take: Callable[[Block, Path], None] | None = None,
+) -> None:
     """The figures of chapters."""
-    folder.mkdir()
-    for chapter in chapters:
-        for block in chapter.page.blocks:
-            if block.draw is not None:
-                from symhaptic.book.figures.passivity import save
+    from symhaptic.book.figures import drawings
 
-                say(f"figure {block.title}")
-                save(block.draw, folder / f"{block.title}.pdf", block.panels, block.height)
+    folder.mkdir()
+    for block in drawings.figures(chapters):
+        say(f"figure {block.title}")
+        (take or drawings.take)(block, folder / f"{block.title}.pdf")
 
 
 def _graph(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) -> None:

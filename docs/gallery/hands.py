@@ -1,0 +1,16 @@
+"""Does the hand that holds it matter?
+
+One device with 5 Ns/m of virtual damping, held by the arms of Table II and by nobody: each arm
+allows more, by very different amounts, and every hand may let go.
+"""
+
+import matplotlib.pyplot as plt
+
+from symhaptic import Arm, Scene
+
+scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1.5e-3)
+held = {"nobody": scene} | {name: scene.held_by(Arm.of(name)) for name in Arm.names()}
+limits = {name: one.limit_at(B=5.0).K for name, one in held.items()}
+plt.barh(list(limits), list(limits.values()), color=["#B3261E"] + ["#33558B"] * 11)
+plt.gca().invert_yaxis()
+plt.xlabel("largest stable stiffness in N/m")

@@ -1,0 +1,81 @@
+"""Figures of chapters, each drawn once as all files that are wanted, beside the other work."""
+
+from __future__ import annotations
+
+import multiprocessing
+import shutil
+from collections.abc import Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import TracebackType
+
+from symhaptic.book.chapters import Chapter
+from symhaptic.book.figures.passivity import save, save_all
+from symhaptic.book.record import Block
+
+ENDINGS = (".pdf", ".svg")
+
+
+class Drawings:
+    """A process that draws what :meth:`begin` hears of, while chapters are derived.
+
+    What is drawn by code outside of the package, or not begun, is drawn where it is taken.
+    """
+
+    def __init__(self) -> None:
+        self._folder = TemporaryDirectory(prefix="symhaptic-")
+        spawn = multiprocessing.get_context("spawn")  # nothing of the chapters is in it
+        self._pool = ProcessPoolExecutor(1, mp_context=spawn)
+        self._begun: dict[str, Future[None]] = {}
+
+    def __enter__(self) -> Drawings:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        where: TracebackType | None,
+    ) -> None:
+        self._pool.shutdown(cancel_futures=True)
+        self._folder.cleanup()
+
+    def begin(self, chapter: Chapter) -> None:
+        """Draw the figures of a chapter as soon as there is time."""
+        for block in chapter.page.blocks:
+            if block.draw is not None and _ours(block):
+                files = [self._file(block, ending) for ending in ENDINGS]
+                self._begun[block.title] = self._pool.submit(
+                    save_all, block.draw, files, block.panels, block.height
+                )
+
+    def take(self, block: Block, target: Path) -> None:
+        """Put a figure into a file, PDF or SVG, once it is drawn."""
+        drawn = self._begun.get(block.title)
+        if drawn is None:
+            take(block, target)
+        else:
+            drawn.result()
+            shutil.copyfile(self._file(block, target.suffix), target)
+
+    def _file(self, block: Block, ending: str) -> Path:
+        return Path(self._folder.name) / f"{block.title}{ending}"
+
+
+def take(block: Block, target: Path) -> None:
+    """Draw a figure into a file, here and now."""
+    assert block.draw is not None
+    save(block.draw, target, block.panels, block.height)
+
+
+def figures(chapters: Sequence[Chapter]) -> list[Block]:
+    """The figures of chapters, in their order."""
+    blocks = [block for chapter in chapters for block in chapter.page.blocks]
+    return [block for block in blocks if block.draw is not None]
+
+
+def _ours(block: Block) -> bool:
+    """Whether another process finds what draws: a function of the package, or one given values."""
+    function = getattr(block.draw, "func", block.draw)
+    return getattr(function, "__module__", "").startswith("symhaptic.book.figures.")

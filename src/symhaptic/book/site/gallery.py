@@ -1,0 +1,89 @@
+"""The gallery: short programs of docs/gallery, each with the picture that it draws when it is run.
+
+A program draws into the current figure; what the picture looks like on the site is said here.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from symhaptic.book.chapters import beside
+from symhaptic.book.site.words import heading, indented, words
+from symhaptic.book.tex.tex import ReportError
+
+NAME = "gallery"
+ORDER = (
+    *("walls", "limit_over_delay", "step_response", "rules_in_circulation", "hands"),
+    *("safe_walls", "delay_margin", "sweep_map", "passive_walls", "fractional_delay"),
+)
+"""As they are shown."""
+
+
+def programs() -> list[Path]:
+    """The programs; none where there is no repository."""
+    paths = [beside(f"docs/{NAME}/{name}.py") for name in ORDER]
+    return [path for path in paths if path.is_file()]
+
+
+def page() -> str:
+    """Each picture with its program."""
+    out = [f".. _{NAME}:", "", *heading("Gallery")]
+    out += [
+        "Each picture is drawn by the lines below it, when this page is made. ``plt.show()`` at "
+        'their end opens a window, ``plt.savefig("name.pdf")`` writes a file.',
+        "",
+    ]
+    for path in programs():
+        title, more, code = _parts(path)
+        out += [f".. _{NAME}-{path.stem}:", "", *heading(words(title), "-")]
+        out += [words(" ".join(more.split())), ""]
+        out += picture(path)
+        out += [".. code:: python", "", *indented(code.splitlines()), ""]
+        out += [f"Download :download:`{path.name} <{NAME}/{path.name}>`.", ""]
+    return "\n".join(out) + "\n"
+
+
+def _parts(path: Path) -> tuple[str, str, str]:
+    """Title, words and code of a program."""
+    text = path.read_text(encoding="utf-8")
+    title, _, more = (ast.get_docstring(ast.parse(text)) or "").partition("\n\n")
+    return title.rstrip("."), more, text.split('"""', 2)[2].strip()
+
+
+def picture(path: Path) -> list[str]:
+    """What a program draws."""
+    return [f".. figure:: {NAME}/{path.stem}.svg", f"   :alt: {_parts(path)[0]}", ""]
+
+
+def begin(source: Path) -> subprocess.Popen[str] | None:
+    """Programs beside the sources of the site, and a process that draws their pictures there."""
+    found = programs()
+    if not found:
+        return None
+    folder = source / NAME
+    folder.mkdir()
+    for path in found:
+        shutil.copy(path, folder)
+    command = [sys.executable, "-m", "symhaptic.book.figures.programs", str(folder)]
+    return subprocess.Popen([*command, *map(str, found)], stderr=subprocess.PIPE, text=True)
+
+
+def end(drawing: subprocess.Popen[str] | None) -> None:
+    """Wait for the pictures; the program that fails is told with its last word."""
+    if drawing is None:
+        return
+    _, told = drawing.communicate()
+    if drawing.returncode:
+        names = re.findall(rf"{NAME}.(\w+\.py)", told) or [NAME]
+        raise ReportError(f"docs/{NAME}/{names[-1]}: {told.strip().splitlines()[-1]}")
+
+
+def shows(name: str) -> list[Path]:
+    """The programs that use a public name."""
+    use = re.compile(rf"\b{name}\b")
+    return [path for path in programs() if use.search(path.read_text(encoding="utf-8"))]
