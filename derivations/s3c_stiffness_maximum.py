@@ -4,7 +4,7 @@ It is the rightmost point of the boundary. There a change of the damping must no
 coefficient in the condition vanishes; that fixes the frequency, and everything else follows.
 """
 
-from sympy import Eq, Rational, S, cos, diff, pi, sin, sqrt, tan
+from sympy import Eq, Rational, S, cos, diff, pi, sin, solve, sqrt, tan
 
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
@@ -43,8 +43,7 @@ def derive(page):
         because="later zeros lie beyond $\\pi/(d+1)$ and cut off nothing",
     )
     _frequency(page, Eq(omega, angle / T))
-    left = b - need.subs(theta, angle)
-    largest = -left.subs(K, 0) / diff(left, K)
+    largest = solve(b - need.subs(theta, angle), K)[0]
     stiffness = page.step(
         "There only the stiffness counts, and its limit is",
         largest,

@@ -207,15 +207,7 @@ def determinant(matrix: Matrix) -> Expr:
     rational = ring.is_PolynomialRing and ring.domain in (sp.ZZ, sp.QQ)
     if rational and all(symbol.is_Symbol for symbol in ring.symbols):
         return ring.to_sympy(exact.det())
-    return _by_first_row(matrix.tolist())
-
-
-def _by_first_row(rows: Sequence[Sequence[Expr]]) -> Expr:
-    """Laplace's expansion, which neither divides nor asks what an expression is."""
-    if len(rows) == 1:
-        return rows[0][0]
-    minors = [[[*row[:j], *row[j + 1 :]] for row in rows[1:]] for j in range(len(rows))]
-    return sp.Add(*((-1) ** j * rows[0][j] * _by_first_row(minor) for j, minor in enumerate(minors)))
+    return matrix.det(method="berkowitz")
 
 
 # -- exact polynomials -------------------------------------------------------------------

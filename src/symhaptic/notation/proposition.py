@@ -92,14 +92,6 @@ class Proposition:
     def __hash__(self) -> int:
         return hash(self.key)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Its fields, of which it is made anew where it arrives.
-
-        What it found out about itself stays behind: its key holds symbols of this process, and is
-        what equality asks.
-        """
-        return type(self), tuple(getattr(self, f.name) for f in fields(self))  # type: ignore[arg-type]
-
     @property
     def bound(self) -> tuple[Symbol, ...]:
         """Symbols that the proposition binds."""

@@ -98,23 +98,18 @@ def inequalities() -> Theorem:
 
 
 def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
-    """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate, the square
-    of one, or the product of both."""
+    """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate."""
     nyquist, turn = shares()["nyquist"], number(Relation(S.Zero, "<", pi))
     found = []
     for claim in claims:
-        if isinstance(claim, Relation) and claim.sign == "!=":
-            left = claim.left
-            grown = [sign_of(exp, e.args[0]) for e in left.atoms(exp)]
-            power = 2 if left.has(delta**2) else 1
-            size: list[Any] = [4, turn, turn] if left.coeff(delta**power).has(pi) else []
-            if left.has(I):
-                other = left.xreplace({I: -I})
-                size = [*grown, *grown, *[nyquist, *size] * power]
-                product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
-                found.append(factor(left, product, other))
-            else:
-                found.append(apart(combined(left > 0, [*grown, nyquist, *size])))
+        if isinstance(claim, Relation):
+            other = claim.left.xreplace({I: -I})
+            grown = [sign_of(exp, e.args[0]) for e in claim.left.atoms(exp)]
+            size: list[Any] = [*grown, *grown, nyquist]
+            if claim.left.coeff(delta).has(pi):
+                size += [4, turn, turn]
+            product = combined(Relation(S.Zero, "<", sp.expand(claim.left * other)), size)
+            found.append(factor(claim.left, product, other))
     return found
 
 
@@ -162,7 +157,11 @@ def enough() -> Theorem:
         ),
     ]
     found = closed(applied(loop, conjoined(*known)), *(apart(t) for t in s.values()))
-    return closed(found, *_divisors(found.hypotheses))
+    grown = sign_of(exp, 5 * delta)
+    product = [16, grown, s["nyquist"], s["nyquist"]]
+    wide = combined(Relation(S.Zero, "<", sp.expand(16 * exp(5 * delta) * NYQUIST**2)), product)
+    rest = found.hypotheses - {apart(wide).conclusion}
+    return closed(found, apart(wide), *_divisors(p for p in rest if p.terms and p.terms[0].has(I)))
 
 
 @cache
