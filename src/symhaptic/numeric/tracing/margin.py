@@ -23,6 +23,9 @@ from symhaptic.numeric.tracing.losses import Loops, first_loss
 _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
+_AHEAD = 2**14
+"""Whole delays that are looked at together, of all walls."""
+
 
 @kept(delay=float)
 def delay_margin(
@@ -89,12 +92,15 @@ def _finished(
     return np.where(known, lost, np.nan)
 
 
-def _next_change(x: Device, v: Wall, steps: Array, whole: bool) -> Array:
-    """The real number of periods at which the next pair of roots leaves the circle."""
-    change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape), np.inf)
-    for crossing in crossings(surplus(x, v), whole):
+def _next_change(x: Device, v: Wall, steps: Array, later: Array) -> Array:
+    """The real number of periods at which a pair of roots leaves the circle, for whole delays.
+
+    The next time, or so many times ``later``.
+    """
+    change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape, later.shape), np.inf)
+    for crossing in crossings(surplus(x, v), True):
         bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
-        odd = 2 * stability.turns(bare, late, steps) - 1
+        odd = 2 * (stability.turns(bare, late, steps) - later) - 1
         theta = late.halves * np.pi + late.rest
         at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
         change = np.minimum(change, np.where(crossing.there & crossing.rises, at, np.inf))
@@ -107,21 +113,25 @@ def _leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
 
 def _first_lost(loops: Loops) -> Array:
     """The first whole number of periods at which a root is outside; infinite if there is none."""
-    steps, none = np.zeros((2, loops.gamma.size))
+    steps = np.zeros(loops.gamma.size)
     lost = np.full(steps.size, np.inf)
     leads = _leads_at_minus_one(loops.x, loops.v)
-    left = np.arange(steps.size)
+    left, count = np.arange(steps.size), 1
     while left.size:
-        some = loops.take(left)
-        change = np.floor(_next_change(some.x, some.v, steps[left], True))
-        steps[left] = np.where(leads[left], steps[left], change) + 1
-        outside = np.zeros(left.size, dtype=bool)
-        finite = steps[left] <= arguments.LONGEST
-        outside[finite] = ~some.take(np.flatnonzero(finite)).stable(
-            steps[left[finite]], none[left[finite]]
-        )
-        lost[left[outside]] = steps[left[outside]]
-        left = left[finite & ~outside]
+        some, later = loops.take(left), np.arange(float(count))
+        x, v = Device(*(a[:, None] for a in some.x)), Wall(*(a[:, None] for a in some.v))
+        change = np.floor(_next_change(x, v, steps[left, None], later))
+        ahead = np.where(leads[left, None], steps[left, None] + later, change) + 1
+        row, column = np.nonzero(ahead <= arguments.LONGEST)
+        outside = np.zeros(ahead.shape, dtype=bool)
+        here = ahead[row, column]
+        outside[row, column] = ~some.take(row).stable(here, np.zeros(here.size))
+        first = ahead[np.arange(left.size), outside.argmax(axis=1)]
+        found = outside.any(axis=1)
+        lost[left[found]] = first[found]
+        steps[left] = ahead[:, -1]
+        left = left[~found & (ahead[:, -1] <= arguments.LONGEST)]
+        count = max(1, min(4 * count, _AHEAD // max(left.size, 1)))
     return lost
 
 
@@ -129,8 +139,7 @@ def _principal(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
     known = ~np.isnan(alpha + beta + gamma + delta)
     al, be, g, dl = (np.where(known, a, 0.0) for a in (alpha, beta, gamma, delta))
     x, v = device(g, dl), wall(al, be)
-    steps = np.zeros_like(g)
-    change = _next_change(x, v, steps, True)
+    change = _next_change(x, v, np.zeros_like(g), np.zeros(()))
     # where the wall leads at -1, the phase of z^d there is the next to change
     side = np.where(v.slope >= 0, 1.0, -1.0)
     end = np.where(v.at_minus_one > 0, side, 0.0) + (x.numerator_at_minus_one > 0)
