@@ -120,6 +120,18 @@ def test_decimals_count_as_they_are_written():
     )  # fmt: skip
 
 
+def test_a_delay_computed_as_whole_periods_is_whole():
+    """3 * 1e-4 is 0.00030000000000000003: a fraction as a decimal, three periods in floats."""
+    for period in (1e-4, 3e-4, 0.0007, 2.5e-4, 1 / 3000):
+        for count in range(60):
+            scene = Scene(mass=1.0, sampling_period=period, delay=count * period)
+            assert scene.periods == count
+    late = Scene(mass=1.0, sampling_period=1e-4, delay=np.nextafter(3 * 1e-4, 1))
+    assert late.periods > 3  # and what is not, is not
+    with pytest.warns(UserWarning, match="sampling periods"):
+        assert Scene(mass=1.0, sampling_period=1e-300, delay=1e300).periods > 10**599
+
+
 def test_a_delay_in_periods():
     late = Scene(mass=0.1, sampling_period=3e-4, delay_samples=7)
     assert late.dimensionless.delay == 7

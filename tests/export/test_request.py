@@ -184,3 +184,21 @@ def test_no_form_has_the_name_of_a_routine():
 
 def test_all_forms_have_a_statement_or_none():
     assert set(stable.STATEMENTS) <= set(stable.FORMS)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["characteristic_polynomial", "linear_limit"], "characteristic_polynomial\n"),
+        (["eq18"], "characteristic_polynomial\n"),
+        (["characteristic_polynomial", "--delay", "1"], ""),
+        (["characteristic_polynomial", "--scene", "no-delay"], ""),
+        (["linear_limit"], ""),
+    ],
+)
+def test_a_delay_that_was_not_asked_for_is_told(words, told, monkeypatch, capsys, tmp_path):
+    """A polynomial of one period looks like that of any other: the degree tells, if one counts."""
+    where = ["--target", "c", "-o", str(tmp_path / "out")]
+    code, out, err = symhaptic(monkeypatch, capsys, "export", *words, *where)
+    assert (code, out) == (0, f"wrote {tmp_path / 'out'}\n")
+    assert err == (told and f"symhaptic: --delay: is not given, so for one period: {told}")

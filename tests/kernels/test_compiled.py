@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import symhaptic
+from symhaptic.cli.main import main
 from symhaptic.kernels import haptic
 from symhaptic.numeric import compiled
 
@@ -181,3 +182,29 @@ def test_either_kernels_can_be_asked_for():
     wrong = told("fast")
     assert wrong.returncode == 1
     assert "'array' or 'compiled' is" in wrong.stderr
+
+
+def test_the_variable_is_refused_on_one_line_by_every_command(monkeypatch, capsys):
+    """An unknown word, and compiled kernels where the install found no compiler."""
+    for word, missing in (("fast", False), ("compiled", True)):
+        monkeypatch.setenv(compiled.CHOICE, word)
+        monkeypatch.delitem(sys.modules, compiled.__name__)
+        monkeypatch.delattr("symhaptic.numeric.compiled")
+        if missing:
+            monkeypatch.setitem(sys.modules, "symhaptic.kernels._compiled", None)
+            monkeypatch.delattr("symhaptic.kernels._compiled")
+        for words in (["--version"], ["export", "--list"]):
+            monkeypatch.setattr(sys, "argv", ["symhaptic", *words])
+            with pytest.raises(SystemExit) as ended:
+                main()
+            out, err = capsys.readouterr()
+            assert (ended.value.code, out, err.count("\n")) == (2, "", 1)
+            assert f"{compiled.CHOICE}: '{word}' is not allowed" in err
+            assert "'array'" in err
+        monkeypatch.undo()
+
+
+def test_one_count_is_a_number():
+    for sheet in ("exact", "principal"):
+        one = symhaptic.unstable_roots(0.5, 1.0, 0.0, 0.0, 0.5, sheet=sheet)
+        assert isinstance(one, np.integer)

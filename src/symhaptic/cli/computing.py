@@ -143,10 +143,12 @@ def export(
     from symhaptic.export import request
     from symhaptic.export.target import Refused
     from symhaptic.export.targets import TARGETS
+    from symhaptic.forms.stable import FOR_ONE_DELAY
 
     try:
         by = [word.strip() for word in derivative.split(",") if word.strip()]
-        forms = request.chosen(formulas or [], request.scene(scene), delay, by, whole_delays)
+        parts = request.scene(scene)
+        forms = request.chosen(formulas or [], parts, delay, by, whole_delays)
         if listing:
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)
@@ -161,6 +163,9 @@ def export(
     except Refused as wrong:
         refuse(str(wrong))
     typer.echo(f"wrote {folder}")
+    one = ", ".join(form.name for form in forms if form.name in FOR_ONE_DELAY)
+    if one and delay is None and parts.delay:
+        typer.echo(f"symhaptic: --delay: is not given, so for one period: {one}", err=True)
 
 
 @app.command()

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import re
 from typing import Annotated
 
 import typer
 
 from symhaptic.cli import checking, computing, deciding, limits, reporting  # noqa: F401 - each registers its commands
-from symhaptic.cli.shared import Unusable, app
+from symhaptic.cli.shared import Unusable, app, refuse
 from symhaptic.notation.suggest import suggested
 
 # Typer carries Click inside or beside itself, depending on its age; this is the base of the
@@ -24,6 +25,11 @@ def _root(
     version: Annotated[bool, typer.Option("--version", help="Print version and kernels.")] = False,
 ) -> None:
     """Derive, verify and typeset the passivity and stability formulas of haptic walls."""
+    if "SYMHAPTIC_KERNELS" in os.environ:
+        try:
+            import symhaptic.numeric.compiled  # noqa: F401 - it looks at the variable
+        except ValueError as wrong:
+            refuse(str(wrong))
     if version:
         from symhaptic import __version__
         from symhaptic.numeric.compiled import kernels_used

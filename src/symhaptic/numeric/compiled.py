@@ -43,7 +43,10 @@ def _module() -> ModuleType | None:
         from symhaptic.kernels import _compiled
     except ImportError:
         if choice == "compiled":
-            raise
+            raise ValueError(
+                f"{CHOICE}: 'compiled' is not allowed where the install found no compiler; "
+                "'array' is"
+            ) from None
         return None
     return _compiled
 

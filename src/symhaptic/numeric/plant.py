@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
 from symhaptic.numeric.arguments import Array
-from symhaptic.numeric.compiled import at_once
+from symhaptic.numeric.compiled import MODULE, at_once
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
 
@@ -69,27 +69,43 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     m2 = (1 - part)^2 n1 of a plant sampled after 1 - part, m0 = part^2 exp(-delta (1 - part)) n0
     of one sampled after ``part``; the three add up to n1 + n0.
     """
-    late = np.asarray(0.0 if part is None else part)
-    rest, whole = 1 - late, late == 0
-    share = np.where(whole, 1.0, late)
     ends = haptic.device_at_minus_one_together_n_gap
     at_minus_one, together, apart = _by_kernel(ends, gamma, delta)
-    n1 = _by_kernel(haptic.plant_n1, gamma * rest**2, delta * rest)
-    n0 = _by_kernel(haptic.plant_n0, gamma * share**2, delta * share)
-    m2, m0 = rest**2 * n1, np.where(whole, 0.0, late**2 * np.exp(-delta * rest) * n0)
-    m1 = np.where(whole, n0, together - (m2 + m0))
+    n1 = _by_kernel(haptic.plant_n1, gamma, delta)
+    n0 = _by_kernel(haptic.plant_n0, gamma, delta)
     e, loss = np.exp(-delta), 0.0 - np.expm1(-delta)  # never -0.0: an angle of it is taken
-    return Device(
-        m2,
-        m1,
-        m0,
+    undelayed = Device(
+        n1,
+        n0,
+        np.zeros_like(n1),
         numerator_at_one=together,
-        numerator_at_minus_one=np.where(whole, delta * apart, m2 + m0 - m1),
+        numerator_at_minus_one=delta * apart,
         a=at_minus_one - (1 + e),
         e=e,
         at_one=gamma * together,
         at_minus_one=at_minus_one,
         loss=loss,
+    )
+    return undelayed if part is None else behind(undelayed, gamma, delta, np.asarray(part))
+
+
+def behind(undelayed: Device, gamma: Array, delta: Array, part: Array) -> Device:
+    """The same plant behind a delay of ``part`` periods: m2, m1 and m0 alone are others."""
+    if MODULE is None:
+        rest = 1 - part
+        share = np.where(part == 0, 1.0, part)
+        n1 = _by_kernel(haptic.plant_n1, gamma * rest**2, delta * rest)
+        n0 = _by_kernel(haptic.plant_n0, gamma * share**2, delta * share)
+        m2, m0 = rest**2 * n1, part**2 * np.exp(-delta * rest) * n0
+    else:
+        m2, _, m0, _, _ = MODULE.discretize_fractional(gamma, delta, part)
+    x, whole = undelayed, part == 0
+    m1 = x.numerator_at_one - (m2 + m0)
+    return x._replace(
+        m2=np.where(whole, x.m2, m2),
+        m1=np.where(whole, x.m1, m1),
+        m0=np.where(whole, 0.0, m0),
+        numerator_at_minus_one=np.where(whole, x.numerator_at_minus_one, m2 + m0 - m1),
     )
 
 

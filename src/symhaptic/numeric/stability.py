@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
+from array_api_compat import is_numpy_array
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
@@ -23,7 +24,7 @@ from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept, numbers_only
 from symhaptic.numeric.crossings import Crossing, Wall, crossings, surplus, wall
 from symhaptic.numeric.cubic import Terms
-from symhaptic.numeric.given import Given, to_numpy
+from symhaptic.numeric.given import Given, single, to_numpy
 from symhaptic.numeric.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
@@ -188,7 +189,7 @@ def unstable_roots(
     xp = given.xp
     kind = xp.__array_namespace_info__().default_dtypes()["integral"]
     known = xp.astype(xp.where(xp.isnan(found), xp.full_like(found, -1.0), found), kind)
-    return known  # type: ignore[no-any-return]
+    return single(known) if is_numpy_array(known) else known  # type: ignore[no-any-return]
 
 
 def _outside(given: Given, sheet: str) -> Any:

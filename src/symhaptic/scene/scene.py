@@ -88,7 +88,8 @@ class Scene:
 
     Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
     (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print
-    as: a delay of 3e-4 s is exactly three periods of 1e-4 s.  Quantities of Pint's are converted.
+    as: a delay of 3e-4 s is exactly three periods of 1e-4 s, and so is one of 3 * 1e-4 s, which
+    is 0.00030000000000000003.  Quantities of Pint's are converted.
 
     Raises :class:`ValueError` for a mass or period that is not positive, a negative damping,
     stiffness or delay, for anything infinite, NaN, a truth value or of the wrong dimension, and
@@ -212,7 +213,11 @@ class Scene:
         """The delay in sampling periods, exactly; 0 if there is none."""
         if self.delay_samples is not None:
             return decimal(self.delay_samples)
-        return decimal(self.delay or 0) / decimal(self.sampling_period)
+        delay, period = self.delay or 0.0, self.sampling_period
+        exact = decimal(delay) / decimal(period)
+        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
+        whole = Fraction(round(exact))
+        return whole if nearest(whole) * period == delay else exact
 
     @property
     def dimensionless(self) -> Dimensionless:

@@ -1,5 +1,6 @@
 """Delay margins beside a scan over real delays with the eigenvalues of the delayed loop."""
 
+import mpmath
 import numpy as np
 import pytest
 import scipy.linalg
@@ -8,6 +9,8 @@ from hypothesis import strategies as st
 from oracle import moduli, radius
 
 from symhaptic import delay_margin, is_stable
+from symhaptic.numeric.tracing import losses
+from symhaptic.numeric.tracing.bands import first_step
 
 
 def stable_loops(rng, count):
@@ -102,11 +105,10 @@ def test_stable_just_below_and_not_just_above(alpha, beta, gamma, delta, sheet):
     assert not is_stable(*loop, margin + step, sheet=sheet)
 
 
-def scipy_radius(alpha, beta, gamma, delta, steps, part):
-    """Largest root of the polynomial behind ``steps`` periods and a part of one.
+def behind_a_fraction(gamma, delta, part):
+    """The device behind a part of a period: SciPy's exponentials of its matrix.
 
-    The force acts late by ``part``: SciPy's exponentials of the device's matrix tell what the new
-    force and the one before make of a period.
+    They tell what the new force and the one before make of a period.
     """
     motion = np.array([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]])
     whole, before, after = (scipy.linalg.expm(motion * t) for t in (1, part, 1 - part))
@@ -116,8 +118,14 @@ def scipy_radius(alpha, beta, gamma, delta, steps, part):
     top = np.zeros(3)
     for shift, push in ((0, newer), (1, older)):  # (1, 0) adj(z - free) push
         top[shift : shift + 2] += push[0], free[0, 1] * push[1] - free[1, 1] * push[0]
+    return top, (1, -a, e)
+
+
+def scipy_radius(alpha, beta, gamma, delta, steps, part):
+    """Largest root of the polynomial behind ``steps`` periods and a part of one."""
+    top, bottom = behind_a_fraction(gamma, delta, part)
     polynomial = np.zeros(steps + 5)
-    polynomial[:3] = 1, -a, e
+    polynomial[:3] = bottom
     polynomial[-4:] += np.convolve(top, [alpha + beta, -beta])
     return np.abs(np.linalg.eigvals(scipy.linalg.companion(polynomial))).max()
 
@@ -128,6 +136,41 @@ def test_a_short_instability_before_the_loop_recovers():
     for part, lost in ((0.4708, False), (0.471, True), (0.4878, True), (0.488, False)):
         assert (scipy_radius(*loop, 1, part) > 1) == lost
     assert delay_margin(*loop) == pytest.approx(1.47090, abs=1e-4)
+
+
+def in_40_digits(gamma, delta, part):
+    """``behind_a_fraction`` by mpmath's exponentials."""
+    motion = mpmath.matrix([[0, 1, 0], [-gamma, -delta, 1], [0, 0, 0]])
+    whole, before, after = (mpmath.expm(motion * t, "taylor") for t in (1, part, 1 - part))
+    free = whole[:2, :2]
+    newer, older = after[:2, 2], after[:2, :2] * before[:2, 2]
+    top = [mpmath.mpf(0)] * 3
+    for shift, push in ((0, newer), (1, older)):
+        top[shift] += push[0]
+        top[shift + 1] += free[0, 1] * push[1] - free[1, 1] * push[0]
+    return top, [1, -(free[0, 0] + free[1, 1]), mpmath.det(free)]
+
+
+def late_moduli(alpha, beta, gamma, delta, delay):
+    """The largest modulus of the roots next to the circle, by Newton from where |M W| = |A|."""
+    steps = int(delay)
+    top, bottom = in_40_digits(gamma, delta, mpmath.mpf(delay) - steps)
+    push = np.convolve(top, [mpmath.mpf(alpha) + beta, -beta])
+    square = np.convolve(bottom, bottom[::-1])
+    force = np.convolve(push, push[::-1])
+    surplus = np.convolve(square, [0, 1, 0]) - force
+    if surplus[0] == 0:  # a device that creeps to rest within a period
+        surplus = surplus[1:-1]
+    found = []
+    for z in mpmath.polyroots(list(surplus / surplus[0]), maxsteps=500, extraprec=400):
+        if abs(abs(z) - 1) > 1e-12:
+            continue
+        for _ in range(60):
+            late, shape, wall = z ** (steps + 2), np.polyval(bottom, z), np.polyval(push, z)
+            slope = late * ((steps + 2) * shape / z + np.polyval(np.polyder(bottom), z))
+            z -= (late * shape + wall) / (slope + np.polyval(np.polyder(push), z))
+        found.append(abs(z))
+    return max(found)
 
 
 @pytest.mark.slow
@@ -169,6 +212,90 @@ def test_short_instabilities_are_where_a_fine_scan_has_them(loop):
     first = delays[np.argmax(lost)]
     assert first - 1 / 1024 <= delay_margin(*loop) <= first
     assert not lost[np.argmax(lost) + 32]
+
+
+NEXT_TO_HALF_SWINGS = [  # that took 50 s and more, as every part was cut to the shortest
+    (2.42e-4, 4.78e-4, 9.841, 2.66e-4),
+    (0.030137412642580727, -3.9324590205171854, 10.380050296992787, 3.250711734365649),
+    (-5.723506114375149e-06, -0.005741274861063044, 83.86226881071262, 0.0002692358717575754),
+]
+
+
+@pytest.mark.parametrize("loop", NEXT_TO_HALF_SWINGS)
+def test_a_wall_weaker_than_the_device_at_every_angle_bears_any_delay(loop):
+    """The largest |M W/A| over angle and fraction is below 1, by SciPy's exponentials."""
+    alpha, beta, gamma, delta = loop
+    own = np.sqrt(gamma - delta**2 / 4)
+    own = abs((own + np.pi) % (2 * np.pi) - np.pi)
+    near = own + np.concatenate([x * np.geomspace(1e-9, 1, 4000) for x in (-1, 1)])
+    theta = np.concatenate(
+        [near, np.linspace(1e-4, np.pi, 4000), np.pi - np.geomspace(1e-9, 1, 4000)]
+    )
+    z = np.exp(1j * theta[(theta > 0) & (theta <= np.pi)])
+    for part in np.linspace(0, 1, 64, endpoint=False):
+        top, bottom = behind_a_fraction(gamma, delta, part)
+        size = np.abs(np.polyval(top, z) * ((alpha + beta) * z - beta) / np.polyval(bottom, z))
+        assert size.max() < 1
+    assert np.isinf(delay_margin(*loop))
+
+
+MOST_PARTS = 3000
+"""Of a period, for a wall: some 10 microseconds each.  Those below need 1364 at most."""
+
+
+def test_no_wall_is_cut_into_very_many_parts(monkeypatch):
+    """Walls next to half and whole swings, and such as all but touch: 1.1e6 parts before."""
+    looked_at, bands = 0, losses.bands
+
+    def counted(part, wall):
+        nonlocal looked_at
+        looked_at += wall.alpha.size
+        assert looked_at < MOST_PARTS
+        return bands(part, wall)
+
+    monkeypatch.setattr(losses, "bands", counted)
+    for loop in [*NEXT_TO_HALF_SWINGS, *LATE, *TOUCHING, *RECOVER]:
+        looked_at = 0
+        delay_margin(*loop)
+
+
+def test_the_first_step_into_a_window_is_that_of_a_search():
+    """Against all steps up to 20 000, one after the other."""
+    rng = np.random.default_rng(48)
+    turn = np.concatenate(
+        [rng.random(300), 10 ** rng.uniform(-5, 0, 300), rng.integers(0, 8, 99) / 8]
+    )
+    low, width = rng.random(turn.size), 10 ** rng.uniform(-3, 0, turn.size)
+    steps = np.arange(20_000)
+    for one in zip(turn, low, width, first_step(turn, low, width), strict=True):
+        at = one[0] * steps % 1.0
+        inside = ((at >= one[1]) & (at <= one[1] + one[2])) | (at + 1 <= one[1] + one[2])
+        first = np.argmax(inside) if inside.any() else np.inf
+        assert first == one[3] or one[3] >= steps.size
+
+
+TOUCHING = [  # plant and wall are nearly equal along a whole period, or at its node
+    (0.0002272353639553807, 4.933772108044755e-07, 1.750357225665629, 0.00015975864351157302),
+    (3.157510324452504e-05, 1.8999140623000663e-06, 9.869567606955608, 9.73237918296128e-06),
+    (-39.49036766233003, 15.868788372102543, 39.49036766233271, 2.7005834058697675),
+    (-4.1157850241795613e-07, 1.8424828613810722e-06, 120.91531814051453, 2.7180293845269315e-08),
+]
+
+
+LATE = [  # lost after very many periods, and where many parts of one had to be looked at
+    (-6.430357701504968e-05, -3.210266652421736e-05, 88.82612179954103, 3.018548070744108e-06),
+    (0.004460251844528727, -0.000890273510188217, 0.004459545246424441, 338.422305905632),
+]
+
+
+@pytest.mark.parametrize("loop", LATE)
+def test_after_very_many_periods_a_root_leaves(loop):
+    """Newton in 40 digits, from the angles at which plant and wall are equally strong."""
+    margin = float(delay_margin(*loop))
+    assert margin > 1e5
+    with mpmath.workdps(40):
+        below, above = (late_moduli(*loop, margin + step) for step in (-1e-5, 1e-5))
+    assert below < 1 < above
 
 
 def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):

@@ -1,8 +1,9 @@
 """The first delay at which roots leave the circle: branch and bound over fractions of a period.
 
 A part of the period is done with where no root can be on the circle, and where all of those that
-can cross it in the same direction: then the root counts at the part's two ends tell whether one
-did.  Other parts are cut in four.
+can cross it in the same direction.  That holds for many whole periods at once: where roots come
+back nothing is lost, and where they leave, the first whole delay with one outside at the end of
+the part has lost the loop.  Other parts are cut in four.
 """
 
 from __future__ import annotations
@@ -15,20 +16,29 @@ from numpy.typing import NDArray
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import Wall, crossings, surplus
-from symhaptic.numeric.plant import device
-from symhaptic.numeric.tracing.bands import Bands, bands, first_periods, one_way, part_of
+from symhaptic.numeric.plant import Device, behind
+from symhaptic.numeric.tracing.bands import Bands, bands, first_periods, one_way, part_of, slopes
 
 SHORTEST = 2.0**-20
 """Parts of a period that are not cut again."""
 
 _LATER = 32
-"""So many more whole periods are counted at the ends of such a part."""
+"""With so many whole periods with which a root may be there, roots are counted at their ends."""
 
 _AT_ONCE = 8192
 """Parts that are looked at together, which bounds the memory."""
 
+_FIRST = 4
+"""So many whole periods are looked at first where roots can leave, then always more."""
+
+_MANY = 2**16
+"""So many at once, of all parts together."""
+
 _NEWTON = 12
 """Steps of Newton's method at most; where it does not arrive, the count is bisected."""
+
+_ARRIVED = 1e-15
+"""A step that is no longer than this is the last one."""
 
 _HALVINGS = 64
 """Halvings of a part down to the last digit of a float64."""
@@ -40,10 +50,17 @@ class Loops(NamedTuple):
     v: Wall
     gamma: Array
     delta: Array
+    x: Device
+    """The plant without delay."""
 
     def take(self, at: NDArray[np.intp]) -> Loops:
         """Some of them."""
-        return Loops(Wall(*(a[at] for a in self.v)), self.gamma[at], self.delta[at])
+        wall, plant = Wall(*(a[at] for a in self.v)), Device(*(a[at] for a in self.x))
+        return Loops(wall, self.gamma[at], self.delta[at], plant)
+
+    def behind(self, part: Array) -> Device:
+        """The plant behind a fraction of a period."""
+        return behind(self.x, self.gamma, self.delta, part)
 
     def stable(self, steps: Array, part: Array) -> NDArray[np.bool_]:
         """Whether no root is outside behind ``steps`` and a fraction of a period.
@@ -61,9 +78,24 @@ class Loops(NamedTuple):
         left = np.flatnonzero(~whole)
         if left.size:
             some = self.take(left)
-            x = device(some.gamma, some.delta, part[left])
-            found[left] = stability.count(x, some.v, steps[left], False) == 0
+            found[left] = stability.count(some.behind(part[left]), some.v, steps[left], False) == 0
         return found
+
+    def can_leave(self, part: Array) -> NDArray[np.bool_]:
+        """Whether roots can leave at all behind a fraction 0 < part <= 1."""
+        x = self.behind(np.where(part == 1, 0.0, part))
+        leave = np.abs(x.numerator_at_minus_one * self.v.at_minus_one) > x.at_minus_one
+        for c in crossings(surplus(x, self.v), False):
+            leave |= c.there & c.rises
+        return leave
+
+    def many(self, steps: Array, part: Array) -> NDArray[np.bool_]:
+        """The same for many whole delays of each loop, in rows, behind a fraction 0 < part <= 1."""
+        whole = part == 1
+        x, v = self.behind(np.where(whole, 0.0, part)), self.v
+        x, v = Device(*(a[:, None] for a in x)), Wall(*(a[:, None] for a in v))
+        late = steps + np.where(whole, 1.0, 0.0)[:, None]
+        return np.asarray(stability.count(x, v, late, False) == 0)
 
 
 class _Parts(NamedTuple):
@@ -76,6 +108,12 @@ class _Parts(NamedTuple):
 
     def take(self, at: NDArray[Any]) -> _Parts:
         return _Parts(*(a[at] for a in self))
+
+    def and_also(self, more: _Parts) -> _Parts:
+        """These and others."""
+        at = np.concatenate([self.at, more.at])
+        rest = (np.concatenate(pair) for pair in zip(self[1:], more[1:], strict=True))
+        return _Parts(at, *rest)
 
     def cut(self) -> _Parts:
         """Each in four."""
@@ -100,24 +138,62 @@ class _Search:
         parts = parts.take(parts.steps + parts.begin < self.least[parts.at])
         here = self.loops.take(parts.at)
         half = parts.width / 2
-        b = bands(part_of(here.gamma, here.delta, parts.begin + half, half), here.v)
+        b = bands(part_of(here.x, here.gamma, here.delta, parts.begin + half, half), here.v)
+        periods, first = self._first(b, parts)
+        some = np.isfinite(first)
+        way, until = (a[some] for a in _ways(b, periods, first))
+        parts = parts.take(some)._replace(steps=first[some])
+        known, shortest = way != 0, parts.width <= SHORTEST
+        self._first_outward(parts.take(way > 0), until[way > 0])
+        numbers = np.full(some.size, -1)
+        numbers[np.flatnonzero(some)[~known & shortest]] = np.arange((~known & shortest).sum())
+        some = numbers[b.at] >= 0
+        self._tried(parts.take(~known & shortest), b.take(some)._replace(at=numbers[b.at[some]]))
+        more = parts.take(known)._replace(steps=until[known] + 1)
+        return parts.take(~known & ~shortest).cut().and_also(more)
+
+    def _first(self, b: Bands, parts: _Parts) -> tuple[Array, Array]:
+        """The first whole periods with which a root may be in each band, and in each part."""
         latest = np.minimum(self.least[parts.at] - parts.begin, arguments.LONGEST)
         periods = first_periods(b, parts.steps[b.at], latest[b.at])
         first = np.full(parts.at.size, np.inf)
         np.minimum.at(first, b.at, periods)
-        some = np.isfinite(first)
-        way = _ways(b.take(periods == first[b.at]), first)[some]
-        parts = parts.take(some)._replace(steps=first[some])
+        return periods, first
+
+    def _tried(self, parts: _Parts, b: Bands) -> None:
+        """Count roots at the ends of the shortest parts, with the first periods that may matter."""
+        for _ in range(_LATER):
+            _, first = self._first(b, parts)
+            some = np.isfinite(first)
+            if not some.any():
+                return
+            parts = parts._replace(steps=np.where(some, first, parts.steps))
+            here = parts.take(some)
+            self._found(here.take(self._counted(here)))
+            parts = parts._replace(steps=np.where(some, first + 1, np.inf))
+
+    def _first_outward(self, parts: _Parts, until: Array) -> None:
+        """Note the first loss in parts where all roots cross outward: it is seen at the end."""
         lost = self._counted(parts)
-        self._found(parts.take(lost & ((way != 0) | (parts.width <= SHORTEST))))
-        last = parts.take(parts.width <= SHORTEST)
-        for _ in range(_LATER if last.at.size else 0):
-            last = last._replace(steps=last.steps + 1)
-            last = last.take(last.steps + last.begin < self.least[last.at])
-            self._found(last.take(self._counted(last)))
-        left = parts._replace(steps=parts.steps + np.abs(way))
-        open_ = left.steps + left.begin < self.least[left.at]
-        return left.take(open_ & (left.width > SHORTEST)).cut()
+        self._found(parts.take(lost))
+        left = ~lost & (parts.steps < np.minimum(until, self.least[parts.at] - parts.begin))
+        parts, until = parts.take(left)._replace(steps=parts.steps[left] + 1), until[left]
+        end, count = parts.begin + parts.width, _FIRST
+        if parts.at.size:
+            left = self.loops.take(parts.at).can_leave(end)
+            parts, until, end = parts.take(left), until[left], end[left]
+        while parts.at.size:
+            until = np.minimum(until, self.least[parts.at] - parts.begin)
+            steps = parts.steps[:, None] + np.arange(count)
+            lost = ~self.loops.take(parts.at).many(steps, end) & (steps <= until[:, None])
+            some = np.asarray(lost.any(axis=1))
+            first = steps[np.arange(some.size), lost.argmax(axis=1)]
+            first = parts._replace(steps=first).take(some)
+            self._found(first.take(self._counted(first)))
+            left = np.asarray(~some & (steps[:, -1] < until))
+            parts = parts._replace(steps=steps[:, -1] + 1).take(left)
+            until, end = until[left], end[left]
+            count = min(4 * count, max(_FIRST, _MANY // max(parts.at.size, 1)))
 
     def _counted(self, parts: _Parts) -> NDArray[np.bool_]:
         """Whether loops are stable at the begin of the part and lost at the end."""
@@ -136,13 +212,21 @@ class _Search:
         self.steps[at] = parts.steps[new]
 
 
-def _ways(b: Bands, steps: Array) -> Array:
-    """Which way all roots in the bands of each part cross; 0 where that is not known."""
-    way = one_way(b, steps[b.at])
-    least, most = np.ones(steps.size), -np.ones(steps.size)
-    np.minimum.at(least, b.at, way)
-    np.maximum.at(most, b.at, way)
-    return np.where(least == most, least, 0.0)
+def _ways(b: Bands, periods: Array, first: Array) -> tuple[Array, Array]:
+    """Which way all roots in the bands of each part cross, and until when; 0 if not known.
+
+    A band in which nothing can be before ``periods`` does not count until then.
+    """
+    way, until = one_way(b, first[b.at])
+    least, most = np.ones(first.size), -np.ones(first.size)
+    now = periods == first[b.at]
+    np.minimum.at(least, b.at[now], way[now])
+    np.maximum.at(most, b.at[now], way[now])
+    all_ = np.where(least == most, least, 0.0)
+    until = np.where(way == all_[b.at], until, periods - 1)
+    last = np.full(first.size, np.inf)
+    np.minimum.at(last, b.at, until)
+    return all_, last
 
 
 def first_loss(loops: Loops, whole: Array) -> Array:
@@ -194,17 +278,22 @@ def _by_newton(loops: Loops, steps: Array, low: Array, high: Array) -> Array:
     part = (low + high) / 2
     theta = _nearest(loops, steps, part)
     v, g, dl = loops.v, loops.gamma, loops.delta
+    going = np.ones(part.size, dtype=bool)  # each loop stops by itself, whatever is beside it
     for _ in range(_NEWTON):
-        p = part_of(g, dl, part, np.zeros_like(part))
-        x, z = p.x, np.exp(1j * theta)
+        slope2, slope0 = slopes(g, dl, part)
+        x, z = loops.behind(part), np.exp(1j * theta)
         m, a, w = x.m2 * z + x.m1 + x.m0 / z, z - x.a + x.e / z, v.slope * z - v.beta
         value = np.log(-m * w / a * np.exp(-1j * (steps + 2) * theta))
         turned = (x.m2 * z - x.m0 / z) / m + v.slope * z / w - (z - x.e / z) / a
         by_theta = 1j * (turned - (steps + 2))
-        by_part = (p.slope0 * (1 / z - 1) + p.slope2 * (z - 1)) / m
+        by_part = (slope0 * (1 / z - 1) + slope2 * (z - 1)) / m
         area = (by_theta * np.conj(by_part)).imag
-        theta = theta - (value * np.conj(by_part)).imag / area
-        part = part + (value * np.conj(by_theta)).imag / area
+        moved = np.where(going, (value * np.conj(by_theta)).imag / area, 0.0)
+        theta = theta - np.where(going, (value * np.conj(by_part)).imag / area, 0.0)
+        part = part + moved
+        going &= np.abs(moved) > _ARRIVED
+        if not going.any():
+            break
     return _checked(loops, steps, low, high, part)
 
 
@@ -213,10 +302,9 @@ def _by_newton_at_minus_one(loops: Loops, steps: Array, low: Array, high: Array)
     part = (low + high) / 2
     sign = np.where(steps % 2 == 0, 1.0, -1.0)
     for _ in range(_NEWTON):
-        p = part_of(loops.gamma, loops.delta, part, np.zeros_like(part))
-        force = loops.v.at_minus_one
-        value = sign * p.x.at_minus_one - p.x.numerator_at_minus_one * force
-        part = part + value / (2 * (p.slope2 + p.slope0) * force)
+        x, force = loops.behind(part), loops.v.at_minus_one
+        value = sign * x.at_minus_one - x.numerator_at_minus_one * force
+        part = part + value / (2 * sum(slopes(loops.gamma, loops.delta, part)) * force)
     return _checked(loops, steps, low, high, part)
 
 
@@ -231,7 +319,7 @@ def _checked(loops: Loops, steps: Array, low: Array, high: Array, part: Array) -
 
 def _nearest(loops: Loops, steps: Array, part: Array) -> Array:
     """The angle at which plant and wall are equally strong and most nearly opposite."""
-    x = device(loops.gamma, loops.delta, part)
+    x = loops.behind(part)
     best, theta = np.full(part.size, np.inf), np.full(part.size, np.nan)
     for c in crossings(surplus(x, loops.v), False):
         angle, bare = (

@@ -23,6 +23,9 @@ from symhaptic.numeric.tracing.losses import Loops, first_loss
 _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
+_AHEAD = 2**14
+"""Whole delays that are looked at together, of all walls."""
+
 
 @kept(delay=float)
 def delay_margin(
@@ -36,18 +39,21 @@ def delay_margin(
 
     Wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0; arrays broadcast.  0 where the
     loop is not stable without delay, infinite where no delay up to 1e15 destabilises it.  The
-    time does not grow with the margin of a soft spring: some 30 microseconds for a wall among
-    many, 0.3 milliseconds for one on a stiff spring.
+    time does not grow with the margin: some 20 microseconds for a wall among many, some
+    milliseconds for one alone, up to a tenth of a second next to a device that swings thousands
+    of periods long or where plant and wall all but touch.
 
-    Behind a fraction of a period the crossings have no closed form.  Each part of a period is
-    enclosed instead: bounds hold for all its delays, whatever the whole periods, and it is left
-    only where no root can be on the unit circle, or where all that can be there cross in one
-    direction, so that root counts at its ends decide.  Parts of 2^-20 of a period are not divided
-    any more; where the bounds decide nothing, roots are counted at their ends, for the first whole
-    delay at which something could happen and 32 more.  What may be missed is an instability that
-    begins and ends within such parts: one shorter than 2^-20, or after more whole delays than
-    these between two places where plant and wall all but touch.  The bounds are float64's, without
-    directed rounding.  With ``sheet="principal"`` the paper's z^-d, in closed form.
+    Behind a fraction of a period the crossings have no closed form: two equations, for the angle
+    and the fraction, that are transcendental in the fraction.  The curve on which plant and wall
+    are equally strong does not contain the whole periods.  Each part of a period encloses its
+    piece of that curve to second order, and the phase along it tells at once for which of all
+    whole delays a root can be there; a part is left only where none can, or where all cross in
+    one direction, so that root counts at its ends decide.  Parts of 2^-20 of a period are not
+    divided any more; where the bounds decide nothing, roots are counted at their ends, for the
+    first 32 whole delays at which something could happen.  What may be missed is an instability
+    that begins and ends within such a part: there the margin is that of the next one.  The bounds
+    are float64's, without directed rounding.  With ``sheet="principal"`` the paper's z^-d, in
+    closed form.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
@@ -74,8 +80,8 @@ def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
     lost = np.asarray(is_stable(al, be, g, dl, 0.0))
     some = np.flatnonzero(lost)
     found = np.zeros(known.size)
-    loops = Loops(wall(al[some], be[some]), g[some], dl[some])
-    found[some] = first_loss(loops, _first_lost(device(g[some], dl[some]), loops.v))
+    loops = Loops(wall(al[some], be[some]), g[some], dl[some], device(g[some], dl[some]))
+    found[some] = first_loss(loops, _first_lost(loops))
     return np.where(known, found.reshape(shape), np.nan)
 
 
@@ -86,12 +92,15 @@ def _finished(
     return np.where(known, lost, np.nan)
 
 
-def _next_change(x: Device, v: Wall, steps: Array, whole: bool) -> Array:
-    """The real number of periods at which the next pair of roots leaves the circle."""
-    change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape), np.inf)
-    for crossing in crossings(surplus(x, v), whole):
+def _next_change(x: Device, v: Wall, steps: Array, later: Array) -> Array:
+    """The real number of periods at which a pair of roots leaves the circle, for whole delays.
+
+    The next time, or so many times ``later``.
+    """
+    change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape, later.shape), np.inf)
+    for crossing in crossings(surplus(x, v), True):
         bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
-        odd = 2 * stability.turns(bare, late, steps) - 1
+        odd = 2 * (stability.turns(bare, late, steps) - later) - 1
         theta = late.halves * np.pi + late.rest
         at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
         change = np.minimum(change, np.where(crossing.there & crossing.rises, at, np.inf))
@@ -102,34 +111,35 @@ def _leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
     return np.abs(x.numerator_at_minus_one * v.at_minus_one) > x.at_minus_one
 
 
-def _first_lost(x: Device, v: Wall) -> Array:
+def _first_lost(loops: Loops) -> Array:
     """The first whole number of periods at which a root is outside; infinite if there is none."""
-    shape = np.broadcast_shapes(v.slope.shape, x.m2.shape)
-    x = Device(*(np.broadcast_to(a, shape).reshape(-1) for a in x))
-    v = Wall(*(np.broadcast_to(a, shape).reshape(-1) for a in v))
-    steps = np.zeros(v.alpha.shape)
-    lost = np.where(stability.count(x, v, steps) != 0, 0.0, np.inf)
-    leads = _leads_at_minus_one(x, v)
-    left = np.flatnonzero(lost > 0)
+    steps = np.zeros(loops.gamma.size)
+    lost = np.full(steps.size, np.inf)
+    leads = _leads_at_minus_one(loops.x, loops.v)
+    left, count = np.arange(steps.size), 1
     while left.size:
-        some, these = Device(*(a[left] for a in x)), Wall(*(a[left] for a in v))
-        change = np.floor(_next_change(some, these, steps[left], True))
-        steps[left] = np.where(leads[left], steps[left], change) + 1
-        outside = np.zeros(left.size, dtype=bool)
-        finite = steps[left] <= arguments.LONGEST
-        some, these = Device(*(a[finite] for a in some)), Wall(*(a[finite] for a in these))
-        outside[finite] = stability.count(some, these, steps[left[finite]]) != 0
-        lost[left[outside]] = steps[left[outside]]
-        left = left[finite & ~outside]
-    return lost.reshape(shape)
+        some, later = loops.take(left), np.arange(float(count))
+        x, v = Device(*(a[:, None] for a in some.x)), Wall(*(a[:, None] for a in some.v))
+        change = np.floor(_next_change(x, v, steps[left, None], later))
+        ahead = np.where(leads[left, None], steps[left, None] + later, change) + 1
+        row, column = np.nonzero(ahead <= arguments.LONGEST)
+        outside = np.zeros(ahead.shape, dtype=bool)
+        here = ahead[row, column]
+        outside[row, column] = ~some.take(row).stable(here, np.zeros(here.size))
+        first = ahead[np.arange(left.size), outside.argmax(axis=1)]
+        found = outside.any(axis=1)
+        lost[left[found]] = first[found]
+        steps[left] = ahead[:, -1]
+        left = left[~found & (ahead[:, -1] <= arguments.LONGEST)]
+        count = max(1, min(4 * count, _AHEAD // max(left.size, 1)))
+    return lost
 
 
 def _principal(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
     known = ~np.isnan(alpha + beta + gamma + delta)
     al, be, g, dl = (np.where(known, a, 0.0) for a in (alpha, beta, gamma, delta))
     x, v = device(g, dl), wall(al, be)
-    steps = np.zeros_like(g)
-    change = _next_change(x, v, steps, True)
+    change = _next_change(x, v, np.zeros_like(g), np.zeros(()))
     # where the wall leads at -1, the phase of z^d there is the next to change
     side = np.where(v.slope >= 0, 1.0, -1.0)
     end = np.where(v.at_minus_one > 0, side, 0.0) + (x.numerator_at_minus_one > 0)
