@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from oracle import moduli, radius
 
-from symhaptic import delay_margin, is_stable
+from symhaptic import delay_margin, is_stable, stability_boundary
 from symhaptic.numeric.tracing import losses
 from symhaptic.numeric.tracing.bands import first_step
 
@@ -280,6 +280,30 @@ TOUCHING = [  # plant and wall are nearly equal along a whole period, or at its 
     (-39.49036766233003, 15.868788372102543, 39.49036766233271, 2.7005834058697675),
     (-4.1157850241795613e-07, 1.8424828613810722e-06, 120.91531814051453, 2.7180293845269315e-08),
 ]
+
+
+def test_no_margin_is_beyond_a_delay_with_a_root_on_the_circle():
+    """Walls made so that z = e^(j theta) is a root at a known delay, which the residual shows."""
+    rng, count = np.random.default_rng(49), 3000
+    own = np.pi * rng.integers(1, 4, count)
+    near = own**2 * (1 + rng.normal(size=count) * 10 ** rng.uniform(-6, -1, count))
+    kind, soft = rng.integers(3, size=count), 10 ** rng.uniform(-6, 0, count)
+    gamma = np.choose(kind, [soft, rng.uniform(0, 100, count), near])
+    delta, delay = 10 ** rng.uniform(-6, 1, count), rng.uniform(0, 6, count)
+    swing = abs((np.sqrt(gamma) + np.pi) % (2 * np.pi) - np.pi)
+    theta = np.clip(swing + rng.normal(size=count) * delta, 1e-3, 3.14)
+    wall = np.array(stability_boundary(theta, gamma, delta, delay))
+    some = np.flatnonzero(is_stable(*wall, gamma, delta, 0))
+    for i in some[:40]:
+        z, steps = np.exp(1j * theta[i]), int(delay[i])
+        top, bottom = behind_a_fraction(gamma[i], delta[i], delay[i] - steps)
+        push = np.polyval(top, z) * (wall[:, i].sum() * z - wall[1, i])
+        late = z ** (steps + 2) * np.polyval(bottom, z)
+        assert abs(late + push) < 1e-12 * (1 + np.abs(wall[:, i]).max())
+    margin = delay_margin(*wall[:, some], gamma[some], delta[some])
+    assert np.all(margin <= delay[some] * (1 + 1e-9) + 1e-7)
+    lost_there = np.abs(margin - delay[some]) < 1e-7
+    assert min(lost_there.sum(), (~lost_there).sum()) > 200
 
 
 LATE = [  # lost after very many periods, and where many parts of one had to be looked at

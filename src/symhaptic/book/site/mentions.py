@@ -41,9 +41,13 @@ def places(names: Mapping[int, str], settled: Iterable[str]) -> dict[str, str]:
     """Label of each chapter and of each statement that stands on the site.
 
     >>> places({22: "s3b_rise"}, ["eq11", "arm-numbers"])
-    {'chapter 22': 'chapter-s3b_rise', 'eq11': 'statement-eq11'}
+    {'chapter 22': 'chapter-s3b_rise', 's3b_rise': 'chapter-s3b_rise', 'eq11': 'statement-eq11'}
     """
-    found = {f"chapter {number}": f"chapter-{name}" for number, name in names.items()}
+    found = {
+        said: f"chapter-{name}"
+        for number, name in names.items()
+        for said in (f"chapter {number}", name)
+    }
     ids = (id for id in settled if re.search(r"[\d:]", id))  # others are words like any
     return found | {id: f"statement-{anchor(id)}" for id in ids}
 
