@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
+from symhaptic.book.foreign import MEANT
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import Theorem
@@ -16,7 +17,6 @@ from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated
 from symhaptic.rocq.terms import Names, NotPrinted
 
 WRITTEN = LOGIC | LEAVES | CLASSICAL
-MEANT = "what the predicate means: the characteristic polynomial of the model"
 BELIEVED = sources() | dict.fromkeys(("loop", "loop_substituted"), MEANT)
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
 OPEN = "not checked:"
