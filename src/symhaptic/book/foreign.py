@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import expected_rocq
+from symhaptic.book.rules import classical
 from symhaptic.proof.theorems.judge import Judged
 
 WHOLE, LEAVES, NOT = "whole", "leaves", "not"
@@ -26,9 +27,6 @@ UNKNOWN = "Rocq was not asked"
 
 REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
 """What a statement may rest on beside classical rules."""
-
-MEANT = "what the predicate means: the characteristic polynomial of the model"
-"""Where a predicate's meaning is from, which is believed like a rule."""
 
 
 @dataclass(frozen=True)
@@ -48,12 +46,21 @@ class Checked:
     @property
     def rules(self) -> list[str]:
         """The classical rules and axioms among what it rests on."""
-        return [name for name in self.rests if name not in (REALS, INTEGERS)]
+        return [name for name in self.rests if name in classical()]
 
     @property
-    def library(self) -> list[str]:
-        """What of Rocq's library it rests on."""
-        return [name for name in (REALS, INTEGERS) if name in self.rests]
+    def others(self) -> list[str]:
+        """What else it rests on, in words: meanings of predicates, and Rocq's library."""
+        library = [name for name in (REALS, INTEGERS) if name in self.rests]
+        known = {*self.rules, *library}
+        meanings = [name.replace("_", " ") for name in self.rests if name not in known]
+        return [f"the meaning of {listed(meanings)}"] * bool(meanings) + library
+
+    @property
+    def in_short(self) -> str:
+        """How far, with the number of steps that are open."""
+        steps = (self.why or "").partition(":")[0]
+        return {WHOLE: "whole", LEAVES: f"in part, {steps}", NOT: "not"}[self.extent]
 
 
 def mark(judged: Judged) -> str:
@@ -68,7 +75,7 @@ def checked(id: str, judged: Judged | None, path: Path | None = None) -> Checked
     known = recorded(path or expected_rocq())["statements"].get(id)
     if known is None:
         return Checked()
-    if judged is not None and known["says"] != mark(judged):
+    if known["says"] != (None if judged is None else mark(judged)):
         return Checked(NOT, CHANGED, stale=True)
     return Checked(known["checked"], known["why"], tuple(known["rests"]))
 
@@ -80,6 +87,22 @@ def recorded(path: Path) -> dict[str, Any]:
         return {"statements": {}, "chapters": {}}
     found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     return found
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence.
+
+    >>> listed(["a", "b", "c"])
+    'a, b and c'
+    """
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def asked(path: Path | None = None) -> str:
+    """Which Rocq was asked; empty where none was."""
+    version = recorded(path or expected_rocq()).get("rocq")
+    return f"Rocq {version}" if version else ""
 
 
 def counted(found: Iterable[Checked]) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from symhaptic.cli.deciding import Derivations, SourceFolder, chapters_in, own_chapters
+from symhaptic.cli.foreign import stale
 from symhaptic.cli.shared import app, folder_allowed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
@@ -64,6 +65,7 @@ def report(
     With --source the chapters of your own source, each to be \\input, and chapters.tex with all.
     """
     from symhaptic.book import chapters as library
+    from symhaptic.book.ledger import of_chapter
     from symhaptic.book.parts import in_parts
     from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
@@ -104,6 +106,7 @@ def report(
         elif not output.is_dir():
             refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
         chapters = chapters_of(some or paths)
+        stale([entry for one in chapters for entry in of_chapter(one)])
         numbered = [(paths.index(one.path) + 1, one) for one in chapters]
         if check:
             files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)

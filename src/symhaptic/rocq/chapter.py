@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
-from symhaptic.book.foreign import MEANT
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import Theorem
@@ -17,8 +16,13 @@ from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated
 from symhaptic.rocq.terms import Names, NotPrinted
 
 WRITTEN = LOGIC | LEAVES | CLASSICAL
-BELIEVED = sources() | dict.fromkeys(("loop", "loop_substituted"), MEANT)
+MEANT = "what the predicate means: the characteristic polynomial of the model"
+MEANING = frozenset({"loop", "loop_substituted"})
+"""Rules that say what a predicate means."""
+BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
+PROVED = frozenset(CLASSICAL) | frozenset(ELEMENTARY)
+"""Classical rules and axioms that are theorems of Rocq here."""
 OPEN = "not checked:"
 """How the comment of a leaf begins that no tactic checks; it is an axiom named ``open_``."""
 

@@ -144,20 +144,24 @@ def text_mark(text: str) -> str:
 
 def judged(path: Path, folder: Path) -> Outcome:
     """A derivation's file, written, compiled and read back; known where the text is known."""
-    chapter = run(path)
+    return asked(run(path), folder)
+
+
+def asked(chapter: Chapter, folder: Path) -> Outcome:
+    """The same of a chapter that has been run."""
     begin = time.perf_counter()
     file = printed(chapter)
     text = file.written()
     known = folder / f"{file.name}.json"
-    asked = text_mark(text)
+    of = text_mark(text)
     if known.is_file():
         before = json.loads(known.read_text(encoding="utf-8"))
-        if before["text"] == asked:
-            return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, asked)
+        if before["text"] == of:
+            return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     place = folder / f"{file.name}.v"
     place.write_text(text, encoding="utf-8")
     if not file.steps:
-        return _marked(_outcome(file, chapter, {}, {}), chapter, asked)
+        return _marked(_outcome(file, chapter, {}, {}), chapter, of)
     done = _compiled(folder, file.name)
     if done.returncode:
         file = printed(chapter, failing(folder, text))
@@ -167,15 +171,15 @@ def judged(path: Path, folder: Path) -> Outcome:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
         unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
-        return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, asked)
+        return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, of)
     rests = _rests(file, done.stdout)
-    outcome = _outcome(file, chapter, _told(file, rests), rests)
+    outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
         # what took too long may be quicker the next time
-        kept = {"text": asked, "outcome": asdict(outcome)}
+        kept = {"text": of, "outcome": asdict(outcome)}
         known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
-    return _marked(outcome, chapter, asked)
+    return _marked(outcome, chapter, of)
 
 
 def _marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:
@@ -247,7 +251,7 @@ def _short(name: str) -> str:
     return INTEGERS if name.startswith(_PRIMITIVE) else name
 
 
-def _told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
+def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
     """Whether a statement is checked whole, or which of its leaves are open."""
     reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
     named = {s.name for s in file.steps if s.kind == "Axiom"} | meant() | {REALS, INTEGERS}
@@ -270,7 +274,7 @@ def meant() -> frozenset[str]:
 
 
 def _outcome(
-    file: File, chapter: Chapter, told: dict[str, str], rests: dict[str, list[str]]
+    file: File, chapter: Chapter, said: dict[str, str], rests: dict[str, list[str]]
 ) -> Outcome:
     steps: dict[str, list[int]] = {}
     for step in file.steps:
@@ -285,6 +289,6 @@ def _outcome(
         elif id in file.missing:
             statements[id] = f"not printed: {file.missing[id]}"
         else:
-            statements[id] = told[id]
+            statements[id] = said[id]
     open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
     return Outcome(file.name, statements, rests, dict(sorted(steps.items())), open_)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book import foreign
 from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
+from symhaptic.book.foreign import LEAVES, WHOLE, asked
 from symhaptic.book.ledger import (
     GENERATED,
     Entry,
@@ -113,7 +116,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         ("results", {**results(entries, numbers), "graph": bool(between(numbered))}),
         ("believed", believed(entries)),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
-        ("ledger", {"rows": rows}),
+        ("ledger", {"rows": rows, **_foreign(entries)}),
         *([("mutants", trials)] if trials else []),
         *([("bench", speed)] if speed else []),
     ]
@@ -158,7 +161,32 @@ def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
         "says": f"{prose(entry.statement.says)} \\textcolor{{black!60}}{{({location})}}",
         "kind": str(entry.verdict.kind),
         "chapter": f"chapter {place}" if place else "",
+        "rocq": {WHOLE: "whole", LEAVES: "in part"}.get(entry.rocq.extent, "--"),
     }
+
+
+def _foreign(entries: list[Entry]) -> dict[str, Any]:
+    """What Rocq has checked in all, and why it has not checked the others."""
+    found: dict[str, list[str]] = {}
+    for entry in entries:
+        why = entry.rocq.why
+        if why:
+            found.setdefault(_at_spaces(why), []).append(entry.statement.id)
+    return {
+        "rocq": asked(),
+        "checked": foreign.counted(entry.rocq for entry in entries),
+        "unchecked": [
+            (why, ", ".join(id.replace("-", "-\\allowbreak ") for id in ids))
+            for why, ids in sorted(found.items(), key=lambda item: (-len(item[1]), item[0]))
+        ],
+    }
+
+
+def _at_spaces(text: str) -> str:
+    """Words of another program for a narrow column, which may break anywhere."""
+    signs = {"\\": "\\textbackslash{}", "^": "\\^{}", "~": "\\textasciitilde{}", "$": "\\$"}
+    words = [re.sub(r"[\\^~$]", lambda m: signs[m[0]], escaped(w)) for w in text.split()]
+    return " ".join(re.sub(r"(?<=[/.(){}])(?=\w)", r"\\allowbreak ", w) for w in words)
 
 
 # -- writing --------------------------------------------------------------------------
