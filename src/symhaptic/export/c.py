@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export import c_si, cmake, standard
+from symhaptic.export import c_si, cmake, rounding, standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.cmake import FLAGS, STRICT
 from symhaptic.export.module import Library
@@ -141,13 +141,18 @@ class C(Target):
             lines += ["example.c is a controller of 1 kHz with a wall below its limit."]
         return [*lines, "C++ may include the headers, too."]
 
+    def proved(self, routine: Routine) -> list[rounding.Goal]:
+        """Of each result to which no branch leads."""
+        return rounding.goals(routine, self)
+
     def package(self, library: Library) -> dict[str, str]:
-        """For CMake and pkg-config; the same in SI units, and a controller."""
+        """For CMake and pkg-config; the same in SI units, and a controller; what is proved."""
         name, si = library.name, c_si.header(library, self.real, self.precision)
         headers = [f"{name}.h", *(file for file in si if file.endswith(".h"))]
         programs = ["selftest.c", *(file for file in si if file.endswith(".c"))]
         made = cmake.package(name, library.title, "c_std_99", f"{name}.c", headers, programs)
-        return made | si
+        proofs = {goal.file: goal.text for r in library.public for goal in self.proved(r)}
+        return made | si | proofs
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""
