@@ -1,6 +1,7 @@
 (* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
    A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
 From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
+From Coq Require QArith Qround.
 From Coquelicot Require Export Coquelicot.
 From Interval Require Export Tactic.
 Open Scope R_scope.
@@ -34,6 +35,46 @@ Parameter passive_device : (C -> C) -> C -> C -> C -> C -> C -> Prop.
 Parameter pole device : C -> C -> C -> C -> C -> C -> Prop.
 Parameter late_device : C -> C -> C -> C -> C -> C -> C -> C -> Prop.
 Parameter swings : C -> C -> C -> C -> Prop.
+
+(* A motion at constant speeds, piece by piece (time in periods, way), from rest at 0; the force that
+   a wall holds from k + late on is K x_k + B (x_k - x_(k-1))/T.  All of it but K, B and b is rational. *)
+Module Motion.
+Import QArith Qround.
+Open Scope Q_scope.
+Fixpoint after (motion : list (Q * Q)) (t : Q) : Q :=
+  match motion with
+  | nil => 0
+  | cons (time, way) rest =>
+      if Qle_bool time t then Qred (way + after rest (t - time)) else Qred (way * t / time)
+  end.
+Definition place motion t := if Qle_bool t 0 then 0 else after motion t.
+Fixpoint lasts (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, _) rest => Qred (time + lasts rest) end.
+Fixpoint forwards (motion : list (Q * Q)) : bool :=
+  match motion with nil => true | cons (time, _) rest => andb (negb (Qle_bool time 0)) (forwards rest) end.
+Fixpoint burnt (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, way) rest => Qred (way * way / time + burnt rest) end.
+(* The sum of f(k) times the way while the force of sample k is held, for k = 1 to n. *)
+Fixpoint taken motion (late : Q) (f : Q -> Q) (n : nat) : Q :=
+  match n with
+  | O => 0
+  | S m =>
+      let k := inject_Z (Z.of_nat n) in
+      Qred (f k * (place motion (k + 1 + late) - place motion (k + late)) + taken motion late f m)
+  end.
+Definition samples motion := Z.to_nat (Qceiling (lasts motion)).
+Definition by_spring motion late := taken motion late (place motion) (samples motion).
+Definition by_damper motion late :=
+  taken motion late (fun k => place motion k - place motion (k - 1)) (samples motion).
+Definition energy (K B b T : R) (late : Q) motion : R :=
+  (b / T * Q2R (burnt motion) + K * Q2R (by_spring motion late) + B / T * Q2R (by_damper motion late))%R.
+End Motion.
+
+(* What the predicate means: a motion that gains energy. *)
+Axiom rule_gains : forall (K B b T : R) (late : QArith_base.Q) (motion : list _),
+  0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
+  Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
+  ~ passive_wall K B b T (RtoC (Q2R late)).
 
 (* -- logic -------------------------------------------------------------------------- *)
 
@@ -105,14 +146,14 @@ Ltac known_values :=
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
 Ltac same_field := first [reflexivity | solve [ring] | solve [field; nz]].
 Ltac quick_field := first [reflexivity | solve [ring] | solve [field; nz_quick]].
-Lemma by_zero : forall l r q : R, l - r = q -> q = 0 -> l = r.
-Proof. intros l r q H E; lra. Qed.
-
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
-Lemma root_squared : forall x, 0 <= x -> sqrt x ^ 2 - x = 0.
-Proof. intros x H; rewrite pow2_sqrt; lra. Qed.
+Lemma sine_square : forall x, sin x * sin x = 1 - cos x * cos x.
+Proof. intro x; generalize (pythagoras x); lra. Qed.
+
+Lemma root_square : forall x, 0 <= x -> sqrt x * sqrt x = x.
+Proof. intros x H; apply sqrt_sqrt; exact H. Qed.
 
 Ltac rooted := opened; first [assumption | lra | nra | interval].
 
@@ -197,7 +238,7 @@ Proof. intros x H E; apply H, RtoC_inj, E. Qed.
 Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
 Proof. intros x y; apply Cmult_neq_0. Qed.
 Ltac Cnz :=
-  repeat split;
+  cbv beta; repeat split;
   first
     [ assumption
     | apply Cnot_zero; nz
@@ -220,13 +261,22 @@ Proof.
   replace (Im (a + Ci * b)%C) with b by (simpl; ring).
   apply injective_projections; simpl; ring.
 Qed.
-Lemma Ci_squared : (Ci ^ 2 + 1)%C = RtoC 0.
+Lemma Cexp_turned : forall (z : C) (a b : R) (size c s : C),
+  z = (a + Ci * b)%C -> RtoC (exp a) = size -> RtoC (cos b) = c -> RtoC (sin b) = s ->
+  Cexp z = (size * (c + Ci * s))%C.
+Proof. intros z a b size c s E F G H; rewrite (Cexp_at z a b E), F, G, H; reflexivity. Qed.
+Lemma Ci_square : (Ci * Ci)%C = (- RtoC 1)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
-Lemma Cpythagoras : forall x : R, (sin x ^ 2 + cos x ^ 2 - 1)%C = RtoC 0.
+Ltac Csame_turned :=
+  cbn [Cpower]; first [Csame_field | solve [ring [Ci_square]] | solve [field [Ci_square]; Cnz]].
+
+Lemma Csine_square : forall x : R, (sin x * sin x = 1 - cos x * cos x :> C)%C.
 Proof.
   intro x; apply injective_projections; simpl; [| ring].
-  generalize (pythagoras x); simpl; intro H; ring_simplify in H; ring_simplify; exact H.
+  generalize (sine_square x); intro E; ring_simplify; ring_simplify in E; exact E.
 Qed.
+Lemma Croot_square : forall (x : R) (z : C), 0 <= x -> z = RtoC x -> (sqrt x * sqrt x)%C = z.
+Proof. intros x z H E; rewrite E, <- RtoC_mult, root_square; [reflexivity | exact H]. Qed.
 Lemma Cby_zero : forall l r q : C, (l - r)%C = q -> q = RtoC 0 -> l = r.
 Proof. intros l r q H E; replace l with ((l - r) + r)%C by ring; rewrite H, E; ring. Qed.
 Lemma Cby_sum_eq : forall l r z : C, (r - l)%C = z -> z = RtoC 0 -> l = r.
@@ -346,6 +396,58 @@ Ltac Cmirrored :=
       pose proof (f_equal Cconj H) as E; clear - E; revert E; Cconjugated; intro E; Cangles;
       first [exact E | etransitivity; [| etransitivity; [exact E |]]; Cring]
   end.
+Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
+Proof.
+  intros [x y] E; injection E; intro F; apply injective_projections; simpl; [reflexivity | lra].
+Qed.
+Ltac Cunmoved :=
+  Cconjugated;
+  repeat match goal with
+  | |- context [Cexp ?a] =>
+      match goal with |- context [Cexp ?b] =>
+        tryif constr_eq a b then fail else replace (Cexp a) with (Cexp b) by (f_equal; Cring)
+      end
+  end;
+  Csame_turned.
+
+(* A real relation between numbers that are written as complex ones, and back. *)
+Lemma Cless_of : forall (a b : R) (l r : C), a < b -> l = RtoC a -> r = RtoC b -> Cless l r.
+Proof. intros a b l r H L R; subst; repeat split; exact H. Qed.
+Lemma Cless_eq_of : forall (a b : R) (l r : C), a <= b -> l = RtoC a -> r = RtoC b -> Cless_eq l r.
+Proof. intros a b l r H L R; subst; repeat split; exact H. Qed.
+Lemma Cequal_of : forall (a b : R) (l r : C), a = b -> l = RtoC a -> r = RtoC b -> l = r.
+Proof. intros a b l r H L R; subst; reflexivity. Qed.
+Lemma Capart_of : forall (a b : R) (l r : C), a <> b -> l = RtoC a -> r = RtoC b -> l <> r.
+Proof. intros a b l r H L R E; apply H, RtoC_inj; congruence. Qed.
+Lemma less_of : forall (l r : C) (a b : R), Cless l r -> l = RtoC a -> r = RtoC b -> a < b.
+Proof. intros l r a b (_ & _ & H) L R; subst; exact H. Qed.
+Lemma less_eq_of : forall (l r : C) (a b : R), Cless_eq l r -> l = RtoC a -> r = RtoC b -> a <= b.
+Proof. intros l r a b (_ & _ & H) L R; subst; exact H. Qed.
+Lemma equal_of : forall (l r : C) (a b : R), l = r -> l = RtoC a -> r = RtoC b -> a = b.
+Proof. intros l r a b H L R; apply RtoC_inj; congruence. Qed.
+Lemma apart_of : forall (l r : C) (a b : R), l <> r -> l = RtoC a -> r = RtoC b -> a <> b.
+Proof. intros l r a b H L R E; apply H; congruence. Qed.
+Lemma Cof_real : forall (x y : R) (z : C), x = y -> z = RtoC x -> z = RtoC y.
+Proof. intros x y z E F; congruence. Qed.
+Lemma Creal_zero : forall (z : C) (x : R), z = RtoC 0 -> z = RtoC x -> x = 0.
+Proof. intros z x E F; apply RtoC_inj; congruence. Qed.
+
+Ltac Ctold :=
+  Cpushed;
+  repeat match goal with E : ?v = RtoC (Re ?v) |- context [RtoC (Re ?v)] => rewrite <- E end;
+  Csame_turned.
+Ltac Cmixed :=
+  match goal with
+  | H : ?a < ?b |- Cless ?l ?r => solve [apply (Cless_of a b l r H); Ctold]
+  | H : ?a <= ?b |- Cless_eq ?l ?r => solve [apply (Cless_eq_of a b l r H); Ctold]
+  | H : @eq R ?a ?b |- @eq C ?l ?r => solve [apply (Cequal_of a b l r H); Ctold]
+  | H : ~ @eq R ?a ?b |- ~ @eq C ?l ?r => solve [apply (Capart_of a b l r H); Ctold]
+  | H : Cless ?l ?r |- ?a < ?b => solve [apply (less_of l r a b H); Ctold]
+  | H : Cless_eq ?l ?r |- ?a <= ?b => solve [apply (less_eq_of l r a b H); Ctold]
+  | H : @eq C ?l ?r |- @eq R ?a ?b => solve [apply (equal_of l r a b H); Ctold]
+  | H : ~ @eq C ?l ?r |- ~ @eq R ?a ?b => solve [apply (apart_of l r a b H); Ctold]
+  end.
+
 Ltac Capart := first [Cnz | solve [repeat apply Cproduct_apart; first [Cnz | let E := fresh in intro E; congruence]]].
 Ltac Crefuted :=
   match goal with
@@ -355,6 +457,27 @@ Ltac Crefuted :=
       destruct (Cpos_minus _ _ H) as [_ P]; rewrite F in P; simpl in P; lra
   end.
 Ltac Cevaluated := known_values; Cpushed; Cring.
+Ltac Cangle :=
+  first
+    [ reflexivity
+    | match goal with
+      | |- RtoC (?f ?x) = RtoC (?f ?y) => replace x with y by (field; nz); reflexivity
+      | |- RtoC (cos ?x) = RtoC (cos ?y) =>
+          replace x with (- y) by (field; nz); rewrite cos_neg; reflexivity
+      | |- RtoC (sin ?x) = (- RtoC (sin ?y))%C =>
+          replace x with (- y) by (field; nz); rewrite sin_neg; apply RtoC_opp
+      end
+    | Cevaluated ].
+
+Ltac rationals :=
+  repeat match goal with |- context [Q2R (?f ?a)] =>
+    lazymatch f with QArith_base.Qmake _ => fail | _ =>
+      let q := eval vm_compute in (f a) in replace (f a) with q by (vm_compute; reflexivity)
+    end
+  end;
+  unfold Q2R; cbn [QArith_base.Qnum QArith_base.Qden].
+Ltac gained :=
+  first [reflexivity | numeric | unfold Motion.energy; rationals; numeric].
 
 (* -- from one form of a proposition to another ---------------------------------------- *)
 
@@ -385,6 +508,8 @@ Ltac from_known tac :=
          exact (eq_ind P (fun X => X) H Q E)]
   end.
 
+Ltac assumed := first [assumption | from_known ltac:(fun _ => same)].
+
 Ltac by_ring _ := first [reflexivity | ring].
 Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
 Ltac by_same _ := same.
@@ -398,7 +523,8 @@ Ltac atom :=
       | |- _ => 
           first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
       end
-    | from_known by_same ].
+    | from_known by_same
+    | Cmixed ].
 
 Ltac conv H :=
   cbv beta;

@@ -150,13 +150,11 @@ def factor(proof: Proof, theorem: Theorem) -> None:
     assert isinstance(claim, Relation)
     low, high, names = claim.left, claim.right, proof.names
     c = complex_(of, other, low, high)
-    if c and not (complex_(of) and complex_(low, high)):
-        raise NotPrinted("a real factor of a complex term")
     proof.keep(product)
-    sides = [(complex_text if c else real_text)(t, names) for t in (high, low, of, other)]
+    write = complex_text if c else real_text
+    sides = [write(t, names) for t in (high, low, of, other)]
     said = f"{sides[0]} - ({sides[1]}) = ({sides[2]}) * ({sides[3]})"
     product_ = f"(({sides[2]}) * ({sides[3]})){'%C' if c else ''}"
-    nought = "RtoC 0" if c else "0"
     found = script([low, high, of, other], lambda f: f(high) - f(low) - f(of) * f(other), names)
     proof.say(
         "opened; defined.",
@@ -164,9 +162,21 @@ def factor(proof: Proof, theorem: Theorem) -> None:
         "{",
         *found,
         "}",
-        f"intro Z; assert (Nil : {product_} = {nought}) by (rewrite Z; ring).",
-        f"pose proof (eq_trans Fact Nil); {'C' if c else ''}refuted.",
+        "intro Z.",
     )
+    if c and not complex_(of):
+        proof.say(f"apply (Cof_real _ _ (({sides[2]})%C)) in Z; [| Cpushed; Cring].")
+    nought = "RtoC 0" if c else "0"
+    proof.say(
+        f"assert (Nil : {product_} = {nought}) by (rewrite Z; ring).",
+        "pose proof (eq_trans Fact Nil) as Zero.",
+    )
+    if c and not complex_(low, high):
+        pair = [real_text(t, names) for t in (high, low)]
+        proof.say(f"apply (Creal_zero _ (({pair[0]}) - ({pair[1]}))) in Zero; [| Cpushed; Cring].")
+        proof.say("refuted.")
+    else:
+        proof.say(f"{'C' if c else ''}refuted.")
 
 
 @shows
@@ -186,6 +196,27 @@ def is_whole(proof: Proof, theorem: Theorem) -> None:
 def broken(proof: Proof, theorem: Theorem) -> None:
     value = theorem.conclusion.parts[0].terms[0]
     proof.say(f"broken ({floor(value)})%Z.")
+
+
+@shows
+def gains(proof: Proof, theorem: Theorem) -> None:
+    (K, B, b, T, late), motion = theorem.given
+    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in (K, B, b, T))
+    pieces = "nil"
+    for time, way in reversed(motion):
+        pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
+    proof.say(
+        f"assert (G := rule_gains {reals} {_rational(late)} {pieces}).",
+        "unfold Q2R in G; cbn [QArith_base.Qnum QArith_base.Qden] in G.",
+        "repeat match type of G with ?P -> _ -> _ => "
+        "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
+        "finish G.",
+    )
+
+
+def _rational(value: Any) -> str:
+    value = sp.Rational(value)
+    return f"(QArith_base.Qmake ({value.p}) {value.q})"
 
 
 @shows
