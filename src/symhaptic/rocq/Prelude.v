@@ -16,7 +16,9 @@ Definition tends (f : R -> R) (a l : R) : Prop := is_lim f a l.
 Fixpoint Cpower (z : C) (n : nat) : C := match n with O => 1%C | S m => (z * Cpower z m)%C end.
 Notation "z ^ n" := (Cpower z n) : C_scope.
 Definition Cexp (z : C) : C := (exp (Re z) * cos (Im z), exp (Re z) * sin (Im z)).
-Parameter Clog : C -> C.
+Definition Cangle_of (z : C) : R :=
+  if Rle_dec 0 (Im z) then acos (Re z / Cmod z) else - acos (Re z / Cmod z).
+Definition Clog (z : C) : C := (ln (Cmod z), Cangle_of z).
 Definition Craised (z w : C) : C := Cexp (w * Clog z)%C.
 Definition Cless (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z < Re w.
 Definition Cless_eq (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z <= Re w.
@@ -71,10 +73,10 @@ Definition energy (K B b T : R) (late : Q) motion : R :=
 End Motion.
 
 (* What the predicate means: a motion that gains energy. *)
-Axiom rule_gains : forall (K B b T : R) (late : QArith_base.Q) (motion : list _),
-  0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
+Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list _),
+  d = Q2R late -> 0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
   Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
-  ~ passive_wall K B b T (RtoC (Q2R late)).
+  ~ passive_wall K B b T d.
 
 (* -- logic -------------------------------------------------------------------------- *)
 
@@ -265,6 +267,11 @@ Lemma Cexp_turned : forall (z : C) (a b : R) (size c s : C),
   z = (a + Ci * b)%C -> RtoC (exp a) = size -> RtoC (cos b) = c -> RtoC (sin b) = s ->
   Cexp z = (size * (c + Ci * s))%C.
 Proof. intros z a b size c s E F G H; rewrite (Cexp_at z a b E), F, G, H; reflexivity. Qed.
+Lemma Cexp_nought : forall z : C, z = RtoC 0 -> Cexp z = RtoC 1.
+Proof.
+  intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
+  apply injective_projections; simpl; ring.
+Qed.
 Lemma Ci_square : (Ci * Ci)%C = (- RtoC 1)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
 Ltac Csame_turned :=
@@ -350,7 +357,8 @@ Ltac Csigned :=
 Ltac Cimaginary := first [reflexivity | simpl; ring | simpl; lra].
 Lemma Cminus_zero : forall l r : C, l = r -> (r - l)%C = RtoC 0.
 Proof. intros l r E; rewrite E; ring. Qed.
-Ltac Czero := first [apply Cminus_zero; assumption | Ccompared].
+Ltac Czero :=
+  first [symmetry; apply Cminus_zero; first [assumption | symmetry; assumption] | Ccompared].
 Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
 Proof. intros; apply injective_projections; simpl; ring. Qed.
 Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.
@@ -400,15 +408,18 @@ Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
 Proof.
   intros [x y] E; injection E; intro F; apply injective_projections; simpl; [reflexivity | lra].
 Qed.
-Ltac Cunmoved :=
-  Cconjugated;
+Ltac Cexps :=
   repeat match goal with
   | |- context [Cexp ?a] =>
-      match goal with |- context [Cexp ?b] =>
-        tryif constr_eq a b then fail else replace (Cexp a) with (Cexp b) by (f_equal; Cring)
-      end
-  end;
-  Csame_turned.
+      first
+        [ rewrite (Cexp_nought a) by Cring
+        | match goal with |- context [Cexp ?b] =>
+            tryif constr_eq a b then fail else replace (Cexp a) with (Cexp b) by (f_equal; Cring)
+          end ]
+  end.
+Ltac Cunmoved :=
+  Cconjugated;
+  Cexps; Csame_turned.
 
 (* A real relation between numbers that are written as complex ones, and back. *)
 Lemma Cless_of : forall (a b : R) (l r : C), a < b -> l = RtoC a -> r = RtoC b -> Cless l r.
@@ -477,9 +488,35 @@ Ltac rationals :=
   end;
   unfold Q2R; cbn [QArith_base.Qnum QArith_base.Qden].
 Ltac gained :=
-  first [reflexivity | numeric | unfold Motion.energy; rationals; numeric].
+  first [reflexivity | unfold Motion.energy; rationals; numeric].
 
 (* -- from one form of a proposition to another ---------------------------------------- *)
+
+(* Functions of arguments that are equal, or known values. *)
+Ltac argument := first [ring | solve [field; nz_quick]].
+Ltac alike f :=
+  repeat match goal with
+  | |- context [f ?a] =>
+      match goal with |- context [f ?b] =>
+        tryif constr_eq a b then fail
+        else replace (f a) with (f b) by (apply (f_equal f); argument)
+      end
+  end.
+Ltac valued :=
+  repeat match goal with
+  | |- context [cos ?a] =>
+      first
+        [ replace (cos a) with 0 by (replace a with (PI / 2) by argument; symmetry; apply cos_PI2)
+        | replace (cos a) with 1 by (replace a with 0 by argument; symmetry; apply cos_0)
+        | replace (cos a) with (-1) by (replace a with PI by argument; symmetry; apply cos_PI) ]
+  | |- context [sin ?a] =>
+      first
+        [ replace (sin a) with 1 by (replace a with (PI / 2) by argument; symmetry; apply sin_PI2)
+        | replace (sin a) with 0 by (replace a with 0 by argument; symmetry; apply sin_0)
+        | replace (sin a) with 0 by (replace a with PI by argument; symmetry; apply sin_PI) ]
+  | |- context [exp ?a] => replace (exp a) with 1 by (replace a with 0 by argument; symmetry; apply exp_0)
+  end.
+Ltac unified := alike cos; alike sin; alike exp; alike sqrt; alike tan.
 
 Ltac same :=
   lazymatch goal with
@@ -487,9 +524,12 @@ Ltac same :=
       first
         [ quick_field
         | solve [known_values; quick_field]
+        | solve [unified; quick_field]
+        | solve [unified; valued; known_values; quick_field]
         | solve [f_equal; same]
-        | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; known_values; quick_field] ]
-  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]]
+        | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
+  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
+      | solve [Cpushed; Cexps; Csame_turned]]
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
@@ -526,10 +566,21 @@ Ltac atom :=
     | from_known by_same
     | Cmixed ].
 
+(* One relation from just one other. *)
+Ltac direct H :=
+  let sides := first [ring | quick_field | solve [unified; quick_field] | solve [unified; valued; quick_field]] in
+  match type of H with
+  | ?a < ?b => match goal with |- ?l < ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | ?a <= ?b => match goal with |- ?l <= ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | @eq R ?a ?b => match goal with |- ?l = ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | ?a <> ?b => match goal with |- ?l <> ?r => replace l with a by sides; replace r with b by sides; exact H end
+  end.
+
 Ltac conv H :=
-  cbv beta;
+  cbv beta in H |- *;
   first
     [ exact H
+    | direct H
     | lazymatch goal with
       | |- forall _ : R, _ =>
           let x := fresh in

@@ -171,6 +171,8 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     parts = _Parts([plain(t) for t in terms])
     for t in terms:
         parts.image(plain(t))
+    write = complex_text if of_complex else real_text
+    names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
     lines += _turned(parts, names) + _expansions(parts, names)
     if of_complex:
         lines.append("Cpushed.")

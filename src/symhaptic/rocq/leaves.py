@@ -200,15 +200,14 @@ def broken(proof: Proof, theorem: Theorem) -> None:
 
 @shows
 def gains(proof: Proof, theorem: Theorem) -> None:
-    (K, B, b, T, late), motion = theorem.given
-    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in (K, B, b, T))
+    wall, motion = theorem.given
+    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in wall)
     pieces = "nil"
     for time, way in reversed(motion):
         pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
     proof.say(
-        f"assert (G := rule_gains {reals} {_rational(late)} {pieces}).",
-        "unfold Q2R in G; cbn [QArith_base.Qnum QArith_base.Qden] in G.",
-        "repeat match type of G with ?P -> _ -> _ => "
+        f"assert (G := rule_gains {reals} {_rational(wall[4])} {pieces}).",
+        "repeat match type of G with ?P -> _ => "
         "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
         "finish G.",
     )
