@@ -19,7 +19,8 @@ Definition Cexp (z : C) : C := (exp (Re z) * cos (Im z), exp (Re z) * sin (Im z)
 Definition Cangle_of (z : C) : R :=
   if Rle_dec 0 (Im z) then acos (Re z / Cmod z) else - acos (Re z / Cmod z).
 Definition Clog (z : C) : C := (ln (Cmod z), Cangle_of z).
-Definition Craised (z w : C) : C := Cexp (w * Clog z)%C.
+Definition Craised (z w : C) : C :=
+  if Ceq_dec z 0 then if Ceq_dec w 0 then RtoC 1 else RtoC 0 else Cexp (w * Clog z)%C.
 Definition Cless (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z < Re w.
 Definition Cless_eq (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z <= Re w.
 Definition Ctends (f : R -> C) (a : R) (l : C) : Prop :=
@@ -272,6 +273,53 @@ Proof.
   intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
   apply injective_projections; simpl; ring.
 Qed.
+Lemma Cexp_plus : forall z w : C, Cexp (z + w)%C = (Cexp z * Cexp w)%C.
+Proof.
+  intros [a b] [c d]; unfold Cexp; simpl; rewrite exp_plus, cos_plus, sin_plus.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_log : forall z : C, z <> RtoC 0 -> Cexp (Clog z) = z.
+Proof.
+  intros z N; assert (P := proj1 (Cmod_gt_0 z) N); unfold Cexp, Clog, Cangle_of; simpl.
+  assert (S : Re z * Re z + Im z * Im z = Cmod z * Cmod z).
+  { unfold Cmod; rewrite sqrt_sqrt; [unfold Re, Im; ring |].
+    apply Rplus_le_le_0_compat; apply pow2_ge_0. }
+  assert (B : -1 <= Re z / Cmod z <= 1).
+  { assert (Q : (Re z / Cmod z) * (Re z / Cmod z) <= 1).
+    { apply Rmult_le_reg_r with (Cmod z * Cmod z); [apply Rmult_lt_0_compat; lra |].
+      replace (Re z / Cmod z * (Re z / Cmod z) * (Cmod z * Cmod z)) with (Re z * Re z) by (field; lra).
+      generalize (pow2_ge_0 (Im z)); lra. }
+    split; nra. }
+  assert (W : Cmod z * sqrt (1 - Rsqr (Re z / Cmod z)) = Rabs (Im z)).
+  { rewrite <- (sqrt_square (Cmod z)) at 1 by lra; rewrite <- sqrt_mult_alt by (apply Rmult_le_pos; lra).
+    rewrite <- (sqrt_Rsqr_abs (Im z)); f_equal; unfold Rsqr.
+    replace (Im z * Im z) with (Cmod z * Cmod z - Re z * Re z) by lra; field; lra. }
+  destruct (Rle_dec 0 (Im z)) as [L | L]; rewrite exp_ln by exact P.
+  - rewrite cos_acos, sin_acos by exact B; rewrite W, Rabs_pos_eq by exact L.
+    apply injective_projections; unfold Re, Im; simpl; [field; lra | reflexivity].
+  - rewrite cos_neg, sin_neg, cos_acos, sin_acos by exact B.
+    rewrite Ropp_mult_distr_r_reverse, W, Rabs_left by lra.
+    apply injective_projections; unfold Re, Im; simpl; [field; lra | ring].
+Qed.
+Lemma Craised_plus : forall z v w : C, z <> RtoC 0 -> Craised z (v + w)%C = (Craised z v * Craised z w)%C.
+Proof.
+  intros z v w N; unfold Craised; destruct (Ceq_dec z 0) as [E | _]; [contradiction |].
+  rewrite <- Cexp_plus; f_equal; ring.
+Qed.
+Lemma Craised_number : forall (z : C) n, Craised z (RtoC (INR n)) = (z ^ n)%C.
+Proof.
+  intros z n; destruct (Ceq_dec z 0) as [E | N].
+  - unfold Craised; destruct (Ceq_dec z 0) as [_ | F]; [| contradiction]; destruct n as [| n].
+    + destruct (Ceq_dec (INR 0) 0) as [_ | F]; [reflexivity | exfalso; apply F; reflexivity].
+    + destruct (Ceq_dec (INR (S n)) 0) as [F | _].
+      * apply RtoC_inj in F; generalize (lt_0_INR (S n) (Nat.lt_0_succ n)); lra.
+      * rewrite E; simpl; ring.
+  - induction n as [| n IH]; [| rewrite S_INR, RtoC_plus, Craised_plus, IH by exact N].
+    + unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+      apply Cexp_nought; simpl; ring.
+    + simpl; unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+      replace (RtoC 1 * Clog z)%C with (Clog z) by ring; rewrite Cexp_log by exact N; ring.
+Qed.
 Lemma Ci_square : (Ci * Ci)%C = (- RtoC 1)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
 Ltac Csame_turned :=
@@ -490,6 +538,20 @@ Ltac rationals :=
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].
 
+Ltac Craises :=
+  repeat match goal with |- context [Craised ?z ?w] =>
+    first
+      [ replace (Craised z w) with (z ^ 0)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 1)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 2)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 3)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | match goal with |- context [Craised z ?v] =>
+          tryif constr_eq v w then fail
+          else replace (Craised z w) with (Craised z v) by (f_equal; Cring)
+        end ]
+  end.
+Ltac Cpowers := Cpushed; Craises; Cexps; Csame_turned.
+
 (* -- from one form of a proposition to another ---------------------------------------- *)
 
 (* Functions of arguments that are equal, or known values. *)
@@ -529,7 +591,7 @@ Ltac same :=
         | solve [f_equal; same]
         | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
   | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
-      | solve [Cpushed; Cexps; Csame_turned]]
+      | solve [Cpowers]]
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
@@ -610,8 +672,10 @@ Ltac conv H :=
           destruct H as [A | A]; [left; conv A | right; conv A]
       | |- _ /\ _ =>
           first
-            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom]
-            | conv_parts H ]
+            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split;
+                first [assumption | from_known by_ring]]
+            | conv_parts H
+            | solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom] ]
       | |- _ => let H' := fresh in pose proof H as H'; opened; atom
       end ]
 with conv_parts H :=
@@ -743,36 +807,79 @@ Proof.
   apply (ex_derive_continuous f a), D.
 Qed.
 
-Lemma tends_slope : forall (n : R -> R) (a n' : R), is_derive n a n' -> n a = 0 ->
-  tends (fun x => n x / (x - a)) a n'.
+(* The order of a zero: f/(x - a)^k tends to c, by the mean value theorem for f - c (x - a)^k. *)
+Lemma order_none : forall (f : R -> R) (a l : R), ex_derive f a -> f a = l ->
+  tends (fun x => f x / (x - a) ^ 0) a l.
 Proof.
-  intros n a n' D Z; apply is_derive_Reals in D.
-  apply is_lim_spec; intros e; destruct (D e (cond_pos e)) as [d H].
-  exists d; intros x B N; replace (n x) with (n (a + (x - a)) - n a).
-  - apply H; [intro Y; apply N; lra | exact B].
-  - assert (W : a + (x - a) = x) by lra; rewrite W, Z; lra.
+  intros f a l D E; apply (is_lim_ext f); [intro x; simpl; field | apply tends_at; assumption].
 Qed.
 
-(* The quotient of what vanishes there: that of the slopes. *)
-Lemma tends_quotient : forall (f n d : R -> R) (a n' d' l : R),
-  is_derive n a n' -> is_derive d a d' -> n a = 0 -> d a = 0 -> d' <> 0 -> n' / d' = l ->
-  (forall x, d x <> 0 -> f x = n x / d x) -> tends f a l.
+Lemma order_up : forall (f g : R -> R) (a l c : R) (k : nat),
+  (forall x, is_derive f x (g x)) -> f a = 0 -> INR (S k) * c = l ->
+  tends (fun x => g x / (x - a) ^ k) a l -> tends (fun x => f x / (x - a) ^ S k) a c.
 Proof.
-  intros f n d a n' d' l N D Zn Zd Q E F; rewrite <- E.
-  assert (Sn := tends_slope n a n' N Zn); assert (Sd := tends_slope d a d' D Zd).
-  apply (is_lim_ext_loc (fun x => n x / (x - a) / (d x / (x - a)))).
-  - apply is_lim_spec in Sd.
-    assert (P : 0 < Rabs d') by (apply Rabs_pos_lt; exact Q).
-    destruct (Sd (mkposreal _ P)) as [r H]; exists r; intros x B X.
+  intros f g a l c k D Z L T; apply is_lim_spec in T; apply is_lim_spec; intros e.
+  assert (P : 0 < e / 2) by (generalize (cond_pos e); lra).
+  destruct (T (mkposreal _ P)) as [r H]; exists r; intros x B N; simpl in H.
+  assert (B' : Rabs (x - a) < r) by exact B.
+  pose (h := fun t => f t - c * (t - a) ^ S k).
+  assert (Dh : forall t, is_derive h t (g t - l * (t - a) ^ k)).
+  { intro t; replace (g t - l * (t - a) ^ k) with (g t - c * (INR (S k) * (t - a) ^ k))
+      by (rewrite <- L; ring).
+    apply (is_derive_minus f); [apply D |].
+    replace (c * (INR (S k) * (t - a) ^ k)) with (c * (INR (S k) * 1 * (t - a) ^ k)) by ring.
+    apply (is_derive_scal (fun t => (t - a) ^ S k)), (is_derive_pow (fun t => t - a) (S k) t 1).
+    auto_derive; [exact I | ring]. }
+  assert (Ha : h a = 0) by (unfold h; rewrite Z; simpl; ring).
+  assert (M : exists t, Rabs (t - a) <= Rabs (x - a) /\ t <> a /\
+    h x = (g t - l * (t - a) ^ k) * (x - a)).
+  { destruct (Rtotal_order x a) as [W | [W | W]]; [| contradiction |].
+    - destruct (MVT_cor2 h (fun t => g t - l * (t - a) ^ k) x a W) as [t [E C]]; [intros; apply is_derive_Reals, Dh |].
+      exists t; rewrite !Rabs_left by lra; repeat split; [lra | lra |].
+      rewrite Ha in E; replace (h x) with (- (0 - h x)) by ring; rewrite E; ring.
+    - destruct (MVT_cor2 h (fun t => g t - l * (t - a) ^ k) a x W) as [t [E C]]; [intros; apply is_derive_Reals, Dh |].
+      exists t; rewrite !Rabs_pos_eq by lra; repeat split; [lra | lra |].
+      rewrite Ha in E; rewrite <- E; ring. }
+  destruct M as [t [C [Nt E]]].
+  assert (Q : Rabs (g t - l * (t - a) ^ k) <= e / 2 * Rabs (x - a) ^ k).
+  { assert (G : Rabs (g t / (t - a) ^ k - l) < e / 2).
+    { apply H; [| exact Nt]; apply Rle_lt_trans with (Rabs (x - a)); assumption. }
+    replace (g t - l * (t - a) ^ k) with ((g t / (t - a) ^ k - l) * (t - a) ^ k)
+      by (field; apply pow_nonzero; lra).
+    rewrite Rabs_mult, <- RPow_abs.
+    apply Rmult_le_compat; [apply Rabs_pos | apply pow_le, Rabs_pos | lra |].
+    apply pow_incr; split; [apply Rabs_pos | exact C]. }
+  replace (f x / (x - a) ^ S k - c) with (h x / (x - a) ^ S k)
+    by (unfold h; field; apply pow_nonzero; lra).
+  assert (A : 0 < Rabs (x - a)) by (apply Rabs_pos_lt; lra).
+  rewrite E; unfold Rdiv; rewrite !Rabs_mult, Rabs_inv, <- RPow_abs.
+  apply Rle_lt_trans with (e / 2); [| generalize (cond_pos e); lra].
+  apply Rmult_le_reg_r with (Rabs (x - a) ^ S k); [apply pow_lt, A |].
+  rewrite Rmult_assoc, Rinv_l by (apply pow_nonzero; lra); simpl.
+  rewrite Rmult_1_r, <- Rmult_assoc, (Rmult_comm (e / 2)), Rmult_assoc.
+  rewrite (Rmult_comm (Rabs (x - a))); apply Rmult_le_compat_r; [lra | exact Q].
+Qed.
+
+(* The quotient of what vanishes there to the same order. *)
+Lemma tends_quotient : forall (f n d : R -> R) (a p q l : R) (k : nat),
+  tends (fun x => n x / (x - a) ^ k) a p -> tends (fun x => d x / (x - a) ^ k) a q ->
+  q <> 0 -> p / q = l -> (forall x, d x <> 0 -> f x = n x / d x) -> tends f a l.
+Proof.
+  intros f n d a p q l k Tn Td Q E F; rewrite <- E.
+  apply (is_lim_ext_loc (fun x => n x / (x - a) ^ k / (d x / (x - a) ^ k))).
+  - apply is_lim_spec in Td.
+    assert (P : 0 < Rabs q) by (apply Rabs_pos_lt; exact Q).
+    destruct (Td (mkposreal _ P)) as [r H]; exists r; intros x B X.
     assert (G := H x B X); simpl in G.
+    assert (N : (x - a) ^ k <> 0) by (apply pow_nonzero; lra).
     assert (d x <> 0).
-    { intro Y; rewrite Y in G; replace (0 / (x - a) - d') with (- d') in G.
+    { intro Y; rewrite Y in G; replace (0 / (x - a) ^ k - q) with (- q) in G.
       - rewrite Rabs_Ropp in G; lra.
       - unfold Rdiv; ring. }
-    rewrite F by assumption; field; split; [assumption | lra].
-  - apply (is_lim_div _ _ a n' d'); try assumption.
+    rewrite F by assumption; field; split; assumption.
+  - apply (is_lim_div _ _ a p q); try assumption.
     + intro Y; apply Q; injection Y; intro W; exact W.
-    + simpl; unfold is_Rbar_div, is_Rbar_mult; simpl; destruct (Req_EM_T d' 0); [contradiction | reflexivity].
+    + simpl; unfold is_Rbar_div, is_Rbar_mult; simpl; destruct (Req_EM_T q 0); [contradiction | reflexivity].
 Qed.
 
 (* What a term is at a point: 0 or a multiple of pi. *)

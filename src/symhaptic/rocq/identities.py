@@ -130,10 +130,13 @@ def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
 def _monomials(of: Expr) -> Mapping[Expr, Expr]:
     """What a sum is made of, with how often; of a quotient the whole part and the rest apart."""
     above, below = sp.fraction(sp.together(of))
-    symbols = sorted(below.free_symbols, key=str)
-    if not symbols:
+    if not below.free_symbols:
         return dict(sp.expand(of).as_coefficients_dict())
-    whole, rest = sp.div(above, below, *symbols) if len(symbols) == 1 else (sp.S.Zero, above)
+    number, divisor = sp.expand(below).as_content_primitive()
+    number = -number if divisor.could_extract_minus_sign() else number
+    below, above, symbols = sp.expand(below / number), above / number, below.free_symbols
+    one = len(symbols) == 1 and all(t.is_polynomial(*symbols) for t in (above, below))
+    whole, rest = sp.div(above, below, *symbols) if one else (sp.S.Zero, above)
     parts = dict(sp.expand(whole).as_coefficients_dict())
     for monomial, share in sp.expand(rest).as_coefficients_dict().items():
         parts[monomial / below] = parts.get(monomial / below, sp.S.Zero) + share

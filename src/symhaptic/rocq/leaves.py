@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, floor
 
-from symhaptic.notation.proposition import Relation, term
+from symhaptic.notation.proposition import Predicate, Relation, term
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, conjoined, part
+from symhaptic.proof.theorems.leaves import number as settled
+from symhaptic.proof.theorems.roots import jury
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.identities import Image, same, script
+from symhaptic.rocq.identities import Image, polar, same, script
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.steps import Proof
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
-__all__ = ["LEAVES"]
+__all__ = ["LEAVES", "SPELLED"]
 
 LEAVES: dict[str, Written] = {}
 """How a leaf of each kind is checked."""
@@ -54,6 +57,69 @@ def number(proof: Proof, theorem: Theorem) -> None:
     else:
         proof.say("opened; defined; numeric.")
 
+
+@cache
+def by_jury(theorem: Theorem) -> Theorem:
+    """The same of the polynomial in real numbers, by Jury's criterion and signs of numbers."""
+    claim: Any = theorem.conclusion
+    inside = _inside(claim)
+    [polynomial], [variable] = inside.of, inside.over
+    poly = sp.Poly(polynomial, variable)
+    if poly.degree() > _HIGHEST:
+        raise NotPrinted(f"the determinants of a polynomial of degree {poly.degree()}")
+    if polynomial.has(sp.I):
+        polynomial = sp.Add(*(_real_part(c) * variable**n for (n,), c in poly.terms()))
+    judged = jury(polynomial, variable)
+    stable, signs = judged.conclusion.parts
+    if inside is claim:
+        return applied(judged, conjoined(*map(settled, signs.parts)))
+    wrong: Any = next(s for s in signs.parts if sign(s.terms[1]) == -1)
+    given = part(applied(judged, assume(stable)), wrong)
+    return absurd(given, settled(Relation(wrong.right, "<", wrong.left)), stable)
+
+
+_HIGHEST = 8
+"""The highest degree of which determinants are written out."""
+
+
+def _real_part(number: Expr) -> Expr:
+    """A number that is real, without j."""
+    turned = {
+        e: sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
+        for e in number.atoms(sp.exp)
+        for size, angle in [polar(e)]
+    }
+    return sp.expand(number.xreplace(turned)).as_independent(sp.I, as_Add=True)[0]
+
+
+@shows
+def roots_inside(proof: Proof, theorem: Theorem) -> None:
+    known = by_jury(theorem)
+    found, claims = proof.keep(known), [theorem.conclusion, known.conclusion]
+    (polynomial, real), [variable] = (_inside(c).of[0] for c in claims), _inside(claims[0]).over
+    with proof.names.introduced(variable) as [v]:
+        proof.names.as_complex.add(variable)
+        texts = [f"(fun {v} : C => {complex_text(p, proof.names)})%C" for p in (polynomial, real)]
+        lines = same(polynomial, real, proof.names)
+    proof.say(
+        f"assert (Same : {texts[0]} = {texts[1]}).",
+        "{",
+        f"apply functional_extensionality; intro {v}.",
+        *lines,
+        "}",
+        f"rewrite Same; exact {found}.",
+    )
+
+
+LEAVES["root_outside"] = roots_inside
+
+
+def _inside(claim: Any) -> Predicate:
+    return claim if isinstance(claim, Predicate) else claim.of[0]  # type: ignore[no-any-return]
+
+
+SPELLED = {"roots_inside": by_jury, "root_outside": by_jury}
+"""Leaves that are printed as other steps to the same theorem, or to one that is nearer."""
 
 Write = Callable[[Expr, Names], str]
 
