@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.kernel import NotShown, Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
-from symhaptic.rocq.leaves import LEAVES
+from symhaptic.rocq.leaves import LEAVES, SPELLED
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
@@ -79,7 +80,9 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     why: dict[Said, str] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
-    for theorem in order(roots):
+    for theorem in _spelled(order(roots)):
+        if said(theorem) in known:
+            continue
         try:
             found = _step(theorem, len(file.steps) + 1, named.get(said(theorem)), known, why)
         except NotPrinted as wrong:
@@ -98,6 +101,15 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
                 file.missing.setdefault(id, why.get(said(theorem), "a mere assumption"))
     file.statements = {id: names for id, names in file.statements.items() if id not in file.missing}
     return file
+
+
+def _spelled(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
+    """The theorems, with other steps to those that are printed so."""
+    for theorem in theorems:
+        if theorem.rule in SPELLED:
+            with suppress(NotShown, NotPrinted):
+                yield from order([SPELLED[theorem.rule](theorem)])
+        yield theorem
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -205,7 +206,6 @@ def tends(proof: Proof, theorem: Theorem) -> None:
     a, limit = real_text(at, names), real_text(value, names)
     there = {variable: at}
     above, below = sp.fraction(sp.together(plain(expr)))
-    slopes = [sp.diff(part, variable).xreplace(there) for part in (above, below)]
 
     def function(of: Expr) -> str:
         with names.bound(variable) as [v]:
@@ -215,20 +215,41 @@ def tends(proof: Proof, theorem: Theorem) -> None:
     if not is_zero(below.xreplace(there)):
         proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
         return
-    if not is_zero(above.xreplace(there)) or is_zero(slopes[1]):
-        raise NotPrinted("a limit of higher order")
-    up, down = (real_text(s, names) for s in slopes)
+    chains = [_until(below, variable, at)]
+    order = len(chains[0]) - 1
+    chains.insert(0, [sp.diff(above, variable, i) for i in range(order + 1)])
+    if not all(is_zero(f.xreplace(there)) for f in chains[0][:-1]):
+        raise NotPrinted("a limit that does not exist")
+    lead = [chain[-1].xreplace(there) for chain in chains]
+    ends = " ".join(f"({real_text(c / sp.factorial(order), names)})" for c in lead)
     functions = " ".join(map(function, (expr, above, below)))
+    proof.say(f"apply (tends_quotient {functions} ({a}) {ends} ({limit}) {order}).")
+    for chain in chains:
+        proof.say("-")
+        for i, (of, slope) in enumerate(pairwise(chain)):
+            size = chain[-1].xreplace(there) / sp.factorial(order - i - 1)
+            proof.say(
+                f"  apply (order_up {function(of)} {function(slope)} ({a}) "
+                f"({real_text(size, names)}) ({real_text(size / (order - i), names)}) "
+                f"{order - i - 1}); [intros; evar_last; [slope | same] | at_point "
+                "| simpl; same_field |]."
+            )
+        proof.say("  apply order_none; [slope | at_point].")
     proof.say(
-        f"apply (tends_quotient {functions} ({a}) ({up}) ({down}) ({limit})).",
-        "- evar_last; [slope | at_point].",
-        "- evar_last; [slope | at_point].",
-        "- at_point.",
-        "- at_point.",
         "- nz.",
-        f"- {' '.join(same(slopes[0] / slopes[1], value, names))}",
+        f"- {' '.join(same(lead[0] / lead[1], value, names))}",
         "- intros; cbv beta; unfold tan, cot, cosh, sinh, tanh; field; nz.",
     )
+
+
+def _until(expr: Expr, variable: Symbol, at: Expr) -> list[Expr]:
+    """An expression and its derivatives until one is not zero."""
+    found = [expr]
+    while is_zero(found[-1].xreplace({variable: at})):
+        if len(found) > 8:
+            raise NotPrinted("a limit of high order")
+        found.append(sp.diff(found[-1], variable))
+    return found
 
 
 @shows
