@@ -19,7 +19,7 @@ from pathlib import Path
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
 from symhaptic.proof.theorems.axioms import AXIOMS
-from symhaptic.rocq.chapter import BELIEVED, File, printed, slug
+from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
 
 PRELUDE = Path(__file__).with_name("Prelude.v")
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
@@ -80,8 +80,8 @@ def rule_of(name: str) -> str:
     >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("stable")
     ('roots_stay', 'passive wall', 'stable')
     """
-    instance = re.fullmatch(r"rule_(\w+)_\d+", name)
-    if instance and instance[1] in BELIEVED:
+    instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
+    if instance and instance[1] in BELIEVED | WRITTEN:
         return instance[1]
     return _AXIOMS.get(name, name)
 
@@ -254,7 +254,8 @@ def _short(name: str) -> str:
 def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
     """Whether a statement is checked whole, or which of its leaves are open."""
     reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
-    named = {s.name for s in file.steps if s.kind == "Axiom"} | meant() | {REALS, INTEGERS}
+    named = {s.name for s in file.steps if s.kind == "Axiom"} | {REALS, INTEGERS}
+    named |= meant() | known_there()
     found = {}
     for id, names in rests.items():
         open_ = [n for n in names if n in reasons]
@@ -271,6 +272,13 @@ def meant() -> frozenset[str]:
     """What the prelude leaves open: the predicates, whose meaning the model has."""
     found = re.findall(r"^Parameters? ([\w\s]+):", PRELUDE.read_text(encoding="utf-8"), re.M)
     return frozenset(name for names in found for name in names.split())
+
+
+@cache
+def known_there() -> frozenset[str]:
+    """What the prelude believes of the predicates: rules of our kernel, by their names there."""
+    text = PRELUDE.read_text(encoding="utf-8")
+    return frozenset(re.findall(r"^Axiom (rule_\w+)", text, re.M))
 
 
 def _outcome(
