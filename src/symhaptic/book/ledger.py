@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,7 @@ class Entry:
         """What it means for somebody who built a device on it, where something is wrong."""
         return CONSEQUENCES.get(self.statement.id)
 
-    @property
+    @cached_property
     def rocq(self) -> Checked:
         """How far a foreign kernel has checked it, as far as its record is of what is said here."""
         return checked(self.statement.id, self.judged)

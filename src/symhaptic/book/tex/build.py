@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -171,7 +170,7 @@ def _foreign(entries: list[Entry]) -> dict[str, Any]:
     for entry in entries:
         why = entry.rocq.why
         if why:
-            found.setdefault(_at_spaces(why), []).append(entry.statement.id)
+            found.setdefault(_literally(why), []).append(entry.statement.id)
     return {
         "rocq": asked(),
         "checked": foreign.counted(entry.rocq for entry in entries),
@@ -182,11 +181,15 @@ def _foreign(entries: list[Entry]) -> dict[str, Any]:
     }
 
 
-def _at_spaces(text: str) -> str:
-    """Words of another program for a narrow column, which may break anywhere."""
-    signs = {"\\": "\\textbackslash{}", "^": "\\^{}", "~": "\\textasciitilde{}", "$": "\\$"}
-    words = [re.sub(r"[\\^~$]", lambda m: signs[m[0]], escaped(w)) for w in text.split()]
-    return " ".join(re.sub(r"(?<=[/.(){}])(?=\w)", r"\\allowbreak ", w) for w in words)
+_SIGNS = {
+    **{sign: f"\\{sign}" for sign in "_%#&{}$"},
+    **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\textasciitilde{}"},
+}
+
+
+def _literally(text: str) -> str:
+    """Words of another program, which may break within a name."""
+    return "".join(_SIGNS.get(c, c) + r"\allowbreak " * (c in "/.(") for c in text)
 
 
 # -- writing --------------------------------------------------------------------------
