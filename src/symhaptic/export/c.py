@@ -146,13 +146,12 @@ class C(Target):
         return rounding.goals(routine, self)
 
     def package(self, library: Library) -> dict[str, str]:
-        """For CMake and pkg-config; the same in SI units, and a controller; what is proved."""
+        """For CMake and pkg-config; the same in SI units, and a controller."""
         name, si = library.name, c_si.header(library, self.real, self.precision)
         headers = [f"{name}.h", *(file for file in si if file.endswith(".h"))]
         programs = ["selftest.c", *(file for file in si if file.endswith(".c"))]
         made = cmake.package(name, library.title, "c_std_99", f"{name}.c", headers, programs)
-        proofs = {goal.file: goal.text for r in library.public for goal in self.proved(r)}
-        return made | si | proofs
+        return made | si
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""

@@ -53,6 +53,8 @@ class Goal:
     """In units in the last place: of the result, or of the largest term of a sum."""
     text: str
     """For Gappa."""
+    whole: bool = False
+    """Whether it is of whole delays only."""
 
     def at(self, bound: Fraction) -> str:
         """The same goal with another bound."""
@@ -242,6 +244,7 @@ def goals(routine: Routine, target: Target) -> list[Goal]:
     Of one that chooses between whole delays and others, it is the result of a whole delay.
     """
     found: list[Goal] = []
+    whole = any(expr.has(FractionalPart) for expr in routine.expressions)
     try:
         steps, leaves, results = _straight(guarded(routine), routine, target)
     except NotStraight:
@@ -252,7 +255,7 @@ def goals(routine: Routine, target: Target) -> list[Goal]:
             goal = _goal(script, f"{routine.name}_{name}", name, expr)
         except NotStraight:
             continue
-        found += [goal] if goal else []
+        found += [replace(goal, whole=whole)] if goal else []
     return found
 
 
@@ -350,6 +353,7 @@ def told(found: list[Goal], precision: Precision) -> list[str]:
     for goal in found:
         values = f"value{'s' * (len(goal.given) > 1)} of {', '.join(goal.given)}"
         given = f", from the {values} on" if goal.given else ""
+        given += ", of whole delays" if goal.whole else ""
         lines.append(f"- {goal.result}: at most {float(goal.bound):g}{given} ({goal.file})")
     return [
         *lines,
