@@ -44,6 +44,11 @@ def test_the_book_says_on_what_a_whole_statement_rests(recorded):
     assert "Rocq: in part, 2 steps open, by" in text
 
 
+def test_of_what_rests_on_the_library_alone_no_meaning_is_told():
+    assert foreign.Checked("whole", None, (foreign.REALS,)).others == [foreign.REALS]
+    assert foreign.Checked("whole", None, ("stable",)).others == ["the meaning of stable"]
+
+
 def test_the_site_says_it_too_with_the_reason(recorded):
     pages = sources([(1, chapter(NAME))], whole=False)
     text = pages[f"{NAME}.rst"]

@@ -54,7 +54,7 @@ class Checked:
         library = [name for name in (REALS, INTEGERS) if name in self.rests]
         known = {*self.rules, *library}
         meanings = [name.replace("_", " ") for name in self.rests if name not in known]
-        return [f"the meaning of {listed(meanings)}"] * bool(meanings) + library
+        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + library
 
     @property
     def in_short(self) -> str:
