@@ -576,9 +576,37 @@ Ltac valued :=
         [ replace (sin a) with 1 by (replace a with (PI / 2) by argument; symmetry; apply sin_PI2)
         | replace (sin a) with 0 by (replace a with 0 by argument; symmetry; apply sin_0)
         | replace (sin a) with 0 by (replace a with PI by argument; symmetry; apply sin_PI) ]
+  | |- context [tan ?a] =>
+      first
+        [ replace (tan a) with 1 by (replace a with (PI / 4) by argument; symmetry; apply tan_PI4)
+        | replace (tan a) with 0 by (replace a with 0 by argument; symmetry; apply tan_0) ]
   | |- context [exp ?a] => replace (exp a) with 1 by (replace a with 0 by argument; symmetry; apply exp_0)
   end.
-Ltac unified := alike cos; alike sin; alike exp; alike sqrt; alike tan.
+Ltac turned_by f g :=
+  repeat match goal with |- context [f ?a] =>
+    match goal with |- context [f ?b] =>
+      tryif constr_eq a b then fail
+      else first
+        [ replace (f a) with (- f b) by
+            (replace a with (b - PI) by argument; rewrite ?sin_minus, ?cos_minus, sin_PI, cos_PI; ring)
+        | replace (f a) with (- f b) by
+            (replace a with (b + PI) by argument; rewrite ?sin_plus, ?cos_plus, sin_PI, cos_PI; ring)
+        | g a b ]
+    end
+  end.
+Ltac back_sin a b :=
+  first
+    [ replace (sin a) with (sin b) by
+        (replace a with (PI - b) by argument; rewrite sin_minus, sin_PI, cos_PI; ring)
+    | replace (sin a) with (- sin b) by (replace a with (- b) by argument; rewrite sin_neg; ring) ].
+Ltac back_cos a b :=
+  first
+    [ replace (cos a) with (- cos b) by
+        (replace a with (PI - b) by argument; rewrite cos_minus, sin_PI, cos_PI; ring)
+    | replace (cos a) with (cos b) by (replace a with (- b) by argument; rewrite cos_neg; ring) ].
+Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
+Ltac unified :=
+  alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
 Ltac same :=
   lazymatch goal with
@@ -587,8 +615,7 @@ Ltac same :=
         [ quick_field
         | solve [known_values; quick_field]
         | solve [unified; quick_field]
-        | solve [unified; valued; known_values; quick_field]
-        | solve [f_equal; same]
+        | solve [unified; reflected; valued; known_values; quick_field]
         | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
   | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
       | solve [Cpowers]]
@@ -630,7 +657,7 @@ Ltac atom :=
 
 (* One relation from just one other. *)
 Ltac direct H :=
-  let sides := first [ring | quick_field | solve [unified; quick_field] | solve [unified; valued; quick_field]] in
+  let sides := first [ring | quick_field | solve [unified; quick_field] | solve [unified; reflected; valued; known_values; quick_field]] in
   match type of H with
   | ?a < ?b => match goal with |- ?l < ?r => replace l with a by sides; replace r with b by sides; exact H end
   | ?a <= ?b => match goal with |- ?l <= ?r => replace l with a by sides; replace r with b by sides; exact H end
@@ -886,7 +913,7 @@ Qed.
 Ltac at_point :=
   cbv beta; unfold tan, cot, cosh, sinh, tanh;
   rewrite ?Rmult_0_r, ?Rmult_0_l, ?Ropp_0, ?Rplus_0_r, ?Rplus_0_l; known_values;
-  first [same_field | lra].
+  first [same_field | lra | solve [unified; reflected; valued; known_values; same_field]].
 
 Lemma by_induction : forall P : R -> Prop,
   P 0 -> (forall n, whole n /\ P n -> P (n + 1)) -> forall n, whole n -> P n.

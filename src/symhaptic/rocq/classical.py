@@ -13,6 +13,7 @@ from symhaptic.notation.proposition import Relation, proposition, term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import plain, same
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.propositions import needed
@@ -45,7 +46,8 @@ ELEMENTARY = {
     "sin rises": "intros x y H; opened; apply sin_increasing_1; lra.",
     "cos falls": "intros x y H; opened; apply cos_decreasing_1; lra.",
     "not negative": "intros x H; apply whole_start; exact H.",
-    "rest": "intros x y [H G]; apply with_rest; assumption.",
+    "rest": "intros x y [H G]; destruct (with_rest x y H G) as (p & P & Q & L); exists p; "
+    "repeat split; [exact P | lra | lra].",
 }
 """Axioms of our kernel that are theorems of Rocq's library."""
 
@@ -211,6 +213,8 @@ def tends(proof: Proof, theorem: Theorem) -> None:
         with names.bound(variable) as [v]:
             return f"(fun {v} : R => {real_text(of, names)})"
 
+    if not is_zero(below.xreplace(there)):
+        _sine_apart(proof, below.xreplace(there))
     proof.say("opened; defined.")
     if not is_zero(below.xreplace(there)):
         proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
@@ -240,6 +244,25 @@ def tends(proof: Proof, theorem: Theorem) -> None:
         f"- {' '.join(same(lead[0] / lead[1], value, names))}",
         "- intros; cbv beta; unfold tan, cot, cosh, sinh, tanh; field; nz.",
     )
+
+
+def _sine_apart(proof: Proof, divisor: Expr) -> None:
+    """A sine is not zero where a series' coefficient is said not to be, 2 j sin w exp(j w)."""
+    names = proof.names
+    for claim, name in list(proof.scope.items()):
+        if not (isinstance(claim, Relation) and claim.sign == "!=" and complex_(claim.left)):
+            continue
+        for sine in divisor.atoms(sp.sin):
+            for turn in (2, -2, 2 * sp.I, -2 * sp.I):
+                share = turn * sp.exp(sp.I * sine.args[0])
+                if is_zero(claim.left - sine * share):
+                    proof.say(f"assert (Apart : {real_text(sine, names)} <> 0).")
+                    proof.say("{", f"intro Z; apply {name}.")
+                    sides = [complex_text(t, names) for t in (claim.left, sine * share)]
+                    proof.say(f"assert (F : ({sides[0]} = {sides[1]} :> C)%C).", "{")
+                    proof.say(*same(claim.left, sine * share, names), "}")
+                    proof.say("rewrite F, Z; ring.", "}")
+                    return
 
 
 def _until(expr: Expr, variable: Symbol, at: Expr) -> list[Expr]:

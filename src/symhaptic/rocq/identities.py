@@ -131,7 +131,7 @@ def _monomials(of: Expr) -> Mapping[Expr, Expr]:
     """What a sum is made of, with how often; of a quotient the whole part and the rest apart."""
     above, below = sp.fraction(sp.together(of))
     if not below.free_symbols:
-        return dict(sp.expand(of).as_coefficients_dict())
+        return dict(sp.expand(above / below).as_coefficients_dict())
     number, divisor = sp.expand(below).as_content_primitive()
     number = -number if divisor.could_extract_minus_sign() else number
     below, above, symbols = sp.expand(below / number), above / number, below.free_symbols
@@ -180,7 +180,7 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     if of_complex:
         lines.append("Cpushed.")
     rules = _rules(parts, of_complex, names)
-    lines += [f"pose proof {rule} as Sq{i}." for i, rule in enumerate(rules, 1)]
+    lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     push, nz = ("cbn [Cpower]; ", "Cnz") if of_complex else ("", "nz")
     return [*lines, f"{push}first [solve [ring{by}] | field{by}; {nz}]."]
@@ -224,7 +224,7 @@ def _expansions(parts: _Parts, names: Names) -> list[str]:
         said, wanted = real_text(function, names), real_text(image, names)
         name = said[: said.index("(")]
         sum_ = f"{name} ({' + '.join(pieces) or '0'})"
-        divided = "; nz" if sp.fraction(sp.together(argument))[1].free_symbols else ""
+        divided = "; nz" if sp.denom(argument).free_symbols or argument.has(sp.Add) else ""
         lines += [
             f"assert (E : {said} = {wanted}) by (transitivity ({sum_}); "
             f"[f_equal; field{divided} | {'turned' if turning else 'raised'}]).",
@@ -251,21 +251,20 @@ def _turned(parts: _Parts, names: Names) -> list[str]:
 
 
 def _rules(parts: _Parts, of_complex: bool, names: Names) -> list[str]:
-    """Proofs of what the square of a variable is; by these, both sides have one normal form."""
-    c, found = "C" if of_complex else "", []
+    """Tactics that show what the square of a variable is, under a name that is left open."""
+    c, colon, found = ("C", " :> C)%C", []) if of_complex else ("", ")", [])
     for function in parts.values:
         if function == sp.I:
-            found.append("Ci_square")
+            found.append("pose proof Ci_square as {}.")
         elif isinstance(function, sp.sin) and sp.cos(function.args[0]) in parts.values:
-            found.append(f"({c}sine_square ({real_text(function.args[0], names)}))")
+            angle = real_text(function.args[0], names)
+            found.append(f"pose proof ({c}sine_square ({angle})) as {{}}.")
         elif function.is_Pow and function.exp == sp.S.Half:
-            base = real_text(function.base, names)
-            if of_complex:
-                equal = f"{complex_text(function.base, names)} = RtoC ({base})"
-                found.append(
-                    f"(Croot_square ({base}) _ ltac:(rooted) "
-                    f"(ltac:(Cpushed; Csame_field) : ({equal})%C))"
-                )
-            else:
-                found.append(f"(root_square ({base}) ltac:(rooted))")
+            base = (complex_text if of_complex else real_text)(function.base, names)
+            root = real_text(function, names)
+            shown = "[rooted | Cpushed; Csame_field]" if of_complex else "rooted"
+            found.append(
+                f"assert ({{}} : ({root} * {root} = {base}{colon}) "
+                f"by (apply {c}root_square; {shown})."
+            )
     return found

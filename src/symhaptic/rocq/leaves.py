@@ -95,7 +95,7 @@ def _real_part(number: Expr) -> Expr:
 @shows
 def roots_inside(proof: Proof, theorem: Theorem) -> None:
     known = by_jury(theorem)
-    found, claims = proof.keep(known), [theorem.conclusion, known.conclusion]
+    claims = [theorem.conclusion, known.conclusion]
     (polynomial, real), [variable] = (_inside(c).of[0] for c in claims), _inside(claims[0]).over
     with proof.names.introduced(variable) as [v]:
         proof.names.as_complex.add(variable)
@@ -107,7 +107,7 @@ def roots_inside(proof: Proof, theorem: Theorem) -> None:
         f"apply functional_extensionality; intro {v}.",
         *lines,
         "}",
-        f"rewrite Same; exact {found}.",
+        f"rewrite Same; exact {proof.have(known)}.",
     )
 
 
