@@ -21,7 +21,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.steps import Proof, said
+from symhaptic.rocq.steps import Proof, premises, said
 from symhaptic.rocq.terms import NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]
@@ -63,9 +63,10 @@ def discharged(proof: Proof, theorem: Theorem) -> None:
 @shows
 def cut(proof: Proof, theorem: Theorem) -> None:
     """What lemmas conclude is known before the theorem is used."""
-    for lemma in theorem.premises[1:]:
+    first, *lemmas = premises(theorem)
+    for lemma in lemmas:
         proof.keep(lemma)
-    proof.say(f"finish {proof.have(theorem.premises[0])}.")
+    proof.say(f"finish {proof.have(first)}.")
 
 
 @shows
