@@ -1,7 +1,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: report test check bench clean
+.PHONY: report test check rocq bench clean
 
 report: .venv/ready
 	$(BIN)/symhaptic report
@@ -17,10 +17,15 @@ check: test
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/kernels tests/test_hard_cases.py
 	$(BIN)/symhaptic mutants --check
 	$(BIN)/symhaptic kernels --check
+	$(BIN)/symhaptic verify --rocq .rocq
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest -n 2 tests/soundness/test_random.py
 
 # how many random identities `prove` is held to; a tenth as many boxes are
 SOUNDNESS ?= 100000
+
+# has Rocq check every chapter whose text has changed; status 1 tells that the record was another
+rocq: .venv/ready
+	$(BIN)/symhaptic verify --rocq .rocq --format json -o reports/rocq.json || test $$? = 1
 
 bench: .venv/ready
 	$(BIN)/pytest benchmarks --benchmark-only
@@ -31,4 +36,4 @@ bench: .venv/ready
 	touch $@
 
 clean:
-	rm -rf .venv build src/*.egg-info src/symhaptic/kernels/*.so reports/figures reports/*.pdf
+	rm -rf .venv .rocq build src/*.egg-info src/symhaptic/kernels/*.so reports/figures reports/*.pdf

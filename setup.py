@@ -17,7 +17,7 @@ KERNELS = "src/symhaptic/kernels"
 
 
 class WithData(build_py):
-    """The chapters and the ledger become part of the package; an editable install finds them."""
+    """The chapters and the records become part of the package; an editable install finds them."""
 
     def run(self):
         """Copy them beside the modules."""
@@ -26,7 +26,8 @@ class WithData(build_py):
             inside = Path(self.build_lib) / "symhaptic"
             shutil.copytree(HERE / "derivations", inside / "derivations", dirs_exist_ok=True,
                             ignore=shutil.ignore_patterns("__pycache__"))  # fmt: skip
-            shutil.copy(HERE / "reports" / "ledger.json", inside / "ledger.json")
+            for record in ("ledger.json", "rocq.json"):
+                shutil.copy(HERE / "reports" / record, inside / record)
 
 
 class Exact(build_ext):

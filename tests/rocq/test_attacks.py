@@ -8,8 +8,10 @@ from types import SimpleNamespace
 import pytest
 from sympy import I, Lt, Rational, S, cos, exp, pi, sin, symbols, tan
 
+from symhaptic.notation import X, s, z
 from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.proof.theorems.analysis import grows, increases, induction
+from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import axiom
 from symhaptic.proof.theorems.kernel import (
     absurd,
@@ -32,6 +34,8 @@ from symhaptic.proof.theorems.leaves import (
     is_whole,
     mirrored,
     number,
+    root_outside,
+    roots_inside,
     tends,
 )
 from symhaptic.rocq import compiled
@@ -173,6 +177,51 @@ ATTACKS = {
     "a contradiction": (
         lambda: absurd(assume(x < y), assume(y <= x), x < y),
         [("(y <= x) -> ", ""), ("y <= x", "x <= y")],
+    ),
+    "a motion that gains": (
+        lambda: gains((-1, 0, 1, 1, 0), [(1, 1)] * 4),
+        [("(-1)", "(1)"), ("(-1)", "(-1/9)"), ("(0)%C))", "(9)%C))"), ("(~ (pass", "((pass")],
+    ),
+    "zeros inside": (
+        lambda: roots_inside(z**2 - z / 2 + Rational(1, 3), z, {}),
+        [("1/3", "4/3"), ("z/2", "5*z/2"), ("(stable", "(~ stable")],
+    ),
+    "a zero outside": (
+        lambda: root_outside(z**2 - z / 2 + Rational(4, 3), z),
+        [("4/3", "1/3"), ("(~ (stable", "((stable")],
+    ),
+    "zeros in numbers with j": (
+        lambda: roots_inside(z**2 - z * (exp(I) + exp(-I)) / 2 + Rational(1, 3), z, {}),
+        [("1/3", "4/3"), ("Cexp(-Ci)", "Cexp(-2*Ci)")],
+    ),
+    "a limit of second order": (
+        lambda: tends((1 - cos(x)) / x**2, x, S.Zero, Rational(1, 2)),
+        [("(0) (1/2)", "(0) (1/3)"), ("cos(x)", "cos(2*x)"), ("/x^2", "/x^4")],
+    ),
+    "a real number with j": (
+        lambda: axiom("square", exp(I * x) + exp(-I * x)),
+        [("Cless_eq", "Cless"), ("Cexp(-Ci*x)", "Cexp(-2*Ci*x)"), ("Cexp(-Ci*x)", "-Cexp(-Ci*x)")],
+    ),
+    "a real factor": (
+        lambda: factor(sin(x), assume(Relation(S.Zero, "!=", exp(I * x) - exp(-I * x))), 2 * I),
+        [("-> (sin(x)", "-> (cos(x)"), ("- Cexp(-Ci*x)", "+ Cexp(-Ci*x)")],
+    ),
+    "a factor of a real number": (
+        lambda: factor(y * exp(I * x), assume(Relation(S.Zero, "!=", y)), exp(-I * x)),
+        [("(0 <> y)", "(0 <= y)"), ("*Cexp(Ci*x) <> 0", "*Cexp(Ci*x) <> y")],
+    ),
+    "complex equals": (
+        lambda: substituted(
+            Relation(z, "!=", S.Zero),
+            z,
+            assume(Relation(X, "!=", S.Zero)),
+            assume(Relation(X, "=", s)),
+        ),
+        [("(s <> 0", "(s <> 1"), ("(X = s", "(X = -s - 1")],
+    ),
+    "an angle over d + 1": (
+        lambda: identity(cos(pi * y / (y + 1)), -cos(pi / (y + 1))),
+        [("-cos", "cos"), ("-cos(PI/(y", "-cos(2*PI/(y"), ("= -cos", "= sin")],
     ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),

@@ -34,6 +34,27 @@ def test_a_folder_that_cannot_be_is_refused(tmp_path):
     assert run.stderr.startswith("symhaptic: error: --rocq")
 
 
+def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
+    file = tmp_path / "rocq.json"
+    without = {**os.environ, "PATH": str(tmp_path)}
+    command = [sys.executable, "-m", "symhaptic", "verify", "--rocq", tmp_path / "rocq", "eq2"]
+    run = subprocess.run(
+        [*command, "--format", "json", "-o", file],
+        env=without, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (run.returncode, run.stdout) == (0, "")
+    assert file.read_bytes() == (tmp_path / "rocq" / "rocq.json").read_bytes()
+    written = json.loads(file.read_text())
+    assert written["statements"]["eq2"] == {
+        "checked": "not", "why": "not printed: it is settled without a theorem", "rests": [],
+        "says": None,
+    }  # fmt: skip
+    assert "do not edit" in written["generated"]
+    refused = symhaptic("verify", "--rocq", tmp_path, "eq2", "--format", "junit")
+    assert refused.returncode == 2
+    assert "--format junit" in refused.stderr
+
+
 CHAPTER = '''r"""Is a spring that is stretched further pulled harder?"""
 
 from sympy import symbols

@@ -94,6 +94,12 @@ def expected_mutants() -> Path:
     return beside("reports") / "mutants.json"
 
 
+def expected_rocq() -> Path:
+    """The committed record of what Rocq has checked."""
+    inside = PACKAGE / "rocq.json"
+    return inside if inside.exists() else beside("reports") / "rocq.json"
+
+
 def expected_bench() -> Path:
     """The committed measurement of `symhaptic bench`, which the report shows."""
     return beside("reports") / "bench.json"

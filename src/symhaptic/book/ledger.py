@@ -6,12 +6,13 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
+from symhaptic.book.foreign import Checked, checked
 from symhaptic.book.record import Settled
 from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
 from symhaptic.notation.latex import latex
@@ -54,6 +55,11 @@ class Entry:
         """What it means for somebody who built a device on it, where something is wrong."""
         return CONSEQUENCES.get(self.statement.id)
 
+    @cached_property
+    def rocq(self) -> Checked:
+        """How far a foreign kernel has checked it, as far as its record is of what is said here."""
+        return checked(self.statement.id, self.judged)
+
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
         v = self.verdict
@@ -77,6 +83,7 @@ class Entry:
             "value": v.value,
             "radius": v.radius,
             "derivation": self.derivation,
+            "rocq": self.rocq.as_json(),
             "seconds": round(self.seconds, 3),
         }
 
@@ -206,8 +213,12 @@ def counted(entries: Iterable[Entry]) -> str:
 
 
 def committed(entries: Iterable[Entry]) -> str:
-    """The ledger as committed text: no times, so that it is the same from run to run."""
-    records = [{k: v for k, v in entry.as_json().items() if k != "seconds"} for entry in entries]
+    """The ledger as committed text: no times, so that it is the same from run to run.
+
+    What Rocq says stands in its own record.
+    """
+    left_out = ("seconds", "rocq")
+    records = [{k: v for k, v in e.as_json().items() if k not in left_out} for e in entries]
     return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
 
 

@@ -12,6 +12,7 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 from symhaptic import __version__
+from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.ledger import Entry, counted, places
 from symhaptic.book.sources import STATEMENTS
@@ -101,6 +102,8 @@ def text(
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
     if argued:
         lines.append(f"{argued} argued: words join what was checked, which is not a pass")
+    if any(e.rocq.extent != foreign.NOT for e in entries):
+        lines.append(f"checked by Rocq, too: {foreign.counted(e.rocq for e in entries)}")
     open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]
     if open_:
         failing = " (an error, with --strict)" if strict else ""
@@ -156,6 +159,8 @@ def junit(
         )
         properties = ET.SubElement(case, "properties")
         ET.SubElement(properties, "property", name="verdict", value=str(verdict.kind))
+        for name, value in _rocq(entry.rocq):
+            ET.SubElement(properties, "property", name=name, value=value)
         open_ = verdict.kind is Kind.UNDECIDED
         if id in failed or (strict and open_):
             failures += 1
@@ -181,6 +186,13 @@ def junit(
     }
     ET.indent(suite)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"
+
+
+def _rocq(found: foreign.Checked) -> list[tuple[str, str]]:
+    """How far Rocq has checked a statement, as properties of its case."""
+    told = [("rocq", found.extent)]
+    told += [("rocq-why", found.why)] if found.why else []
+    return told + ([("rocq-rests", ", ".join(found.rests))] if found.rests else [])
 
 
 def replace(path: Path, content: str | bytes) -> None:

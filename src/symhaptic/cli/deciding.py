@@ -124,6 +124,7 @@ def verify(
     from time import perf_counter
 
     from symhaptic.book import chapters, ledger, listing, parallel
+    from symhaptic.cli.foreign import judged, stale
 
     writable(output)
     if source is not None and (derivation or listed):
@@ -146,12 +147,11 @@ def verify(
         needed = listing.needed(wanted, chapters.shipped())
         shipped = [p for p in needed if p.resolve() not in given]
     if rocq is not None:
-        from symhaptic.cli.foreign import judged
-
+        if format is ListFormat.junit:
+            refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
         folder_allowed(rocq, "--rocq")
-        if not judged(own + shipped, wanted, rocq, workers):
-            raise typer.Exit(2)
-        return
+        as_json = format is ListFormat.json
+        raise typer.Exit(judged(own + shipped, wanted, rocq, workers, output, as_json))
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)
@@ -170,6 +170,7 @@ def verify(
     surprises = [] if known is None else ledger.surprises(entries, known, whole=not wanted)
     surprises += filter(None, map(ledger.judged_again, found))
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
+    stale(entries)
     text = {
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,

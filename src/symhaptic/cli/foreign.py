@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Callable
 from functools import partial
@@ -11,51 +10,78 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from symhaptic.cli.shared import progress
+from symhaptic.cli.shared import progress, write
 
 if TYPE_CHECKING:
+    from symhaptic.book.ledger import Entry
     from symhaptic.rocq.compiled import Outcome
 
 
-def judged(paths: list[Path], wanted: list[str], folder: Path, workers: int | None) -> bool:
+def judged(
+    paths: list[Path],
+    wanted: list[str],
+    folder: Path,
+    workers: int | None,
+    output: Path | None,
+    as_json: bool,
+) -> int:
     """Write the chapters for Rocq, compile them where it is there, and tell what was checked.
 
-    False where a chapter cannot be run.
+    The exit status: 0, 1 where a statement is not checked as the record says, 2 where a chapter
+    cannot be run.
     """
-    from symhaptic.book.chapters import BadChapter
+    from symhaptic.book.chapters import BadChapter, expected_rocq
+    from symhaptic.book.foreign import recorded
+    from symhaptic.book.listing import replace
     from symhaptic.book.parallel import each
-    from symhaptic.rocq import compiled
+    from symhaptic.rocq import compiled, record
 
     compiled.prepared(folder)
     work: Callable[..., Outcome] = compiled.judged
+    version = None
     try:
         compiled.prelude_compiled(folder)
+        version = compiled.version()
     except compiled.NoRocq as missing:
         typer.echo(f"symhaptic: {missing}; the files are written, and nothing is checked", err=True)
         work = compiled.written
-    found: dict[int, Outcome] = {}
-    good = True
+    done: dict[int, Outcome] = {}
+    status = 0
     with progress(len(paths)) as told:
         for i, one in each(partial(work, folder=folder), paths, workers or 2, told):
             if isinstance(one, BadChapter):
                 typer.echo(f"symhaptic: error: {one}", err=True)
-                good = False
+                status = 2
             else:
-                found[i] = one
-    outcomes = [found[i] for i in sorted(found)]
-    typer.echo(told_of(outcomes, wanted), nl=False)
-    (folder / "rocq.json").write_text(as_json(outcomes), encoding="utf-8")
-    return good
+                done[i] = one
+    outcomes = [done[i] for i in sorted(done)]
+    found = record.record(outcomes, version)
+    write(replace, folder / "rocq.json", record.text(found))
+    text = record.text(found) if as_json else told_of(outcomes, wanted)
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        write(replace, output, text)
+    known = recorded(expected_rocq())
+    if version is not None and status == 0:
+        ours = {"statements": {id: one for id, one in found["statements"].items()
+                               if id in known["statements"]}}  # fmt: skip
+        for line in record.differences(ours, known):
+            typer.echo(f"DIFFERS  {line}", err=as_json or output is not None)
+            status = 1
+    return status
 
 
 def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
     """A line for each statement, the slowest chapter, and how many steps were checked."""
+    from symhaptic.rocq.record import why
+
     lines = []
     counts: Counter[str] = Counter()
     for one in outcomes:
         for id, said in one.statements.items():
             if not wanted or id in wanted:
-                lines.append(f"{id}: {said}")
+                lines.append(f"{id}: {why(said) or 'whole'}")
                 kind = "whole" if said == "whole" else said.split(":")[0].split(" ", 1)[-1]
                 counts[kind] += 1
     steps = [one.steps for one in outcomes]
@@ -70,24 +96,12 @@ def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def as_json(outcomes: list[Outcome]) -> str:
-    """What was found, without times, so that it is the same from run to run."""
-    steps: dict[str, list[int]] = {}
-    for one in outcomes:
-        for rule, (checked, total) in one.steps.items():
-            count = steps.setdefault(rule, [0, 0])
-            count[0] += checked
-            count[1] += total
-    statements = {
-        id: {"checked": said, "rests": one.rests.get(id, [])}
-        for one in outcomes
-        for id, said in one.statements.items()
-    }
-    open_ = {one.chapter: one.open for one in outcomes if one.open}
-    return (
-        json.dumps(
-            {"statements": statements, "steps": dict(sorted(steps.items())), "open": open_},
-            indent=1,
+def stale(entries: list[Entry]) -> None:
+    """Say of which statements Rocq was asked something else than they now say."""
+    old = [entry.statement.id for entry in entries if entry.rocq.stale]
+    if old:
+        typer.echo(
+            f"symhaptic: what Rocq has checked of {', '.join(old)} is not what is said now; "
+            "`symhaptic verify --rocq DIR` asks again",
+            err=True,
         )
-        + "\n"
-    )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from symhaptic.cli.deciding import Derivations, SourceFolder, chapters_in, own_chapters
+from symhaptic.cli.foreign import stale
 from symhaptic.cli.shared import app, folder_allowed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
@@ -66,6 +67,7 @@ def report(
     """
     from symhaptic.book import chapters as library
     from symhaptic.book.figures.drawings import Drawings
+    from symhaptic.book.ledger import of_chapter
     from symhaptic.book.parts import in_parts
     from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
@@ -109,6 +111,7 @@ def report(
             elif not output.is_dir():
                 refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
             chapters = chapters_of(some or paths, nothing if check or some else drawings.begin)
+            stale([entry for one in chapters for entry in of_chapter(one)])
             numbered = [(paths.index(one.path) + 1, one) for one in chapters]
             if check:
                 files = build.excerpt_files(numbered, alone) if some else build.text_files(chapters)

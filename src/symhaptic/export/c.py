@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export import c_si, cmake, standard
+from symhaptic.export import c_si, cmake, rounding, standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.cmake import FLAGS, STRICT
 from symhaptic.export.module import Library
@@ -144,6 +144,10 @@ class C(Target):
         if "example.c" in si:
             lines += ["example.c is a controller of 1 kHz with a wall below its limit."]
         return [*lines, "C++ may include the headers, too."]
+
+    def proved(self, routine: Routine) -> list[rounding.Goal]:
+        """Of each result to which no branch leads."""
+        return rounding.goals(routine, self)
 
     def package(self, library: Library) -> dict[str, str]:
         """For CMake and pkg-config; the same in SI units, and a controller."""

@@ -15,6 +15,7 @@ from sympy import Expr
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.module import Library
 from symhaptic.export.precision import Precision
+from symhaptic.export.rounding import Goal, told
 from symhaptic.export.target import Target, beyond, sizes
 from symhaptic.export.vectors import allowed
 from symhaptic.forms.device_forms import ANY
@@ -58,8 +59,8 @@ def readme(library: Library, target: Target, count: int) -> str:
         "```",
         "",
     ]
-    for form in library.forms:
-        lines += _function(form, target.precision)
+    for form, routine in zip(library.forms, library.public, strict=True):
+        lines += _function(form, target.precision, target.proved(routine))
     meanings = _meanings(library)
     if meanings:
         lines += ["## The functions in these formulas", ""]
@@ -192,7 +193,7 @@ def _short(expr: sp.Expr) -> bool:
     return len(list(islice(sp.preorder_traversal(expr), _LONG))) < _LONG
 
 
-def _function(form: Form, precision: Precision) -> list[str]:
+def _function(form: Form, precision: Precision, proved: list[Goal]) -> list[str]:
     lines = [f"## {form.name}", "", f"{form.title[0].upper()}{form.title[1:]}.", ""]
     if form.arguments:
         lines += ["| argument | unit | range | meaning |", "|---|---|---|---|"]
@@ -210,6 +211,7 @@ def _function(form: Form, precision: Precision) -> list[str]:
     if form.plain is not None:
         lines += _derivatives(form, form.results[len(plain.results) :])
     lines += _measured(form, precision)
+    lines += told(proved, precision)
     most = allowed(form)
     lines += ["", f"The self-test allows {most} units in the last place of the largest term.", ""]
     return lines

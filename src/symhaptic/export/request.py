@@ -161,6 +161,7 @@ def built(
         return made, files
     text = test_vectors(made.forms, language.precision)
     files |= language.package(made) | language.selftest(made)
+    files |= {goal.file: goal.text for r in made.public for goal in language.proved(r)}
     files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
     files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"
     return made, files

@@ -23,6 +23,7 @@ from symhaptic.notation import SYMBOLS
 if TYPE_CHECKING:
     from symhaptic.export.module import Library
     from symhaptic.export.printing import Printing
+    from symhaptic.export.rounding import Goal
     from symhaptic.forms.stable import Form
 
 OPERATIONS = (
@@ -215,6 +216,10 @@ class Target:
     def source(self, library: Library) -> dict[str, str]:
         """The files that somebody else's program uses, by name."""
         raise NotImplementedError
+
+    def proved(self, routine: Routine) -> list[Goal]:
+        """What is proved of the rounding errors of a public routine."""
+        return []
 
     def package(self, library: Library) -> dict[str, str]:
         """What those who use the language find a library with, and examples."""

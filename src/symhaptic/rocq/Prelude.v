@@ -1,6 +1,7 @@
 (* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
    A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
 From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
+From Coq Require QArith Qround.
 From Coquelicot Require Export Coquelicot.
 From Interval Require Export Tactic.
 Open Scope R_scope.
@@ -15,8 +16,11 @@ Definition tends (f : R -> R) (a l : R) : Prop := is_lim f a l.
 Fixpoint Cpower (z : C) (n : nat) : C := match n with O => 1%C | S m => (z * Cpower z m)%C end.
 Notation "z ^ n" := (Cpower z n) : C_scope.
 Definition Cexp (z : C) : C := (exp (Re z) * cos (Im z), exp (Re z) * sin (Im z)).
-Parameter Clog : C -> C.
-Definition Craised (z w : C) : C := Cexp (w * Clog z)%C.
+Definition Cangle_of (z : C) : R :=
+  if Rle_dec 0 (Im z) then acos (Re z / Cmod z) else - acos (Re z / Cmod z).
+Definition Clog (z : C) : C := (ln (Cmod z), Cangle_of z).
+Definition Craised (z w : C) : C :=
+  if Ceq_dec z 0 then if Ceq_dec w 0 then RtoC 1 else RtoC 0 else Cexp (w * Clog z)%C.
 Definition Cless (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z < Re w.
 Definition Cless_eq (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z <= Re w.
 Definition Ctends (f : R -> C) (a : R) (l : C) : Prop :=
@@ -34,6 +38,46 @@ Parameter passive_device : (C -> C) -> C -> C -> C -> C -> C -> Prop.
 Parameter pole device : C -> C -> C -> C -> C -> C -> Prop.
 Parameter late_device : C -> C -> C -> C -> C -> C -> C -> C -> Prop.
 Parameter swings : C -> C -> C -> C -> Prop.
+
+(* A motion at constant speeds, piece by piece (time in periods, way), from rest at 0; the force that
+   a wall holds from k + late on is K x_k + B (x_k - x_(k-1))/T.  All of it but K, B and b is rational. *)
+Module Motion.
+Import QArith Qround.
+Open Scope Q_scope.
+Fixpoint after (motion : list (Q * Q)) (t : Q) : Q :=
+  match motion with
+  | nil => 0
+  | cons (time, way) rest =>
+      if Qle_bool time t then Qred (way + after rest (t - time)) else Qred (way * t / time)
+  end.
+Definition place motion t := if Qle_bool t 0 then 0 else after motion t.
+Fixpoint lasts (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, _) rest => Qred (time + lasts rest) end.
+Fixpoint forwards (motion : list (Q * Q)) : bool :=
+  match motion with nil => true | cons (time, _) rest => andb (negb (Qle_bool time 0)) (forwards rest) end.
+Fixpoint burnt (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, way) rest => Qred (way * way / time + burnt rest) end.
+(* The sum of f(k) times the way while the force of sample k is held, for k = 1 to n. *)
+Fixpoint taken motion (late : Q) (f : Q -> Q) (n : nat) : Q :=
+  match n with
+  | O => 0
+  | S m =>
+      let k := inject_Z (Z.of_nat n) in
+      Qred (f k * (place motion (k + 1 + late) - place motion (k + late)) + taken motion late f m)
+  end.
+Definition samples motion := Z.to_nat (Qceiling (lasts motion)).
+Definition by_spring motion late := taken motion late (place motion) (samples motion).
+Definition by_damper motion late :=
+  taken motion late (fun k => place motion k - place motion (k - 1)) (samples motion).
+Definition energy (K B b T : R) (late : Q) motion : R :=
+  (b / T * Q2R (burnt motion) + K * Q2R (by_spring motion late) + B / T * Q2R (by_damper motion late))%R.
+End Motion.
+
+(* What the predicate means: a motion that gains energy. *)
+Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list _),
+  d = Q2R late -> 0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
+  Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
+  ~ passive_wall K B b T d.
 
 (* -- logic -------------------------------------------------------------------------- *)
 
@@ -105,14 +149,14 @@ Ltac known_values :=
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
 Ltac same_field := first [reflexivity | solve [ring] | solve [field; nz]].
 Ltac quick_field := first [reflexivity | solve [ring] | solve [field; nz_quick]].
-Lemma by_zero : forall l r q : R, l - r = q -> q = 0 -> l = r.
-Proof. intros l r q H E; lra. Qed.
-
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
-Lemma root_squared : forall x, 0 <= x -> sqrt x ^ 2 - x = 0.
-Proof. intros x H; rewrite pow2_sqrt; lra. Qed.
+Lemma sine_square : forall x, sin x * sin x = 1 - cos x * cos x.
+Proof. intro x; generalize (pythagoras x); lra. Qed.
+
+Lemma root_square : forall x, 0 <= x -> sqrt x * sqrt x = x.
+Proof. intros x H; apply sqrt_sqrt; exact H. Qed.
 
 Ltac rooted := opened; first [assumption | lra | nra | interval].
 
@@ -197,7 +241,7 @@ Proof. intros x H E; apply H, RtoC_inj, E. Qed.
 Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
 Proof. intros x y; apply Cmult_neq_0. Qed.
 Ltac Cnz :=
-  repeat split;
+  cbv beta; repeat split;
   first
     [ assumption
     | apply Cnot_zero; nz
@@ -220,13 +264,74 @@ Proof.
   replace (Im (a + Ci * b)%C) with b by (simpl; ring).
   apply injective_projections; simpl; ring.
 Qed.
-Lemma Ci_squared : (Ci ^ 2 + 1)%C = RtoC 0.
+Lemma Cexp_turned : forall (z : C) (a b : R) (size c s : C),
+  z = (a + Ci * b)%C -> RtoC (exp a) = size -> RtoC (cos b) = c -> RtoC (sin b) = s ->
+  Cexp z = (size * (c + Ci * s))%C.
+Proof. intros z a b size c s E F G H; rewrite (Cexp_at z a b E), F, G, H; reflexivity. Qed.
+Lemma Cexp_nought : forall z : C, z = RtoC 0 -> Cexp z = RtoC 1.
+Proof.
+  intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_plus : forall z w : C, Cexp (z + w)%C = (Cexp z * Cexp w)%C.
+Proof.
+  intros [a b] [c d]; unfold Cexp; simpl; rewrite exp_plus, cos_plus, sin_plus.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_log : forall z : C, z <> RtoC 0 -> Cexp (Clog z) = z.
+Proof.
+  intros z N; assert (P := proj1 (Cmod_gt_0 z) N); unfold Cexp, Clog, Cangle_of; simpl.
+  assert (S : Re z * Re z + Im z * Im z = Cmod z * Cmod z).
+  { unfold Cmod; rewrite sqrt_sqrt; [unfold Re, Im; ring |].
+    apply Rplus_le_le_0_compat; apply pow2_ge_0. }
+  assert (B : -1 <= Re z / Cmod z <= 1).
+  { assert (Q : (Re z / Cmod z) * (Re z / Cmod z) <= 1).
+    { apply Rmult_le_reg_r with (Cmod z * Cmod z); [apply Rmult_lt_0_compat; lra |].
+      replace (Re z / Cmod z * (Re z / Cmod z) * (Cmod z * Cmod z)) with (Re z * Re z) by (field; lra).
+      generalize (pow2_ge_0 (Im z)); lra. }
+    split; nra. }
+  assert (W : Cmod z * sqrt (1 - Rsqr (Re z / Cmod z)) = Rabs (Im z)).
+  { rewrite <- (sqrt_square (Cmod z)) at 1 by lra; rewrite <- sqrt_mult_alt by (apply Rmult_le_pos; lra).
+    rewrite <- (sqrt_Rsqr_abs (Im z)); f_equal; unfold Rsqr.
+    replace (Im z * Im z) with (Cmod z * Cmod z - Re z * Re z) by lra; field; lra. }
+  destruct (Rle_dec 0 (Im z)) as [L | L]; rewrite exp_ln by exact P.
+  - rewrite cos_acos, sin_acos by exact B; rewrite W, Rabs_pos_eq by exact L.
+    apply injective_projections; unfold Re, Im; simpl; [field; lra | reflexivity].
+  - rewrite cos_neg, sin_neg, cos_acos, sin_acos by exact B.
+    rewrite Ropp_mult_distr_r_reverse, W, Rabs_left by lra.
+    apply injective_projections; unfold Re, Im; simpl; [field; lra | ring].
+Qed.
+Lemma Craised_plus : forall z v w : C, z <> RtoC 0 -> Craised z (v + w)%C = (Craised z v * Craised z w)%C.
+Proof.
+  intros z v w N; unfold Craised; destruct (Ceq_dec z 0) as [E | _]; [contradiction |].
+  rewrite <- Cexp_plus; f_equal; ring.
+Qed.
+Lemma Craised_number : forall (z : C) n, Craised z (RtoC (INR n)) = (z ^ n)%C.
+Proof.
+  intros z n; destruct (Ceq_dec z 0) as [E | N].
+  - unfold Craised; destruct (Ceq_dec z 0) as [_ | F]; [| contradiction]; destruct n as [| n].
+    + destruct (Ceq_dec (INR 0) 0) as [_ | F]; [reflexivity | exfalso; apply F; reflexivity].
+    + destruct (Ceq_dec (INR (S n)) 0) as [F | _].
+      * apply RtoC_inj in F; generalize (lt_0_INR (S n) (Nat.lt_0_succ n)); lra.
+      * rewrite E; simpl; ring.
+  - induction n as [| n IH]; [| rewrite S_INR, RtoC_plus, Craised_plus, IH by exact N].
+    + unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+      apply Cexp_nought; simpl; ring.
+    + simpl; unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+      replace (RtoC 1 * Clog z)%C with (Clog z) by ring; rewrite Cexp_log by exact N; ring.
+Qed.
+Lemma Ci_square : (Ci * Ci)%C = (- RtoC 1)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
-Lemma Cpythagoras : forall x : R, (sin x ^ 2 + cos x ^ 2 - 1)%C = RtoC 0.
+Ltac Csame_turned :=
+  cbn [Cpower]; first [Csame_field | solve [ring [Ci_square]] | solve [field [Ci_square]; Cnz]].
+
+Lemma Csine_square : forall x : R, (sin x * sin x = 1 - cos x * cos x :> C)%C.
 Proof.
   intro x; apply injective_projections; simpl; [| ring].
-  generalize (pythagoras x); simpl; intro H; ring_simplify in H; ring_simplify; exact H.
+  generalize (sine_square x); intro E; ring_simplify; ring_simplify in E; exact E.
 Qed.
+Lemma Croot_square : forall (x : R) (z : C), 0 <= x -> z = RtoC x -> (sqrt x * sqrt x)%C = z.
+Proof. intros x z H E; rewrite E, <- RtoC_mult, root_square; [reflexivity | exact H]. Qed.
 Lemma Cby_zero : forall l r q : C, (l - r)%C = q -> q = RtoC 0 -> l = r.
 Proof. intros l r q H E; replace l with ((l - r) + r)%C by ring; rewrite H, E; ring. Qed.
 Lemma Cby_sum_eq : forall l r z : C, (r - l)%C = z -> z = RtoC 0 -> l = r.
@@ -300,7 +405,8 @@ Ltac Csigned :=
 Ltac Cimaginary := first [reflexivity | simpl; ring | simpl; lra].
 Lemma Cminus_zero : forall l r : C, l = r -> (r - l)%C = RtoC 0.
 Proof. intros l r E; rewrite E; ring. Qed.
-Ltac Czero := first [apply Cminus_zero; assumption | Ccompared].
+Ltac Czero :=
+  first [symmetry; apply Cminus_zero; first [assumption | symmetry; assumption] | Ccompared].
 Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
 Proof. intros; apply injective_projections; simpl; ring. Qed.
 Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.
@@ -346,6 +452,61 @@ Ltac Cmirrored :=
       pose proof (f_equal Cconj H) as E; clear - E; revert E; Cconjugated; intro E; Cangles;
       first [exact E | etransitivity; [| etransitivity; [exact E |]]; Cring]
   end.
+Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
+Proof.
+  intros [x y] E; injection E; intro F; apply injective_projections; simpl; [reflexivity | lra].
+Qed.
+Ltac Cexps :=
+  repeat match goal with
+  | |- context [Cexp ?a] =>
+      first
+        [ rewrite (Cexp_nought a) by Cring
+        | match goal with |- context [Cexp ?b] =>
+            tryif constr_eq a b then fail else replace (Cexp a) with (Cexp b) by (f_equal; Cring)
+          end ]
+  end.
+Ltac Cunmoved :=
+  Cconjugated;
+  Cexps; Csame_turned.
+
+(* A real relation between numbers that are written as complex ones, and back. *)
+Lemma Cless_of : forall (a b : R) (l r : C), a < b -> l = RtoC a -> r = RtoC b -> Cless l r.
+Proof. intros a b l r H L R; subst; repeat split; exact H. Qed.
+Lemma Cless_eq_of : forall (a b : R) (l r : C), a <= b -> l = RtoC a -> r = RtoC b -> Cless_eq l r.
+Proof. intros a b l r H L R; subst; repeat split; exact H. Qed.
+Lemma Cequal_of : forall (a b : R) (l r : C), a = b -> l = RtoC a -> r = RtoC b -> l = r.
+Proof. intros a b l r H L R; subst; reflexivity. Qed.
+Lemma Capart_of : forall (a b : R) (l r : C), a <> b -> l = RtoC a -> r = RtoC b -> l <> r.
+Proof. intros a b l r H L R E; apply H, RtoC_inj; congruence. Qed.
+Lemma less_of : forall (l r : C) (a b : R), Cless l r -> l = RtoC a -> r = RtoC b -> a < b.
+Proof. intros l r a b (_ & _ & H) L R; subst; exact H. Qed.
+Lemma less_eq_of : forall (l r : C) (a b : R), Cless_eq l r -> l = RtoC a -> r = RtoC b -> a <= b.
+Proof. intros l r a b (_ & _ & H) L R; subst; exact H. Qed.
+Lemma equal_of : forall (l r : C) (a b : R), l = r -> l = RtoC a -> r = RtoC b -> a = b.
+Proof. intros l r a b H L R; apply RtoC_inj; congruence. Qed.
+Lemma apart_of : forall (l r : C) (a b : R), l <> r -> l = RtoC a -> r = RtoC b -> a <> b.
+Proof. intros l r a b H L R E; apply H; congruence. Qed.
+Lemma Cof_real : forall (x y : R) (z : C), x = y -> z = RtoC x -> z = RtoC y.
+Proof. intros x y z E F; congruence. Qed.
+Lemma Creal_zero : forall (z : C) (x : R), z = RtoC 0 -> z = RtoC x -> x = 0.
+Proof. intros z x E F; apply RtoC_inj; congruence. Qed.
+
+Ltac Ctold :=
+  Cpushed;
+  repeat match goal with E : ?v = RtoC (Re ?v) |- context [RtoC (Re ?v)] => rewrite <- E end;
+  Csame_turned.
+Ltac Cmixed :=
+  match goal with
+  | H : ?a < ?b |- Cless ?l ?r => solve [apply (Cless_of a b l r H); Ctold]
+  | H : ?a <= ?b |- Cless_eq ?l ?r => solve [apply (Cless_eq_of a b l r H); Ctold]
+  | H : @eq R ?a ?b |- @eq C ?l ?r => solve [apply (Cequal_of a b l r H); Ctold]
+  | H : ~ @eq R ?a ?b |- ~ @eq C ?l ?r => solve [apply (Capart_of a b l r H); Ctold]
+  | H : Cless ?l ?r |- ?a < ?b => solve [apply (less_of l r a b H); Ctold]
+  | H : Cless_eq ?l ?r |- ?a <= ?b => solve [apply (less_eq_of l r a b H); Ctold]
+  | H : @eq C ?l ?r |- @eq R ?a ?b => solve [apply (equal_of l r a b H); Ctold]
+  | H : ~ @eq C ?l ?r |- ~ @eq R ?a ?b => solve [apply (apart_of l r a b H); Ctold]
+  end.
+
 Ltac Capart := first [Cnz | solve [repeat apply Cproduct_apart; first [Cnz | let E := fresh in intro E; congruence]]].
 Ltac Crefuted :=
   match goal with
@@ -355,8 +516,97 @@ Ltac Crefuted :=
       destruct (Cpos_minus _ _ H) as [_ P]; rewrite F in P; simpl in P; lra
   end.
 Ltac Cevaluated := known_values; Cpushed; Cring.
+Ltac Cangle :=
+  first
+    [ reflexivity
+    | match goal with
+      | |- RtoC (?f ?x) = RtoC (?f ?y) => replace x with y by (field; nz); reflexivity
+      | |- RtoC (cos ?x) = RtoC (cos ?y) =>
+          replace x with (- y) by (field; nz); rewrite cos_neg; reflexivity
+      | |- RtoC (sin ?x) = (- RtoC (sin ?y))%C =>
+          replace x with (- y) by (field; nz); rewrite sin_neg; apply RtoC_opp
+      end
+    | Cevaluated ].
+
+Ltac rationals :=
+  repeat match goal with |- context [Q2R (?f ?a)] =>
+    lazymatch f with QArith_base.Qmake _ => fail | _ =>
+      let q := eval vm_compute in (f a) in replace (f a) with q by (vm_compute; reflexivity)
+    end
+  end;
+  unfold Q2R; cbn [QArith_base.Qnum QArith_base.Qden].
+Ltac gained :=
+  first [reflexivity | unfold Motion.energy; rationals; numeric].
+
+Ltac Craises :=
+  repeat match goal with |- context [Craised ?z ?w] =>
+    first
+      [ replace (Craised z w) with (z ^ 0)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 1)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 2)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | replace (Craised z w) with (z ^ 3)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      | match goal with |- context [Craised z ?v] =>
+          tryif constr_eq v w then fail
+          else replace (Craised z w) with (Craised z v) by (f_equal; Cring)
+        end ]
+  end.
+Ltac Cpowers := Cpushed; Craises; Cexps; Csame_turned.
 
 (* -- from one form of a proposition to another ---------------------------------------- *)
+
+(* Functions of arguments that are equal, or known values. *)
+Ltac argument := first [ring | solve [field; nz_quick]].
+Ltac alike f :=
+  repeat match goal with
+  | |- context [f ?a] =>
+      match goal with |- context [f ?b] =>
+        tryif constr_eq a b then fail
+        else replace (f a) with (f b) by (apply (f_equal f); argument)
+      end
+  end.
+Ltac valued :=
+  repeat match goal with
+  | |- context [cos ?a] =>
+      first
+        [ replace (cos a) with 0 by (replace a with (PI / 2) by argument; symmetry; apply cos_PI2)
+        | replace (cos a) with 1 by (replace a with 0 by argument; symmetry; apply cos_0)
+        | replace (cos a) with (-1) by (replace a with PI by argument; symmetry; apply cos_PI) ]
+  | |- context [sin ?a] =>
+      first
+        [ replace (sin a) with 1 by (replace a with (PI / 2) by argument; symmetry; apply sin_PI2)
+        | replace (sin a) with 0 by (replace a with 0 by argument; symmetry; apply sin_0)
+        | replace (sin a) with 0 by (replace a with PI by argument; symmetry; apply sin_PI) ]
+  | |- context [tan ?a] =>
+      first
+        [ replace (tan a) with 1 by (replace a with (PI / 4) by argument; symmetry; apply tan_PI4)
+        | replace (tan a) with 0 by (replace a with 0 by argument; symmetry; apply tan_0) ]
+  | |- context [exp ?a] => replace (exp a) with 1 by (replace a with 0 by argument; symmetry; apply exp_0)
+  end.
+Ltac turned_by f g :=
+  repeat match goal with |- context [f ?a] =>
+    match goal with |- context [f ?b] =>
+      tryif constr_eq a b then fail
+      else first
+        [ replace (f a) with (- f b) by
+            (replace a with (b - PI) by argument; rewrite ?sin_minus, ?cos_minus, sin_PI, cos_PI; ring)
+        | replace (f a) with (- f b) by
+            (replace a with (b + PI) by argument; rewrite ?sin_plus, ?cos_plus, sin_PI, cos_PI; ring)
+        | g a b ]
+    end
+  end.
+Ltac back_sin a b :=
+  first
+    [ replace (sin a) with (sin b) by
+        (replace a with (PI - b) by argument; rewrite sin_minus, sin_PI, cos_PI; ring)
+    | replace (sin a) with (- sin b) by (replace a with (- b) by argument; rewrite sin_neg; ring) ].
+Ltac back_cos a b :=
+  first
+    [ replace (cos a) with (- cos b) by
+        (replace a with (PI - b) by argument; rewrite cos_minus, sin_PI, cos_PI; ring)
+    | replace (cos a) with (cos b) by (replace a with (- b) by argument; rewrite cos_neg; ring) ].
+Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
+Ltac unified :=
+  alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
 Ltac same :=
   lazymatch goal with
@@ -364,9 +614,11 @@ Ltac same :=
       first
         [ quick_field
         | solve [known_values; quick_field]
-        | solve [f_equal; same]
-        | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; known_values; quick_field] ]
-  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]]
+        | solve [unified; quick_field]
+        | solve [unified; reflected; valued; known_values; quick_field]
+        | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
+  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
+      | solve [Cpowers]]
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
@@ -385,6 +637,8 @@ Ltac from_known tac :=
          exact (eq_ind P (fun X => X) H Q E)]
   end.
 
+Ltac assumed := first [assumption | from_known ltac:(fun _ => same)].
+
 Ltac by_ring _ := first [reflexivity | ring].
 Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
 Ltac by_same _ := same.
@@ -398,12 +652,24 @@ Ltac atom :=
       | |- _ => 
           first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
       end
-    | from_known by_same ].
+    | from_known by_same
+    | Cmixed ].
+
+(* One relation from just one other. *)
+Ltac direct H :=
+  let sides := first [ring | quick_field | solve [unified; quick_field] | solve [unified; reflected; valued; known_values; quick_field]] in
+  match type of H with
+  | ?a < ?b => match goal with |- ?l < ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | ?a <= ?b => match goal with |- ?l <= ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | @eq R ?a ?b => match goal with |- ?l = ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | ?a <> ?b => match goal with |- ?l <> ?r => replace l with a by sides; replace r with b by sides; exact H end
+  end.
 
 Ltac conv H :=
-  cbv beta;
+  cbv beta in H |- *;
   first
     [ exact H
+    | direct H
     | lazymatch goal with
       | |- forall _ : R, _ =>
           let x := fresh in
@@ -433,8 +699,10 @@ Ltac conv H :=
           destruct H as [A | A]; [left; conv A | right; conv A]
       | |- _ /\ _ =>
           first
-            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom]
-            | conv_parts H ]
+            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split;
+                first [assumption | from_known by_ring]]
+            | conv_parts H
+            | solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom] ]
       | |- _ => let H' := fresh in pose proof H as H'; opened; atom
       end ]
 with conv_parts H :=
@@ -566,43 +834,86 @@ Proof.
   apply (ex_derive_continuous f a), D.
 Qed.
 
-Lemma tends_slope : forall (n : R -> R) (a n' : R), is_derive n a n' -> n a = 0 ->
-  tends (fun x => n x / (x - a)) a n'.
+(* The order of a zero: f/(x - a)^k tends to c, by the mean value theorem for f - c (x - a)^k. *)
+Lemma order_none : forall (f : R -> R) (a l : R), ex_derive f a -> f a = l ->
+  tends (fun x => f x / (x - a) ^ 0) a l.
 Proof.
-  intros n a n' D Z; apply is_derive_Reals in D.
-  apply is_lim_spec; intros e; destruct (D e (cond_pos e)) as [d H].
-  exists d; intros x B N; replace (n x) with (n (a + (x - a)) - n a).
-  - apply H; [intro Y; apply N; lra | exact B].
-  - assert (W : a + (x - a) = x) by lra; rewrite W, Z; lra.
+  intros f a l D E; apply (is_lim_ext f); [intro x; simpl; field | apply tends_at; assumption].
 Qed.
 
-(* The quotient of what vanishes there: that of the slopes. *)
-Lemma tends_quotient : forall (f n d : R -> R) (a n' d' l : R),
-  is_derive n a n' -> is_derive d a d' -> n a = 0 -> d a = 0 -> d' <> 0 -> n' / d' = l ->
-  (forall x, d x <> 0 -> f x = n x / d x) -> tends f a l.
+Lemma order_up : forall (f g : R -> R) (a l c : R) (k : nat),
+  (forall x, is_derive f x (g x)) -> f a = 0 -> INR (S k) * c = l ->
+  tends (fun x => g x / (x - a) ^ k) a l -> tends (fun x => f x / (x - a) ^ S k) a c.
 Proof.
-  intros f n d a n' d' l N D Zn Zd Q E F; rewrite <- E.
-  assert (Sn := tends_slope n a n' N Zn); assert (Sd := tends_slope d a d' D Zd).
-  apply (is_lim_ext_loc (fun x => n x / (x - a) / (d x / (x - a)))).
-  - apply is_lim_spec in Sd.
-    assert (P : 0 < Rabs d') by (apply Rabs_pos_lt; exact Q).
-    destruct (Sd (mkposreal _ P)) as [r H]; exists r; intros x B X.
+  intros f g a l c k D Z L T; apply is_lim_spec in T; apply is_lim_spec; intros e.
+  assert (P : 0 < e / 2) by (generalize (cond_pos e); lra).
+  destruct (T (mkposreal _ P)) as [r H]; exists r; intros x B N; simpl in H.
+  assert (B' : Rabs (x - a) < r) by exact B.
+  pose (h := fun t => f t - c * (t - a) ^ S k).
+  assert (Dh : forall t, is_derive h t (g t - l * (t - a) ^ k)).
+  { intro t; replace (g t - l * (t - a) ^ k) with (g t - c * (INR (S k) * (t - a) ^ k))
+      by (rewrite <- L; ring).
+    apply (is_derive_minus f); [apply D |].
+    replace (c * (INR (S k) * (t - a) ^ k)) with (c * (INR (S k) * 1 * (t - a) ^ k)) by ring.
+    apply (is_derive_scal (fun t => (t - a) ^ S k)), (is_derive_pow (fun t => t - a) (S k) t 1).
+    auto_derive; [exact I | ring]. }
+  assert (Ha : h a = 0) by (unfold h; rewrite Z; simpl; ring).
+  assert (M : exists t, Rabs (t - a) <= Rabs (x - a) /\ t <> a /\
+    h x = (g t - l * (t - a) ^ k) * (x - a)).
+  { destruct (Rtotal_order x a) as [W | [W | W]]; [| contradiction |].
+    - destruct (MVT_cor2 h (fun t => g t - l * (t - a) ^ k) x a W) as [t [E C]]; [intros; apply is_derive_Reals, Dh |].
+      exists t; rewrite !Rabs_left by lra; repeat split; [lra | lra |].
+      rewrite Ha in E; replace (h x) with (- (0 - h x)) by ring; rewrite E; ring.
+    - destruct (MVT_cor2 h (fun t => g t - l * (t - a) ^ k) a x W) as [t [E C]]; [intros; apply is_derive_Reals, Dh |].
+      exists t; rewrite !Rabs_pos_eq by lra; repeat split; [lra | lra |].
+      rewrite Ha in E; rewrite <- E; ring. }
+  destruct M as [t [C [Nt E]]].
+  assert (Q : Rabs (g t - l * (t - a) ^ k) <= e / 2 * Rabs (x - a) ^ k).
+  { assert (G : Rabs (g t / (t - a) ^ k - l) < e / 2).
+    { apply H; [| exact Nt]; apply Rle_lt_trans with (Rabs (x - a)); assumption. }
+    replace (g t - l * (t - a) ^ k) with ((g t / (t - a) ^ k - l) * (t - a) ^ k)
+      by (field; apply pow_nonzero; lra).
+    rewrite Rabs_mult, <- RPow_abs.
+    apply Rmult_le_compat; [apply Rabs_pos | apply pow_le, Rabs_pos | lra |].
+    apply pow_incr; split; [apply Rabs_pos | exact C]. }
+  replace (f x / (x - a) ^ S k - c) with (h x / (x - a) ^ S k)
+    by (unfold h; field; apply pow_nonzero; lra).
+  assert (A : 0 < Rabs (x - a)) by (apply Rabs_pos_lt; lra).
+  rewrite E; unfold Rdiv; rewrite !Rabs_mult, Rabs_inv, <- RPow_abs.
+  apply Rle_lt_trans with (e / 2); [| generalize (cond_pos e); lra].
+  apply Rmult_le_reg_r with (Rabs (x - a) ^ S k); [apply pow_lt, A |].
+  rewrite Rmult_assoc, Rinv_l by (apply pow_nonzero; lra); simpl.
+  rewrite Rmult_1_r, <- Rmult_assoc, (Rmult_comm (e / 2)), Rmult_assoc.
+  rewrite (Rmult_comm (Rabs (x - a))); apply Rmult_le_compat_r; [lra | exact Q].
+Qed.
+
+(* The quotient of what vanishes there to the same order. *)
+Lemma tends_quotient : forall (f n d : R -> R) (a p q l : R) (k : nat),
+  tends (fun x => n x / (x - a) ^ k) a p -> tends (fun x => d x / (x - a) ^ k) a q ->
+  q <> 0 -> p / q = l -> (forall x, d x <> 0 -> f x = n x / d x) -> tends f a l.
+Proof.
+  intros f n d a p q l k Tn Td Q E F; rewrite <- E.
+  apply (is_lim_ext_loc (fun x => n x / (x - a) ^ k / (d x / (x - a) ^ k))).
+  - apply is_lim_spec in Td.
+    assert (P : 0 < Rabs q) by (apply Rabs_pos_lt; exact Q).
+    destruct (Td (mkposreal _ P)) as [r H]; exists r; intros x B X.
     assert (G := H x B X); simpl in G.
+    assert (N : (x - a) ^ k <> 0) by (apply pow_nonzero; lra).
     assert (d x <> 0).
-    { intro Y; rewrite Y in G; replace (0 / (x - a) - d') with (- d') in G.
+    { intro Y; rewrite Y in G; replace (0 / (x - a) ^ k - q) with (- q) in G.
       - rewrite Rabs_Ropp in G; lra.
       - unfold Rdiv; ring. }
-    rewrite F by assumption; field; split; [assumption | lra].
-  - apply (is_lim_div _ _ a n' d'); try assumption.
+    rewrite F by assumption; field; split; assumption.
+  - apply (is_lim_div _ _ a p q); try assumption.
     + intro Y; apply Q; injection Y; intro W; exact W.
-    + simpl; unfold is_Rbar_div, is_Rbar_mult; simpl; destruct (Req_EM_T d' 0); [contradiction | reflexivity].
+    + simpl; unfold is_Rbar_div, is_Rbar_mult; simpl; destruct (Req_EM_T q 0); [contradiction | reflexivity].
 Qed.
 
 (* What a term is at a point: 0 or a multiple of pi. *)
 Ltac at_point :=
   cbv beta; unfold tan, cot, cosh, sinh, tanh;
   rewrite ?Rmult_0_r, ?Rmult_0_l, ?Ropp_0, ?Rplus_0_r, ?Rplus_0_l; known_values;
-  first [same_field | lra].
+  first [same_field | lra | solve [unified; reflected; valued; known_values; same_field]].
 
 Lemma by_induction : forall P : R -> Prop,
   P 0 -> (forall n, whole n /\ P n -> P (n + 1)) -> forall n, whole n -> P n.

@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
+from symhaptic.book.rules import says
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.kernel import NotShown, Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
-from symhaptic.rocq.leaves import LEAVES
+from symhaptic.rocq.leaves import LEAVES, SPELLED
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
 
 WRITTEN = LOGIC | LEAVES | CLASSICAL
 MEANT = "what the predicate means: the characteristic polynomial of the model"
-BELIEVED = sources() | dict.fromkeys(("loop", "loop_substituted"), MEANT)
+MEANING = frozenset({"loop", "loop_substituted"})
+"""Rules that say what a predicate means."""
+BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
+PROVED = frozenset(CLASSICAL) | frozenset(ELEMENTARY)
+"""Classical rules and axioms that are theorems of Rocq here."""
 OPEN = "not checked:"
 """How the comment of a leaf begins that no tactic checks; it is an axiom named ``open_``."""
 
@@ -34,20 +40,51 @@ class File:
     """Names of the lemmas by which a statement is settled; none where one is not printed."""
     missing: dict[str, str] = field(default_factory=dict)
     """Why a statement is not printed."""
+    says: dict[str, str] = field(default_factory=dict)
+    """What each statement says, in words."""
+    titles: dict[str, str] = field(default_factory=dict)
+    """Of each lemma that the chapter shows, and of each statement, what it is."""
 
     def written(self) -> str:
         """The text: byte by byte the same from run to run."""
-        head = [
-            comment(self.title),
-            "From Symhaptic Require Import Prelude.",
-            "",
-        ]
-        steps = [step.written() for step in self.steps]
+        head = [*map(_paragraph, self._head()), "From Symhaptic Require Import Prelude.", ""]
+        steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         ends = []
         for id, names in self.statements.items():
-            ends.append(wrapped(f"(* {id} *)", ""))
+            ends.append(_paragraph(f"{id}: on what Rocq says that it rests."))
             ends += [f"Print Assumptions {name}." for name in names]
         return "\n".join([*head, *steps, *ends]) + "\n"
+
+    def _head(self) -> Iterator[str]:
+        """For a reader who knows Rocq and nothing else: what is shown here, and of what."""
+        yield self.title
+        for id, names in self.statements.items():
+            yield f"{id}: {self.says.get(id, '')}: {', '.join(names)}"
+        for id, why in self.missing.items():
+            yield f"{id} is not here: {why}"
+        if self.steps:
+            yield HOW
+        rules = sorted({step.rule for step in self.steps} - set(AXIOMS))
+        for rule in rules:
+            yield f"{rule}: {says(rule).partition('. ')[0].removesuffix('.')}."
+
+    def _title(self, step: Step) -> str:
+        own = self.titles.get(step.name.removeprefix("open_"))
+        return f"{_paragraph(own)}\n" if own else ""
+
+
+HOW = (
+    "Lemmas stand after those that they use. A lemma says a theorem for all of its free symbols: "
+    "hypotheses, then conclusion; a relation stands beside what it divides by. Its comment names "
+    "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
+    "classical theorems, and what is known of a device; one that is named open_ is a step which "
+    "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
+    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v."
+)
+
+
+def _paragraph(text: str) -> str:
+    return wrapped(comment(text), "", "   ")
 
 
 def slug(id: str) -> str:
@@ -75,7 +112,9 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     why: dict[Said, str] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
-    for theorem in order(roots):
+    for theorem in _spelled(order(roots)):
+        if said(theorem) in known:
+            continue
         try:
             found = _step(theorem, len(file.steps) + 1, named.get(said(theorem)), known, why)
         except NotPrinted as wrong:
@@ -88,12 +127,27 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
         file.steps += found
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
+            file.says[id] = chapter.page.settled[id].statement.says
             if said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
             else:
                 file.missing.setdefault(id, why.get(said(theorem), "a mere assumption"))
+    file.titles = {
+        f"lemma_{block.number}": f"Theorem {block.number}: {block.title}."
+        for block in chapter.page.blocks
+        if block.theorem is not None
+    }
     file.statements = {id: names for id, names in file.statements.items() if id not in file.missing}
     return file
+
+
+def _spelled(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
+    """The theorems, with other steps to those that are printed so."""
+    for theorem in theorems:
+        if theorem.rule in SPELLED:
+            with suppress(NotShown, NotPrinted):
+                yield from order([SPELLED[theorem.rule](theorem)])
+        yield theorem
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:

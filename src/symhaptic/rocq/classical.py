@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -12,6 +13,7 @@ from symhaptic.notation.proposition import Relation, proposition, term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import plain, same
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.propositions import needed
@@ -44,7 +46,8 @@ ELEMENTARY = {
     "sin rises": "intros x y H; opened; apply sin_increasing_1; lra.",
     "cos falls": "intros x y H; opened; apply cos_decreasing_1; lra.",
     "not negative": "intros x H; apply whole_start; exact H.",
-    "rest": "intros x y [H G]; apply with_rest; assumption.",
+    "rest": "intros x y [H G]; destruct (with_rest x y H G) as (p & P & Q & L); exists p; "
+    "repeat split; [exact P | lra | lra].",
 }
 """Axioms of our kernel that are theorems of Rocq's library."""
 
@@ -205,30 +208,71 @@ def tends(proof: Proof, theorem: Theorem) -> None:
     a, limit = real_text(at, names), real_text(value, names)
     there = {variable: at}
     above, below = sp.fraction(sp.together(plain(expr)))
-    slopes = [sp.diff(part, variable).xreplace(there) for part in (above, below)]
 
     def function(of: Expr) -> str:
         with names.bound(variable) as [v]:
             return f"(fun {v} : R => {real_text(of, names)})"
 
+    if not is_zero(below.xreplace(there)):
+        _sine_apart(proof, below.xreplace(there))
     proof.say("opened; defined.")
     if not is_zero(below.xreplace(there)):
         proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
         return
-    if not is_zero(above.xreplace(there)) or is_zero(slopes[1]):
-        raise NotPrinted("a limit of higher order")
-    up, down = (real_text(s, names) for s in slopes)
+    chains = [_until(below, variable, at)]
+    order = len(chains[0]) - 1
+    chains.insert(0, [sp.diff(above, variable, i) for i in range(order + 1)])
+    if not all(is_zero(f.xreplace(there)) for f in chains[0][:-1]):
+        raise NotPrinted("a limit that does not exist")
+    lead = [chain[-1].xreplace(there) for chain in chains]
+    ends = " ".join(f"({real_text(c / sp.factorial(order), names)})" for c in lead)
     functions = " ".join(map(function, (expr, above, below)))
+    proof.say(f"apply (tends_quotient {functions} ({a}) {ends} ({limit}) {order}).")
+    for chain in chains:
+        proof.say("-")
+        for i, (of, slope) in enumerate(pairwise(chain)):
+            size = chain[-1].xreplace(there) / sp.factorial(order - i - 1)
+            proof.say(
+                f"  apply (order_up {function(of)} {function(slope)} ({a}) "
+                f"({real_text(size, names)}) ({real_text(size / (order - i), names)}) "
+                f"{order - i - 1}); [intros; evar_last; [slope | same] | at_point "
+                "| simpl; same_field |]."
+            )
+        proof.say("  apply order_none; [slope | at_point].")
     proof.say(
-        f"apply (tends_quotient {functions} ({a}) ({up}) ({down}) ({limit})).",
-        "- evar_last; [slope | at_point].",
-        "- evar_last; [slope | at_point].",
-        "- at_point.",
-        "- at_point.",
         "- nz.",
-        f"- {' '.join(same(slopes[0] / slopes[1], value, names))}",
+        f"- {' '.join(same(lead[0] / lead[1], value, names))}",
         "- intros; cbv beta; unfold tan, cot, cosh, sinh, tanh; field; nz.",
     )
+
+
+def _sine_apart(proof: Proof, divisor: Expr) -> None:
+    """A sine is not zero where a series' coefficient is said not to be, 2 j sin w exp(j w)."""
+    names = proof.names
+    for claim, name in list(proof.scope.items()):
+        if not (isinstance(claim, Relation) and claim.sign == "!=" and complex_(claim.left)):
+            continue
+        for sine in divisor.atoms(sp.sin):
+            for turn in (2, -2, 2 * sp.I, -2 * sp.I):
+                share = turn * sp.exp(sp.I * sine.args[0])
+                if is_zero(claim.left - sine * share):
+                    proof.say(f"assert (Apart : {real_text(sine, names)} <> 0).")
+                    proof.say("{", f"intro Z; apply {name}.")
+                    sides = [complex_text(t, names) for t in (claim.left, sine * share)]
+                    proof.say(f"assert (F : ({sides[0]} = {sides[1]} :> C)%C).", "{")
+                    proof.say(*same(claim.left, sine * share, names), "}")
+                    proof.say("rewrite F, Z; ring.", "}")
+                    return
+
+
+def _until(expr: Expr, variable: Symbol, at: Expr) -> list[Expr]:
+    """An expression and its derivatives until one is not zero."""
+    found = [expr]
+    while is_zero(found[-1].xreplace({variable: at})):
+        if len(found) > 8:
+            raise NotPrinted("a limit of high order")
+        found.append(sp.diff(found[-1], variable))
+    return found
 
 
 @shows

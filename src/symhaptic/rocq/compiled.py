@@ -12,12 +12,14 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field, replace
+from functools import cache
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter, run
-from symhaptic.rocq.chapter import File, printed
+from symhaptic.book.foreign import INTEGERS, REALS, mark
+from symhaptic.proof.theorems.axioms import AXIOMS
+from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
 
 PRELUDE = Path(__file__).with_name("Prelude.v")
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
@@ -34,7 +36,6 @@ _PRIMITIVE = (
     "Uint63Axioms.",
     "FloatOps.",
 )
-REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
 
 
 class NoRocq(OSError):
@@ -57,6 +58,35 @@ class Outcome:
     seconds: float = 0.0
     kept: bool = False
     """Whether it was known from before."""
+    text: str = ""
+    """A mark of the text that was compiled, and of the prelude."""
+    says: dict[str, str] = field(default_factory=dict)
+    """Of each statement by theorems, a mark of what these say."""
+
+    def rules(self, id: str) -> list[str]:
+        """What a statement rests on, by name: rules and axioms, predicates, Rocq's library."""
+        named = {rule_of(name) for name in self.rests.get(id, ()) if not is_open(name)}
+        return sorted(named, key=lambda name: (name in (REALS, INTEGERS), name))
+
+
+def is_open(name: str) -> bool:
+    """Whether an axiom of a file is a leaf that is not checked."""
+    return name.startswith("open_")
+
+
+def rule_of(name: str) -> str:
+    """The classical rule or axiom of our kernel that an axiom of a file stands for.
+
+    >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("stable")
+    ('roots_stay', 'passive wall', 'stable')
+    """
+    instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
+    if instance and instance[1] in BELIEVED | WRITTEN:
+        return instance[1]
+    return _AXIOMS.get(name, name)
+
+
+_AXIOMS = {f"axiom_{slug(name)}": name for name in AXIOMS}
 
 
 def coqc() -> str:
@@ -86,8 +116,15 @@ def prelude_compiled(folder: Path) -> None:
             raise NoRocq(f"coqc does not take the prelude (is libcoq-interval installed?): {last}")
 
 
+def version() -> str:
+    """Of Rocq."""
+    told = subprocess.run([coqc(), "--print-version"], capture_output=True, text=True, check=False)
+    return told.stdout.split(" ")[0]
+
+
 def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    command = [coqc(), "-q", "-Q", ".", "Symhaptic", f"{name}.v"]
+    limit = f"Default Timeout={SECONDS}"
+    command = [coqc(), "-q", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
@@ -99,22 +136,32 @@ def written(path: Path, folder: Path) -> Outcome:
     return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"), {})
 
 
+def text_mark(text: str) -> str:
+    """What two texts share that Rocq is given alike, with the prelude that they import."""
+    whole = PRELUDE.read_text(encoding="utf-8") + text
+    return hashlib.sha256(whole.encode()).hexdigest()
+
+
 def judged(path: Path, folder: Path) -> Outcome:
     """A derivation's file, written, compiled and read back; known where the text is known."""
-    chapter = run(path)
+    return asked(run(path), folder)
+
+
+def asked(chapter: Chapter, folder: Path) -> Outcome:
+    """The same of a chapter that has been run."""
     begin = time.perf_counter()
     file = printed(chapter)
     text = file.written()
     known = folder / f"{file.name}.json"
-    mark = hashlib.sha256((PRELUDE.read_text(encoding="utf-8") + text).encode()).hexdigest()
+    of = text_mark(text)
     if known.is_file():
         before = json.loads(known.read_text(encoding="utf-8"))
-        if before["text"] == mark:
-            return Outcome(**{**before["outcome"], "kept": True})
+        if before["text"] == of:
+            return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     place = folder / f"{file.name}.v"
     place.write_text(text, encoding="utf-8")
     if not file.steps:
-        return _outcome(file, chapter, {}, {})
+        return _marked(_outcome(file, chapter, {}, {}), chapter, of)
     done = _compiled(folder, file.name)
     if done.returncode:
         file = printed(chapter, failing(folder, text))
@@ -124,15 +171,25 @@ def judged(path: Path, folder: Path) -> Outcome:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
         unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
-        return replace(outcome, steps=unchecked, open={"the file": why})
+        return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, of)
     rests = _rests(file, done.stdout)
-    outcome = _outcome(file, chapter, _told(file, rests), rests)
+    outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
         # what took too long may be quicker the next time
-        kept = {"text": mark, "outcome": asdict(outcome)}
+        kept = {"text": of, "outcome": asdict(outcome)}
         known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
-    return outcome
+    return _marked(outcome, chapter, of)
+
+
+def _marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:
+    """With what it is of."""
+    says = {
+        id: mark(one.settlement.judged)
+        for id, one in chapter.page.settled.items()
+        if one.settlement.judged is not None
+    }
+    return replace(outcome, text=text, says=says)
 
 
 _LEMMA = re.compile(r"^(Lemma ([\w']+) : .*?\.)\nProof\.\n.*?^Qed\.\n", re.S | re.M)
@@ -194,25 +251,44 @@ def _short(name: str) -> str:
     return INTEGERS if name.startswith(_PRIMITIVE) else name
 
 
-def _told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
+def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
     """Whether a statement is checked whole, or which of its leaves are open."""
-    reasons = {s.name: s.why for s in file.steps if s.name.startswith("open_")}
+    reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
+    named = {s.name for s in file.steps if s.kind == "Axiom"} | {REALS, INTEGERS}
+    named |= meant() | known_there()
     found = {}
     for id, names in rests.items():
         open_ = [n for n in names if n in reasons]
         why = sorted({reasons[n] for n in open_})
         found[id] = f"{len(open_)} steps open: {'; '.join(why)}" if open_ else "whole"
+        strange = sorted(set(names) - named)
+        if strange:
+            found[id] = f"it rests on {', '.join(strange)}, which nobody named"
     return found
 
 
+@cache
+def meant() -> frozenset[str]:
+    """What the prelude leaves open: the predicates, whose meaning the model has."""
+    found = re.findall(r"^Parameters? ([\w\s]+):", PRELUDE.read_text(encoding="utf-8"), re.M)
+    return frozenset(name for names in found for name in names.split())
+
+
+@cache
+def known_there() -> frozenset[str]:
+    """What the prelude believes of the predicates: rules of our kernel, by their names there."""
+    text = PRELUDE.read_text(encoding="utf-8")
+    return frozenset(re.findall(r"^Axiom (rule_\w+)", text, re.M))
+
+
 def _outcome(
-    file: File, chapter: Chapter, told: dict[str, str], rests: dict[str, list[str]]
+    file: File, chapter: Chapter, said: dict[str, str], rests: dict[str, list[str]]
 ) -> Outcome:
     steps: dict[str, list[int]] = {}
     for step in file.steps:
         if not step.name.startswith(("rule_", "axiom_")):
             count = steps.setdefault(step.rule, [0, 0])
-            count[0] += not step.name.startswith("open_")
+            count[0] += not is_open(step.name)
             count[1] += 1
     statements = {}
     for id, one in chapter.page.settled.items():
@@ -221,11 +297,6 @@ def _outcome(
         elif id in file.missing:
             statements[id] = f"not printed: {file.missing[id]}"
         else:
-            statements[id] = told[id]
-    open_ = {s.name: s.why for s in file.steps if s.name.startswith("open_")}
+            statements[id] = said[id]
+    open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
     return Outcome(file.name, statements, rests, dict(sorted(steps.items())), open_)
-
-
-def whole(outcomes: Sequence[Outcome]) -> list[str]:
-    """The statements that are checked whole."""
-    return [id for one in outcomes for id, said in one.statements.items() if said == "whole"]

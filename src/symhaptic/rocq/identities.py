@@ -1,18 +1,17 @@
 """How Rocq is shown that two terms are equal: which functions are variables, under which relations.
 
 The sines and cosines of sums of angles are written in those of the angles, exponentials likewise;
-then both sides are rational functions of variables that obey s^2 + c^2 = 1 and r^2 = x, and their
-difference is a combination of these relations.  The combination is found here; Rocq checks it.
+then both sides are rational functions of variables that obey s^2 = 1 - c^2 and r^2 = x, by which
+Rocq's ``ring`` rewrites them to a normal form.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import lcm
 
 import sympy as sp
 from sympy import Expr
-from sympy.polys.fields import FracField
 
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
@@ -111,7 +110,7 @@ def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
     """For each product of symbols the largest unit of which all arguments hold whole multiples."""
     shares: dict[Expr, int] = {}
     for angle in of:
-        for monomial, share in sp.expand(angle).as_coefficients_dict().items():
+        for monomial, share in _monomials(angle).items():
             shares[monomial] = lcm(shares.get(monomial, 1), int(share.q))
     units = {m: m / n for m, n in shares.items()}
     if quarter is not None and sp.pi in units and shares[sp.pi] in (1, 2):
@@ -120,12 +119,28 @@ def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
 
 
 def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
-    parts = sp.expand(of).as_coefficients_dict()
+    parts = _monomials(of)
     if any(m not in units for m in parts if parts[m]):
         raise NotPrinted(f"the argument {of}")
     return [
         (units[m], int(parts[m] * m / units[m])) for m in sorted(parts, key=str) if parts[m] != 0
     ]
+
+
+def _monomials(of: Expr) -> Mapping[Expr, Expr]:
+    """What a sum is made of, with how often; of a quotient the whole part and the rest apart."""
+    above, below = sp.fraction(sp.together(of))
+    if not below.free_symbols:
+        return dict(sp.expand(above / below).as_coefficients_dict())
+    number, divisor = sp.expand(below).as_content_primitive()
+    number = -number if divisor.could_extract_minus_sign() else number
+    below, above, symbols = sp.expand(below / number), above / number, below.free_symbols
+    one = len(symbols) == 1 and all(t.is_polynomial(*symbols) for t in (above, below))
+    whole, rest = sp.div(above, below, *symbols) if one else (sp.S.Zero, above)
+    parts = dict(sp.expand(whole).as_coefficients_dict())
+    for monomial, share in sp.expand(rest).as_coefficients_dict().items():
+        parts[monomial / below] = parts.get(monomial / below, sp.S.Zero) + share
+    return parts
 
 
 def _multiple(c: Expr, s: Expr, count: int) -> tuple[Expr, Expr]:
@@ -151,32 +166,24 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     What the terms divide by is known not to be zero.
     """
     of_complex = complex_(*terms)
-    c, scope = ("C", "%C") if of_complex else ("", "")
-    field, ring = ("Csame_field", "Cring") if of_complex else ("same_field", "ring")
-    write = complex_text if of_complex else real_text
     if _rational(terms, difference):
         return ["Cpushed; Csame_field." if of_complex else "same_field."]
     lines = []
     if any(t.has(*_AS_OTHERS) for t in terms):
         lines.append("unfold tan, cot, sinh, cosh, tanh in *.")
-    of = {t: plain(t) for t in terms}
-    parts = _Parts(list(of.values()))
-    value = difference(lambda t: parts.image(of[t]))
-    relations = _relations(parts)
+    parts = _Parts([plain(t) for t in terms])
+    for t in terms:
+        parts.image(plain(t))
+    write = complex_text if of_complex else real_text
     names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
     lines += _turned(parts, names) + _expansions(parts, names)
     if of_complex:
         lines.append("Cpushed.")
-    quotients = _combination(value, [p for p, _, _ in relations], list(parts.values.values()))
-    if not any(quotients):
-        return [*lines, f"{field}."]
-    used = [(*r, q) for r, q in zip(relations, quotients, strict=True) if q != 0]
-    total = " + ".join(f"({said(names)}) * ({write(q, names)})" for _, said, _, q in used)
-    lines.append(f"apply ({c}by_zero _ _ ({total}){scope}); [{field} |].")
-    for _, said, why, _ in used:
-        zero = f"({said(names)})%C with (RtoC 0)" if of_complex else f"({said(names)}) with 0"
-        lines.append(f"replace {zero} by (symmetry; {why(names)}).")
-    return [*lines, f"{ring}."]
+    rules = _rules(parts, of_complex, names)
+    lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
+    by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
+    push, nz = ("cbn [Cpower]; ", "Cnz") if of_complex else ("", "nz")
+    return [*lines, f"{push}first [solve [ring{by}] | field{by}; {nz}]."]
 
 
 def same(left: Expr, right: Expr, names: Names) -> list[str]:
@@ -194,8 +201,9 @@ def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> boo
     }
     names |= {c: sp.Dummy() for c in (sp.pi, sp.E, sp.I)}
     bare = difference(lambda t: t.xreplace(names))
-    symbols = sorted(bare.free_symbols, key=sp.default_sort_key) or [sp.Dummy()]
-    return bool(FracField(symbols, sp.QQ).from_expr(bare) == 0)
+    symbols = sorted(bare.free_symbols, key=sp.default_sort_key)
+    # Rocq decides; here a point with large primes for coordinates tells which tactic to try.
+    return bool(bare.xreplace({s: sp.prime(1000 + 7 * i) for i, s in enumerate(symbols)}) == 0)
 
 
 def _expansions(parts: _Parts, names: Names) -> list[str]:
@@ -216,9 +224,10 @@ def _expansions(parts: _Parts, names: Names) -> list[str]:
         said, wanted = real_text(function, names), real_text(image, names)
         name = said[: said.index("(")]
         sum_ = f"{name} ({' + '.join(pieces) or '0'})"
+        divided = "; nz" if sp.denom(argument).free_symbols or argument.has(sp.Add) else ""
         lines += [
             f"assert (E : {said} = {wanted}) by (transitivity ({sum_}); "
-            f"[f_equal; field | {'turned' if turning else 'raised'}]).",
+            f"[f_equal; field{divided} | {'turned' if turning else 'raised'}]).",
             "rewrite ?E in *; clear E.",
         ]
     return lines
@@ -231,71 +240,31 @@ def _turned(parts: _Parts, names: Names) -> list[str]:
         if isinstance(function, sp.exp) and complex_(function):
             size, angle = polar(function)
             parts_ = [real_text(f, names) for f in (sp.exp(size), sp.cos(angle), sp.sin(angle))]
-            at = f"(Cexp_at _ ({real_text(size, names)}) ({real_text(angle, names)}))"
+            at = f"(Cexp_turned _ ({real_text(size, names)}) ({real_text(angle, names)}))"
             wanted = f"({parts_[0]}) * (({parts_[1]}) + Ci * ({parts_[2]}))"
             lines += [
                 f"assert (E : ({complex_text(function, names)} = {wanted} :> C)%C) "
-                f"by (rewrite {at} by Ccompared; Cevaluated).",
+                f"by (apply {at}; [Ccompared | Cangle | Cangle | Cangle]).",
                 "rewrite ?E in *; clear E.",
             ]
     return lines
 
 
-Written = Callable[[Names], str]
-
-
-def _relations(parts: _Parts) -> list[tuple[Expr, Written, Written]]:
-    """What vanishes: in the variables, as it is written, and how it is shown."""
-    found: list[tuple[Expr, Written, Written]] = []
-    in_c = sp.I in parts.values
-    for function, variable in list(parts.values.items()):
+def _rules(parts: _Parts, of_complex: bool, names: Names) -> list[str]:
+    """Tactics that show what the square of a variable is, under a name that is left open."""
+    c, colon, found = ("C", " :> C)%C", []) if of_complex else ("", ")", [])
+    for function in parts.values:
         if function == sp.I:
-            found.append((variable**2 + 1, lambda _: "Ci ^ 2 + 1", lambda _: "apply Ci_squared"))
-        elif isinstance(function, sp.sin):
-            cosine = parts.values.get(sp.cos(function.args[0]))
-            if cosine is not None:
-                found.append((variable**2 + cosine**2 - 1, *_pythagoras(function.args[0], in_c)))
+            found.append("pose proof Ci_square as {}.")
+        elif isinstance(function, sp.sin) and sp.cos(function.args[0]) in parts.values:
+            angle = real_text(function.args[0], names)
+            found.append(f"pose proof ({c}sine_square ({angle})) as {{}}.")
         elif function.is_Pow and function.exp == sp.S.Half:
-            found.append((variable**2 - parts.image(function.base), *_root(function.base, in_c)))
+            base = (complex_text if of_complex else real_text)(function.base, names)
+            root = real_text(function, names)
+            shown = "[rooted | Cpushed; Csame_field]" if of_complex else "rooted"
+            found.append(
+                f"assert ({{}} : ({root} * {root} = {base}{colon}) "
+                f"by (apply {c}root_square; {shown})."
+            )
     return found
-
-
-def _pythagoras(angle: Expr, in_c: bool) -> tuple[Written, Written]:
-    def said(names: Names) -> str:
-        x = real_text(angle, names)
-        return f"sin({x})^2 + cos({x})^2 - 1"
-
-    return said, lambda _: "apply Cpythagoras" if in_c else "apply pythagoras"
-
-
-def _root(base: Expr, in_c: bool) -> tuple[Written, Written]:
-    if in_c:
-        raise NotPrinted("a root beside j")
-
-    def said(names: Names) -> str:
-        x = real_text(base, names)
-        return f"sqrt({x})^2 - ({x})"
-
-    return said, lambda _: "apply root_squared; rooted"
-
-
-def _combination(
-    difference: Expr, relations: Sequence[Expr], variables: Sequence[Expr]
-) -> list[Expr]:
-    """Quotients by which the difference is a sum of multiples of the relations."""
-    known = difference.free_symbols.union(*(r.free_symbols for r in relations))
-    first = [v for v in reversed(variables) if v in known]
-    others = sorted(known - set(first), key=str)
-    field = FracField([*first, *others] or [sp.Dummy()], sp.QQ)
-    value = field.from_expr(difference)
-    if value == 0 or not relations:
-        if value != 0:
-            raise NotPrinted("an identity of which more has to be known")
-        return [sp.S.Zero] * len(relations)
-    divisors = [field.from_expr(r) for r in relations]
-    quotients, rest = value.numer.div([d.numer for d in divisors])
-    quotients = [field(q) * field(d.denom) for q, d in zip(quotients, divisors, strict=True)]
-    if rest != 0:
-        raise NotPrinted("an identity that needs more than s^2 + c^2 = 1 and r^2 = x")
-    below = sp.factor(value.denom.as_expr())
-    return [q.as_expr() / below for q in quotients]

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
 from sympy import Expr, floor
 
-from symhaptic.notation.proposition import Relation, term
+from symhaptic.notation.proposition import Predicate, Relation, term
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, conjoined, part
+from symhaptic.proof.theorems.leaves import number as settled
+from symhaptic.proof.theorems.roots import jury
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.identities import Image, same, script
+from symhaptic.rocq.identities import Image, polar, same, script
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.steps import Proof
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
-__all__ = ["LEAVES"]
+__all__ = ["LEAVES", "SPELLED"]
 
 LEAVES: dict[str, Written] = {}
 """How a leaf of each kind is checked."""
@@ -54,6 +57,69 @@ def number(proof: Proof, theorem: Theorem) -> None:
     else:
         proof.say("opened; defined; numeric.")
 
+
+@cache
+def by_jury(theorem: Theorem) -> Theorem:
+    """The same of the polynomial in real numbers, by Jury's criterion and signs of numbers."""
+    claim: Any = theorem.conclusion
+    inside = _inside(claim)
+    [polynomial], [variable] = inside.of, inside.over
+    poly = sp.Poly(polynomial, variable)
+    if poly.degree() > _HIGHEST:
+        raise NotPrinted(f"the determinants of a polynomial of degree {poly.degree()}")
+    if polynomial.has(sp.I):
+        polynomial = sp.Add(*(_real_part(c) * variable**n for (n,), c in poly.terms()))
+    judged = jury(polynomial, variable)
+    stable, signs = judged.conclusion.parts
+    if inside is claim:
+        return applied(judged, conjoined(*map(settled, signs.parts)))
+    wrong: Any = next(s for s in signs.parts if sign(s.terms[1]) == -1)
+    given = part(applied(judged, assume(stable)), wrong)
+    return absurd(given, settled(Relation(wrong.right, "<", wrong.left)), stable)
+
+
+_HIGHEST = 8
+"""The highest degree of which determinants are written out."""
+
+
+def _real_part(number: Expr) -> Expr:
+    """A number that is real, without j."""
+    turned = {
+        e: sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
+        for e in number.atoms(sp.exp)
+        for size, angle in [polar(e)]
+    }
+    return sp.expand(number.xreplace(turned)).as_independent(sp.I, as_Add=True)[0]
+
+
+@shows
+def roots_inside(proof: Proof, theorem: Theorem) -> None:
+    known = by_jury(theorem)
+    claims = [theorem.conclusion, known.conclusion]
+    (polynomial, real), [variable] = (_inside(c).of[0] for c in claims), _inside(claims[0]).over
+    with proof.names.introduced(variable) as [v]:
+        proof.names.as_complex.add(variable)
+        texts = [f"(fun {v} : C => {complex_text(p, proof.names)})%C" for p in (polynomial, real)]
+        lines = same(polynomial, real, proof.names)
+    proof.say(
+        f"assert (Same : {texts[0]} = {texts[1]}).",
+        "{",
+        f"apply functional_extensionality; intro {v}.",
+        *lines,
+        "}",
+        f"rewrite Same; exact {proof.have(known)}.",
+    )
+
+
+LEAVES["root_outside"] = roots_inside
+
+
+def _inside(claim: Any) -> Predicate:
+    return claim if isinstance(claim, Predicate) else claim.of[0]
+
+
+SPELLED = {"roots_inside": by_jury, "root_outside": by_jury}
+"""Leaves that are printed as other steps to the same theorem, or to one that is nearer."""
 
 Write = Callable[[Expr, Names], str]
 
@@ -150,13 +216,11 @@ def factor(proof: Proof, theorem: Theorem) -> None:
     assert isinstance(claim, Relation)
     low, high, names = claim.left, claim.right, proof.names
     c = complex_(of, other, low, high)
-    if c and not (complex_(of) and complex_(low, high)):
-        raise NotPrinted("a real factor of a complex term")
     proof.keep(product)
-    sides = [(complex_text if c else real_text)(t, names) for t in (high, low, of, other)]
+    write = complex_text if c else real_text
+    sides = [write(t, names) for t in (high, low, of, other)]
     said = f"{sides[0]} - ({sides[1]}) = ({sides[2]}) * ({sides[3]})"
     product_ = f"(({sides[2]}) * ({sides[3]})){'%C' if c else ''}"
-    nought = "RtoC 0" if c else "0"
     found = script([low, high, of, other], lambda f: f(high) - f(low) - f(of) * f(other), names)
     proof.say(
         "opened; defined.",
@@ -164,9 +228,21 @@ def factor(proof: Proof, theorem: Theorem) -> None:
         "{",
         *found,
         "}",
-        f"intro Z; assert (Nil : {product_} = {nought}) by (rewrite Z; ring).",
-        f"pose proof (eq_trans Fact Nil); {'C' if c else ''}refuted.",
+        "intro Z.",
     )
+    if c and not complex_(of):
+        proof.say(f"apply (Cof_real _ _ (({sides[2]})%C)) in Z; [| Cpushed; Cring].")
+    nought = "RtoC 0" if c else "0"
+    proof.say(
+        f"assert (Nil : {product_} = {nought}) by (rewrite Z; ring).",
+        "pose proof (eq_trans Fact Nil) as Zero.",
+    )
+    if c and not complex_(low, high):
+        pair = [real_text(t, names) for t in (high, low)]
+        proof.say(f"apply (Creal_zero _ (({pair[0]}) - ({pair[1]}))) in Zero; [| Cpushed; Cring].")
+        proof.say("refuted.")
+    else:
+        proof.say(f"{'C' if c else ''}refuted.")
 
 
 @shows
@@ -186,6 +262,26 @@ def is_whole(proof: Proof, theorem: Theorem) -> None:
 def broken(proof: Proof, theorem: Theorem) -> None:
     value = theorem.conclusion.parts[0].terms[0]
     proof.say(f"broken ({floor(value)})%Z.")
+
+
+@shows
+def gains(proof: Proof, theorem: Theorem) -> None:
+    wall, motion = theorem.given
+    reals = " ".join(f"({real_text(term(v), proof.names)})" for v in wall)
+    pieces = "nil"
+    for time, way in reversed(motion):
+        pieces = f"(cons ({_rational(time)}, {_rational(way)}) {pieces})"
+    proof.say(
+        f"assert (G := rule_gains {reals} {_rational(wall[4])} {pieces}).",
+        "repeat match type of G with ?P -> _ => "
+        "let H := fresh in assert (H : P) by gained; specialize (G H); clear H end.",
+        "finish G.",
+    )
+
+
+def _rational(value: Any) -> str:
+    value = sp.Rational(value)
+    return f"(QArith_base.Qmake ({value.p}) {value.q})"
 
 
 @shows

@@ -21,7 +21,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.steps import Proof, said
+from symhaptic.rocq.steps import Proof, premises, said
 from symhaptic.rocq.terms import NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]
@@ -63,9 +63,10 @@ def discharged(proof: Proof, theorem: Theorem) -> None:
 @shows
 def cut(proof: Proof, theorem: Theorem) -> None:
     """What lemmas conclude is known before the theorem is used."""
-    for lemma in theorem.premises[1:]:
+    first, *lemmas = premises(theorem)
+    for lemma in lemmas:
         proof.keep(lemma)
-    proof.say(f"finish {proof.have(theorem.premises[0])}.")
+    proof.say(f"finish {proof.have(first)}.")
 
 
 @shows
@@ -173,7 +174,9 @@ def _value(proof: Proof, symbol: Symbol, value: Expr) -> str:
     if is_complex(symbol):
         return f"({complex_text(value, proof.names)})%C"
     if complex_(value):
-        raise NotPrinted("a real number that is written with j")
+        text, known = f"({complex_text(value, proof.names)})%C", proof.new("E")
+        proof.say(f"assert ({known} : {text} = RtoC (Re {text})) by (apply Creal; Cunmoved).")
+        return f"(Re {text})"
     return f"({real_text(value, proof.names)})"
 
 
@@ -225,17 +228,19 @@ def substituted(proof: Proof, theorem: Theorem) -> None:
         *theorem.premises,
     )
     claim: Any = equation.conclusion
-    if complex_(claim.left, claim.right):
-        raise NotPrinted("a complex term in place of a symbol")
-    sides = [real_text(t, proof.names) for t in (claim.left, claim.right)]
+    kind, write = ("C", complex_text) if is_complex(place) else ("R", real_text)
+    if kind == "R" and complex_(claim.left, claim.right):
+        raise NotPrinted("a real number that is written with j, in place of a symbol")
+    scope = "%C" if kind == "C" else ""
+    sides = [f"({write(t, proof.names)}){scope}" for t in (claim.left, claim.right)]
     equal, before = proof.keep(equation), proof.have(known)
     with proof.names.bound(place) as [name]:
         body = proof.text(pattern)
     old, new, turned = proof.new("P"), proof.new("P"), proof.new("E")
     proof.say(
-        f"assert ({old} : (fun {name} : R => {body}) ({sides[0]})) by finish {before}.",
-        f"assert ({turned} : {sides[0]} = {sides[1]}) by (opened; assumption).",
-        f"pose proof (eq_ind _ (fun {name} : R => {body}) {old} _ {turned}) as {new}.",
+        f"assert ({old} : (fun {name} : {kind} => {body}) {sides[0]}) by finish {before}.",
+        f"assert ({turned} : {sides[0]} = {sides[1]}) by (opened; assumed).",
+        f"pose proof (eq_ind _ (fun {name} : {kind} => {body}) {old} _ {turned}) as {new}.",
         f"cbv beta in {new}; clear {old}; finish {new}.",
     )
     del equal

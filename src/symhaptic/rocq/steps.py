@@ -170,6 +170,16 @@ class Proof:
         return text(claim, self.names)
 
 
+def premises(theorem: Theorem) -> tuple[Theorem, ...]:
+    """What a theorem was made of; lemmas that a tactic took from a set in an order of their own."""
+    if theorem.rule != "cut":
+        return tuple(theorem.premises)
+    first, *lemmas = theorem.premises
+    return first, *sorted(
+        lemmas, key=lambda t: (repr(t.conclusion), sorted(map(repr, t.hypotheses)))
+    )
+
+
 def order(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
     """Theorems and all below them, premises first, each once; without mere assumptions."""
     seen: set[Said] = set()
@@ -185,4 +195,4 @@ def order(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
                 yield theorem
             else:
                 stack.append((theorem, True))
-                stack += [(p, False) for p in reversed(theorem.premises)]
+                stack += [(p, False) for p in reversed(premises(theorem))]

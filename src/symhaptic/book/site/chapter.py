@@ -11,6 +11,7 @@ from sympy import Basic
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.evidence import evidence
+from symhaptic.book.foreign import LEAVES, NOT, WHOLE, Checked, checked
 from symhaptic.book.record import Block, Settled
 from symhaptic.book.rests import Said, Shown, rests
 from symhaptic.book.rules import called
@@ -203,6 +204,17 @@ def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
     return f" by {', '.join([*places, *rules])}" if places or rules else ""
 
 
+def _foreign(found: Checked) -> list[str]:
+    """How far Rocq has checked a statement, why no further, and on what this rests."""
+    if found == Checked():
+        return []
+    rules = [f":ref:`{_link_text(called(r))} <rule-{anchor(r)}>`" for r in found.rules]
+    why = f" ({plain(found.why)})" if found.why else ""
+    by = f", by {', '.join([*rules, *found.others])}" if found.rests else ""
+    extent = {WHOLE: "whole", LEAVES: "in part", NOT: "not"}[found.extent]
+    return [f"*Rocq:* {extent}{why}{by}", ""]
+
+
 def _link_text(name: str) -> str:
     return name.replace("<", "less than").replace("`", "'")
 
@@ -238,7 +250,8 @@ def _printed(item: Settled, place: Place) -> list[str]:
     ground = "a theorem" + by([judged.theorem], place.shown) if judged else words(verdict.method)
     shows = [words(text) for text in shown_by(verdict)]
     said = "; ".join([ground, *shows])
-    out += container("verdict", [kind(verdict.kind), "", said])
+    foreign = checked(statement.id, judged) if judged else Checked()
+    out += container("verdict", [kind(verdict.kind), "", said, "", *_foreign(foreign)])
     return [f".. _{label}:", "", *container("statement", out)]
 
 

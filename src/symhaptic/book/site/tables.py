@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from symhaptic.book.foreign import asked, counted
 from symhaptic.book.ledger import Entry
 from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
@@ -111,7 +112,7 @@ def of_form(entry: Entry) -> bool:
 
 def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
     """Every statement with its verdict, to be filtered and sorted."""
-    head = ["statement", "what it says", "verdict", "where", "chapter"]
+    head = ["statement", "what it says", "verdict", "Rocq", "where", "chapter"]
     rows = [head]
     for entry in entries:
         number, name = chapters.get(entry.derivation or "", (0, ""))
@@ -120,11 +121,19 @@ def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
                 statement_link(entry.statement.id) if name else entry.statement.id,
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
+                entry.rocq.extent if asked() else "",
                 "own finding" if entry.own else plain(entry.statement.location),
                 f":doc:`{number} <{name}>`" if name else "",
             ]
         )
     out = [".. _ledger:", "", *heading("Every statement and its verdict")]
+    if asked():
+        found = counted(entry.rocq for entry in entries)
+        out += [
+            f"{asked()}, a second judge, was given the theorems, too: {found}. What it "
+            "has checked *whole* rests on classical rules alone; *leaves* have steps open.",
+            "",
+        ]
     return "\n".join([*out, *table("ledger", rows)]) + "\n"
 
 

@@ -8,7 +8,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book import foreign
 from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
+from symhaptic.book.foreign import LEAVES, WHOLE, asked
 from symhaptic.book.ledger import (
     GENERATED,
     Entry,
@@ -114,7 +116,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         ("results", {**results(entries, numbers), "graph": bool(between(numbered))}),
         ("believed", believed(entries)),
         ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
-        ("ledger", {"rows": rows}),
+        ("ledger", {"rows": rows, **_foreign(entries)}),
         *([("mutants", trials)] if trials else []),
         *([("bench", speed)] if speed else []),
     ]
@@ -159,7 +161,36 @@ def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
         "says": f"{prose(entry.statement.says)} \\textcolor{{black!60}}{{({location})}}",
         "kind": str(entry.verdict.kind),
         "chapter": f"chapter {place}" if place else "",
+        "rocq": {WHOLE: "whole", LEAVES: "in part"}.get(entry.rocq.extent, "--"),
     }
+
+
+def _foreign(entries: list[Entry]) -> dict[str, Any]:
+    """What Rocq has checked in all, and why it has not checked the others."""
+    found: dict[str, list[str]] = {}
+    for entry in entries:
+        why = entry.rocq.why
+        if why:
+            found.setdefault(_literally(why), []).append(entry.statement.id)
+    return {
+        "rocq": asked(),
+        "checked": foreign.counted(entry.rocq for entry in entries),
+        "unchecked": [
+            (why, ", ".join(id.replace("-", "-\\allowbreak ") for id in ids))
+            for why, ids in sorted(found.items(), key=lambda item: (-len(item[1]), item[0]))
+        ],
+    }
+
+
+_SIGNS = {
+    **{sign: f"\\{sign}" for sign in "_%#&{}$"},
+    **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\textasciitilde{}"},
+}
+
+
+def _literally(text: str) -> str:
+    """Words of another program, which may break within a name."""
+    return "".join(_SIGNS.get(c, c) + r"\allowbreak " * (c in "/.(") for c in text)
 
 
 # -- writing --------------------------------------------------------------------------

@@ -10,6 +10,7 @@ from sympy import Expr
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.evidence import evidence
+from symhaptic.book.foreign import NOT, checked
 from symhaptic.book.record import Block, Record, Settled
 from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
@@ -132,6 +133,15 @@ def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown])
     return f"{claim}\n\\numbers{{{_sentence(prose(numbers))}}}" if numbers else claim
 
 
+def _foreign(item: Settled) -> str:
+    """How far Rocq has checked a statement, and what it says that this rests on."""
+    found = checked(item.statement.id, item.settlement.judged)
+    if found.extent == NOT:
+        return ""
+    rules = [f"\\byrule{{{anchor(rule)}}}{{{prose(called(rule))}}}" for rule in found.rules]
+    return f"Rocq: {found.in_short}, by {', '.join([*rules, *found.others])}"
+
+
 def _by(lead: str, theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
     """What theorems rest on: others of the page by number, classical rules by name."""
     found = rests(theorems, shown)
@@ -146,7 +156,8 @@ def _grounds(item: Settled, shown: Mapping[Said, Shown]) -> str:
     judged = item.settlement.judged
     if judged is None:
         return ""
-    return _by("a theorem", [judged.theorem], shown)
+    told = [_by("a theorem", [judged.theorem], shown), _foreign(item)]
+    return "\\\\".join(filter(None, told))
 
 
 def _breakable(method: str) -> str:

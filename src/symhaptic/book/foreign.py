@@ -1,0 +1,112 @@
+"""What a foreign kernel has checked: the committed record, and whether it still is of what is said.
+
+Rocq checks a proposition, and each text that it was given.  The record keeps a mark of both: where
+a statement's theorems say something else than the record's, nobody but our own kernel has checked
+them, and that is what is told.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from symhaptic.book.chapters import expected_rocq
+from symhaptic.book.rules import classical
+from symhaptic.proof.theorems.judge import Judged
+
+WHOLE, LEAVES, NOT = "whole", "leaves", "not"
+"""Leaves and joins alike; with steps open; nothing of the statement."""
+
+CHANGED = "what it says has changed since Rocq was asked"
+UNKNOWN = "Rocq was not asked"
+
+REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
+"""What a statement may rest on beside classical rules."""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """How far Rocq has checked a statement, why no further, and on what it found it to rest."""
+
+    extent: str = NOT
+    why: str | None = UNKNOWN
+    rests: tuple[str, ...] = ()
+    """Classical rules and axioms by name, then what Rocq's own library is built on."""
+    stale: bool = False
+
+    def as_json(self) -> dict[str, Any]:
+        """The field ``rocq`` of a statement."""
+        return {"checked": self.extent, "why": self.why, "rests": list(self.rests)}
+
+    @property
+    def rules(self) -> list[str]:
+        """The classical rules and axioms among what it rests on."""
+        return [name for name in self.rests if name in classical()]
+
+    @property
+    def others(self) -> list[str]:
+        """What else it rests on, in words: meanings of predicates, and Rocq's library."""
+        library = [name for name in (REALS, INTEGERS) if name in self.rests]
+        known = {*self.rules, *library}
+        meanings = [name.replace("_", " ") for name in self.rests if name not in known]
+        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + library
+
+    @property
+    def in_short(self) -> str:
+        """How far, with the number of steps that are open."""
+        steps = (self.why or "").partition(":")[0]
+        return {WHOLE: "whole", LEAVES: f"in part, {steps}", NOT: "not"}[self.extent]
+
+
+def mark(judged: Judged) -> str:
+    """What two judgements share whose theorems say the same."""
+    theorems = (judged.theorem, *(case.theorem for case in judged.unless))
+    said = "\n".join(f"{sorted(map(repr, t.hypotheses))} {t.conclusion!r}" for t in theorems)
+    return hashlib.sha256(said.encode()).hexdigest()[:16]
+
+
+def checked(id: str, judged: Judged | None, path: Path | None = None) -> Checked:
+    """What the record says of a statement, settled by these theorems."""
+    known = recorded(path or expected_rocq())["statements"].get(id)
+    if known is None:
+        return Checked()
+    if known["says"] != (None if judged is None else mark(judged)):
+        return Checked(NOT, CHANGED, stale=True)
+    return Checked(known["checked"], known["why"], tuple(known["rests"]))
+
+
+@cache
+def recorded(path: Path) -> dict[str, Any]:
+    """The record; an empty one where none is."""
+    if not path.is_file():
+        return {"statements": {}, "chapters": {}}
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return found
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence.
+
+    >>> listed(["a", "b", "c"])
+    'a, b and c'
+    """
+    *first, last = names
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def asked(path: Path | None = None) -> str:
+    """Which Rocq was asked; empty where none was."""
+    version = recorded(path or expected_rocq()).get("rocq")
+    return f"Rocq {version}" if version else ""
+
+
+def counted(found: Iterable[Checked]) -> str:
+    """How many are checked how far."""
+    extents = [one.extent for one in found]
+    whole, leaves, rest = (extents.count(kind) for kind in (WHOLE, LEAVES, NOT))
+    return f"{whole} whole, {leaves} with steps open, {rest} not"

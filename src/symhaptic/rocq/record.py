@@ -1,0 +1,80 @@
+"""What Rocq found, as the record that the ledger and the book read: `book.foreign` tells it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from symhaptic.book.foreign import LEAVES, NOT, WHOLE
+from symhaptic.rocq.compiled import Outcome
+
+GENERATED = "written by `symhaptic verify --rocq DIR --format json -o FILE`; do not edit"
+
+
+def extent(said: str) -> str:
+    """How far a statement is checked.
+
+    >>> extent("whole"), extent("2 steps open: not checked: the rule gains")
+    ('whole', 'leaves')
+    """
+    if said == "whole":
+        return WHOLE
+    return LEAVES if re.match(r"\d+ steps? open", said) else NOT
+
+
+def why(said: str) -> str | None:
+    """Why it is not checked further.
+
+    >>> why("1 steps open: not checked: the rule gains")
+    '1 step open: the rule gains'
+    """
+    if said == "whole":
+        return None
+    told = said.replace("not checked: ", "").removesuffix(".")
+    return re.sub(r"^1 steps", "1 step", told)
+
+
+def record(outcomes: Iterable[Outcome], rocq: str | None) -> dict[str, Any]:
+    """All that was found, without times, so that it is the same from run to run."""
+    outcomes = list(outcomes)
+    checked, total = Counter[str](), Counter[str]()
+    for one in outcomes:
+        checked.update({rule: count[0] for rule, count in one.steps.items()})
+        total.update({rule: count[1] for rule, count in one.steps.items()})
+    return {
+        "generated": GENERATED,
+        "rocq": rocq,
+        "statements": {
+            id: {
+                "checked": extent(said),
+                "why": why(said),
+                "rests": one.rules(id) if extent(said) != NOT else [],
+                "says": one.says.get(id),
+            }
+            for one in outcomes
+            for id, said in one.statements.items()
+        },
+        "steps": {rule: [checked[rule], total[rule]] for rule in sorted(total)},
+        "chapters": {one.chapter: {"text": one.text, "open": one.open} for one in outcomes},
+    }
+
+
+def text(found: Mapping[str, Any]) -> str:
+    """A record as it is committed."""
+    return json.dumps(found, indent=1, ensure_ascii=False) + "\n"
+
+
+def differences(found: Mapping[str, Any], known: Mapping[str, Any]) -> list[str]:
+    """Statements that Rocq has checked further, or not as far, as a record says."""
+    lines = []
+    for id, one in found["statements"].items():
+        before = known["statements"].get(id, {}).get("checked", "nothing")
+        if one["checked"] != before:
+            lines.append(f"{id}: {one['checked']}, but the record says {before}")
+    return lines
+
+
+__all__ = ["differences", "extent", "record", "text", "why"]

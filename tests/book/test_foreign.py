@@ -1,0 +1,97 @@
+"""What Rocq has checked is told beside the verdict, in print and on the site, and in the ledger."""
+
+import json
+
+import pytest
+from chapters import chapter
+
+from symhaptic.book import foreign, ledger, listing
+from symhaptic.book.foreign import mark
+from symhaptic.book.site import tables
+from symhaptic.book.site.build import sources
+from symhaptic.book.tex import build
+from symhaptic.book.tex.page import chapter_tex
+
+NAME, ID = "s3a_passivity_condition", "s3a-mass-free"
+OTHER = "eq5"
+
+
+@pytest.fixture
+def recorded(tmp_path, monkeypatch):
+    """A record of our own: one statement whole, one with open steps, all else not asked."""
+    settled = chapter(NAME).page.settled
+    path = tmp_path / "rocq.json"
+    whole = {
+        "checked": "whole", "why": None, "says": mark(settled[ID].settlement.judged),
+        "rests": ["stored", "passive_wall", foreign.REALS],
+    }  # fmt: skip
+    leaves = {
+        **whole, "checked": "leaves", "why": "2 steps open: coqc: x_1 & {y}^2 ~ \\z",
+        "says": mark(settled[OTHER].settlement.judged),
+    }  # fmt: skip
+    path.write_text(json.dumps({"rocq": "8.16.1", "statements": {ID: whole, OTHER: leaves}}))
+    monkeypatch.setattr(foreign, "expected_rocq", lambda: path)
+    return path
+
+
+def test_the_book_says_on_what_a_whole_statement_rests(recorded):
+    text = chapter_tex(chapter(NAME), 1)
+    wanted = (
+        r"Rocq: whole, by \byrule{stored}{stored energy}, the meaning of passive wall, "
+        "the axioms of the reals"
+    )
+    assert wanted in text
+    assert "Rocq: in part, 2 steps open, by" in text
+
+
+def test_of_what_rests_on_the_library_alone_no_meaning_is_told():
+    assert foreign.Checked("whole", None, (foreign.REALS,)).others == [foreign.REALS]
+    assert foreign.Checked("whole", None, ("stable",)).others == ["the meaning of stable"]
+
+
+def test_the_site_says_it_too_with_the_reason(recorded):
+    pages = sources([(1, chapter(NAME))], whole=False)
+    text = pages[f"{NAME}.rst"]
+    assert (
+        "*Rocq:* whole, by :ref:`stored energy <rule-stored>`, the meaning of passive wall" in text
+    )
+    assert "*Rocq:* in part (2 steps open" in text
+    entries = ledger.of_chapter(chapter(NAME))
+    page = tables.ledger(entries, {})
+    assert "Rocq 8.16.1, a second judge" in page
+    assert "1 whole, 1 with steps open, 0 not" in page
+
+
+def test_the_printed_ledger_lists_why_others_are_not_whole(recorded):
+    text = build.text_files([chapter(NAME)])["ledger.tex"]
+    assert "Rocq 8.16.1, a second judge, has checked of them 1 whole, 1 with steps open" in text
+    assert r"\textbf{Why Rocq has not checked the others whole}" in text
+    assert r"coqc: x\_1 \& \{y\}\^{}2 \textasciitilde{} \textbackslash{}z" in text.replace(
+        r"\allowbreak ", ""
+    )
+
+
+def test_the_ledger_of_verify_tells_it(recorded):
+    entries = ledger.of_chapter(chapter(NAME))
+    found = {
+        one["id"]: one["rocq"]
+        for one in json.loads(listing.json_text(entries, [], False))["statements"]
+    }
+    assert found[ID] == {
+        "checked": "whole", "why": None, "rests": ["stored", "passive_wall", foreign.REALS]
+    }  # fmt: skip
+    assert found[OTHER]["checked"] == "leaves"
+    assert '<property name="rocq" value="whole" />' in listing.junit(entries, [], False)
+    assert "checked by Rocq, too: 1 whole, 1 with steps open" in listing.text(entries, [], False)
+    # the record stands by itself, and is not copied into the committed ledger
+    assert "rocq" not in json.loads(ledger.committed(entries))["statements"][0]
+
+
+def test_a_claim_that_has_changed_is_told_nowhere_as_checked(recorded):
+    known = json.loads(recorded.read_text())
+    known["statements"][ID]["says"] = "something else"
+    recorded.write_text(json.dumps(known))
+    foreign.recorded.cache_clear()
+    assert "Rocq: whole" not in chapter_tex(chapter(NAME), 1)
+    entry = next(e for e in ledger.of_chapter(chapter(NAME)) if e.statement.id == ID)
+    assert entry.rocq.as_json() == {"checked": "not", "why": foreign.CHANGED, "rests": []}

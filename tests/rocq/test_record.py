@@ -1,0 +1,95 @@
+"""The record of Rocq is of the texts that are written, and agrees with our kernel."""
+
+import hashlib
+import json
+from pathlib import Path
+
+import pytest
+from chapters import chapter
+
+from symhaptic.book import foreign
+from symhaptic.book.chapters import expected_rocq, shipped
+from symhaptic.proof.theorems.derivation import sources
+from symhaptic.rocq import compiled
+from symhaptic.rocq.chapter import MEANING, PROVED, printed
+from symhaptic.rocq.record import differences, record
+from symhaptic.rocq.steps import order
+
+RECORD = foreign.recorded(expected_rocq())
+CHAPTERS = [path.stem for path in shipped()]
+WRITTEN = Path(__file__).parents[2] / ".rocq"
+"""Where `make rocq` compiles."""
+
+
+@pytest.mark.parametrize("name", CHAPTERS)
+def test_the_record_is_of_the_text_that_is_written(name):
+    """Where it is not, and Rocq is there, it is asked what has become of the chapter."""
+    if name not in RECORD["chapters"]:
+        pytest.skip(f"Rocq was not asked about {name}, of which nothing counts; `make rocq` asks")
+    one = chapter(name)
+    if compiled.text_mark(printed(one).written()) == RECORD["chapters"][name]["text"]:
+        return
+    try:
+        compiled.prelude_compiled(compiled.prepared(WRITTEN))
+    except compiled.NoRocq as missing:
+        pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it ({missing})")
+    found = record([compiled.asked(one, WRITTEN)], None)
+    told = "; ".join(differences(found, RECORD)) or "as much is checked as before"
+    pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it: {told}")
+
+
+def in_kernel(judged):
+    """The rules and axioms, and what is meant by predicates, that our kernel names."""
+    meanings = MEANING | set(map(compiled.rule_of, compiled.known_there()))
+    theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
+    found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
+    return found & (set(sources()) | meanings)
+
+
+@pytest.mark.parametrize("name", CHAPTERS)
+def test_what_is_whole_rests_on_the_rules_that_our_kernel_names(name):
+    """On all of them, but for those that are theorems in Rocq, and on nothing else."""
+    for id, item in chapter(name).page.settled.items():
+        found = foreign.checked(id, item.settlement.judged)
+        assert not found.stale, id
+        if found.extent == foreign.WHOLE:
+            library = {foreign.REALS, foreign.INTEGERS} | compiled.meant()
+            assert set(found.rests) - library == in_kernel(item.settlement.judged) - PROVED, id
+        elif found.extent == foreign.LEAVES:
+            assert found.why, id
+
+
+def test_a_statement_that_says_something_else_is_not_checked(tmp_path):
+    judged = next(
+        item.settlement.judged
+        for item in chapter("s3b_envelope").page.settled.values()
+        if item.settlement.judged is not None
+    )
+    path = tmp_path / "rocq.json"
+    known = {"checked": "whole", "why": None, "rests": ["stored"], "says": foreign.mark(judged)}
+    path.write_text(json.dumps({"statements": {"mine": known, "old": {**known, "says": "else"}}}))
+    assert foreign.checked("mine", judged, path) == foreign.Checked("whole", None, ("stored",))
+    old = foreign.checked("old", judged, path)
+    assert (old.extent, old.why, old.rests, old.stale) == ("not", foreign.CHANGED, (), True)
+    # settled without a theorem now, or by one of which nothing is recorded
+    assert foreign.checked("mine", None, path).stale
+    assert foreign.checked("other", judged, path) == foreign.Checked()
+    assert foreign.checked("mine", judged, tmp_path / "none.json") == foreign.Checked()
+
+
+def test_an_axiom_that_nobody_named_leaves_nothing_whole():
+    """Such as one that a prelude would bring along: Rocq lists it, and it is no rule of ours."""
+    file = printed(chapter("s3b_envelope"))
+    id = next(iter(file.statements))
+    rests = {id: [foreign.REALS, "proof_irrelevance"]}
+    told = compiled.told(file, rests)
+    assert told[id] == "it rests on proof_irrelevance, which nobody named"
+    assert compiled.told(file, {id: [foreign.REALS]})[id] == "whole"
+
+
+def test_the_mark_of_a_text_is_of_the_prelude_too(tmp_path, monkeypatch):
+    before = compiled.text_mark("text")
+    other = tmp_path / "Prelude.v"
+    other.write_text("")
+    monkeypatch.setattr(compiled, "PRELUDE", other)
+    assert compiled.text_mark("text") == hashlib.sha256(b"text").hexdigest() != before
