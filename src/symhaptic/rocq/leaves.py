@@ -115,7 +115,7 @@ LEAVES["root_outside"] = roots_inside
 
 
 def _inside(claim: Any) -> Predicate:
-    return claim if isinstance(claim, Predicate) else claim.of[0]  # type: ignore[no-any-return]
+    return claim if isinstance(claim, Predicate) else claim.of[0]
 
 
 SPELLED = {"roots_inside": by_jury, "root_outside": by_jury}
