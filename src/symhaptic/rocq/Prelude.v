@@ -236,38 +236,6 @@ Ltac Cpushed :=
   repeat first
     [ rewrite RtoC_div by nz | rewrite RtoC_plus | rewrite RtoC_minus | rewrite RtoC_mult | rewrite RtoC_opp
     | rewrite RtoC_power ].
-Lemma Cnot_zero : forall x : R, x <> 0 -> RtoC x <> RtoC 0.
-Proof. intros x H E; apply H, RtoC_inj, E. Qed.
-Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
-Proof. intros x y; apply Cmult_neq_0. Qed.
-Ltac Cnz :=
-  cbv beta; repeat split;
-  first
-    [ assumption
-    | apply Cnot_zero; nz
-    | solve [apply Cproduct_apart; Cnz]
-    | match goal with
-      | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
-          solve [let E := fresh in intro E; apply H; replace c with e by Cring; exact E]
-      end ]
-with Cring := cbn [Cpower]; first [reflexivity | ring].
-Ltac Csame_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz]].
-
-(* Both components, as real numbers. *)
-Ltac Ccompared := apply injective_projections; simpl; first [reflexivity | solve [ring] | solve [field; nz] | lra].
-
-Lemma Cexp_at : forall (z : C) (a b : R),
-  z = (a + Ci * b)%C -> Cexp z = (exp a * (cos b + Ci * sin b))%C.
-Proof.
-  intros z a b E; rewrite E; unfold Cexp.
-  replace (Re (a + Ci * b)%C) with a by (simpl; ring).
-  replace (Im (a + Ci * b)%C) with b by (simpl; ring).
-  apply injective_projections; simpl; ring.
-Qed.
-Lemma Cexp_turned : forall (z : C) (a b : R) (size c s : C),
-  z = (a + Ci * b)%C -> RtoC (exp a) = size -> RtoC (cos b) = c -> RtoC (sin b) = s ->
-  Cexp z = (size * (c + Ci * s))%C.
-Proof. intros z a b size c s E F G H; rewrite (Cexp_at z a b E), F, G, H; reflexivity. Qed.
 Lemma Cexp_nought : forall z : C, z = RtoC 0 -> Cexp z = RtoC 1.
 Proof.
   intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
@@ -306,6 +274,13 @@ Proof.
   intros z v w N; unfold Craised; destruct (Ceq_dec z 0) as [E | _]; [contradiction |].
   rewrite <- Cexp_plus; f_equal; ring.
 Qed.
+Lemma Craised_apart : forall z w : C, z <> RtoC 0 -> Craised z w <> RtoC 0.
+Proof.
+  intros z w N E; unfold Craised in E; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+  assert (W : (Cexp (w * Clog z) * Cexp (- (w * Clog z)))%C = RtoC 1).
+  { rewrite <- Cexp_plus; apply Cexp_nought; ring. }
+  rewrite E in W; apply (f_equal fst) in W; simpl in W; lra.
+Qed.
 Lemma Craised_number : forall (z : C) n, Craised z (RtoC (INR n)) = (z ^ n)%C.
 Proof.
   intros z n; destruct (Ceq_dec z 0) as [E | N].
@@ -320,6 +295,39 @@ Proof.
     + simpl; unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
       replace (RtoC 1 * Clog z)%C with (Clog z) by ring; rewrite Cexp_log by exact N; ring.
 Qed.
+Lemma Cnot_zero : forall x : R, x <> 0 -> RtoC x <> RtoC 0.
+Proof. intros x H E; apply H, RtoC_inj, E. Qed.
+Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
+Proof. intros x y; apply Cmult_neq_0. Qed.
+Ltac Cnz :=
+  cbv beta; repeat split;
+  first
+    [ assumption
+    | apply Cnot_zero; nz
+    | apply Craised_apart; assumption
+    | solve [apply Cproduct_apart; Cnz]
+    | match goal with
+      | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
+          solve [let E := fresh in intro E; apply H; replace c with e by Cring; exact E]
+      end ]
+with Cring := cbn [Cpower]; first [reflexivity | ring].
+Ltac Csame_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz]].
+
+(* Both components, as real numbers. *)
+Ltac Ccompared := apply injective_projections; simpl; first [reflexivity | solve [ring] | solve [field; nz] | lra].
+
+Lemma Cexp_at : forall (z : C) (a b : R),
+  z = (a + Ci * b)%C -> Cexp z = (exp a * (cos b + Ci * sin b))%C.
+Proof.
+  intros z a b E; rewrite E; unfold Cexp.
+  replace (Re (a + Ci * b)%C) with a by (simpl; ring).
+  replace (Im (a + Ci * b)%C) with b by (simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_turned : forall (z : C) (a b : R) (size c s : C),
+  z = (a + Ci * b)%C -> RtoC (exp a) = size -> RtoC (cos b) = c -> RtoC (sin b) = s ->
+  Cexp z = (size * (c + Ci * s))%C.
+Proof. intros z a b size c s E F G H; rewrite (Cexp_at z a b E), F, G, H; reflexivity. Qed.
 Lemma Ci_square : (Ci * Ci)%C = (- RtoC 1)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
 Ltac Csame_turned :=
@@ -550,6 +558,7 @@ Ltac Craises :=
           else replace (Craised z w) with (Craised z v) by (f_equal; Cring)
         end ]
   end.
+Ltac Csums := repeat rewrite Craised_plus by assumption; Craises.
 Ltac Cpowers := Cpushed; Craises; Cexps; Csame_turned.
 
 (* -- from one form of a proposition to another ---------------------------------------- *)

@@ -178,7 +178,8 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
     lines += _turned(parts, names) + _expansions(parts, names)
     if of_complex:
-        lines.append("Cpushed.")
+        raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
+        lines.append("Cpushed; Csums." if raised else "Cpushed.")
     rules = _rules(parts, of_complex, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
