@@ -17,7 +17,6 @@ check: test
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/kernels tests/test_hard_cases.py
 	$(BIN)/symhaptic mutants --check
 	$(BIN)/symhaptic kernels --check
-	$(BIN)/symhaptic verify --rocq .rocq
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest -n 2 tests/soundness/test_random.py
 
 # how many random identities `prove` is held to; a tenth as many boxes are

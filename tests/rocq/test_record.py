@@ -8,7 +8,7 @@ import pytest
 from chapters import chapter
 
 from symhaptic.book import foreign
-from symhaptic.book.chapters import expected_rocq, shipped
+from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import compiled
 from symhaptic.rocq.chapter import MEANING, PROVED, printed
@@ -16,6 +16,7 @@ from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import order
 
 RECORD = foreign.recorded(expected_rocq())
+LEDGER = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
 CHAPTERS = [path.stem for path in shipped()]
 WRITTEN = Path(__file__).parents[2] / ".rocq"
 """Where `make rocq` compiles."""
@@ -36,6 +37,37 @@ def test_the_record_is_of_the_text_that_is_written(name):
     found = record([compiled.asked(one, WRITTEN)], None)
     told = "; ".join(differences(found, RECORD)) or "as much is checked as before"
     pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it: {told}")
+
+
+WHOLE = [
+    name
+    for name in CHAPTERS
+    if name in RECORD["chapters"]
+    and any(
+        RECORD["statements"].get(id, {}).get("checked") == foreign.WHOLE
+        for id in (s["id"] for s in LEDGER if s["derivation"] == f"derivations/{name}.py")
+    )
+]
+
+
+@pytest.fixture(scope="module")
+def empty(tmp_path_factory):
+    """A folder with the prelude, and with nothing that was found before."""
+    folder = compiled.prepared(tmp_path_factory.mktemp("rocq"))
+    try:
+        compiled.prelude_compiled(folder)
+    except compiled.NoRocq as missing:
+        pytest.skip(str(missing))
+    return folder
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", WHOLE)
+def test_what_is_whole_is_found_whole_again(name, empty):
+    found = record([compiled.asked(chapter(name), empty)], None)["statements"]
+    for id, one in found.items():
+        if RECORD["statements"][id]["checked"] == foreign.WHOLE:
+            assert one["checked"] == foreign.WHOLE, (id, one["why"])
 
 
 def in_kernel(judged):
