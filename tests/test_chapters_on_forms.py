@@ -91,7 +91,12 @@ def test_it_is_proved_by_a_theorem(form):
     assert (verdict.kind, bool(verdict.rests)) == ("proved", True)
 
 
-@pytest.mark.parametrize("form", stable.FORMS)
+LONG = {"max_stable_stiffness"}
+
+
+@pytest.mark.parametrize(
+    "form", [pytest.param(f, marks=[pytest.mark.slow] * (f in LONG)) for f in stable.FORMS]
+)
 def test_every_pair_of_a_form_is_in_its_statement(form):
     for pair in stable.form(form, FULL, DELAY if form in stable.FOR_ONE_DELAY else None).equal:
         assert covered(pair, claimed(form)), pair

@@ -157,6 +157,7 @@ def test_a_chapter_that_is_not_there_is_named_at_once(monkeypatch, capsys):
     assert "--derivation nowhere.py: no such file" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_same_ledger_whatever_the_number_of_workers():
     ids = ["eq1", "eq5", "eq11", "eq12", "eq28", "s3c-kmax-41", "s5a-proportional"]
     ledgers = []

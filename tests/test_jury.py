@@ -162,7 +162,10 @@ def test_without_any_one_an_unstable_polynomial_would_pass(degree):
     assert min(violated_alone(expressions, names, points)) > 0
 
 
-@pytest.mark.parametrize("delay", [0, 1, 2, 3])
+@pytest.mark.parametrize(
+    "delay",
+    [0, 1, pytest.param(2, marks=pytest.mark.slow), pytest.param(3, marks=pytest.mark.slow)],
+)
 def test_without_any_one_an_unstable_loop_would_pass(delay):
     """The device's numbers are any real numbers here, as the symbols are."""
     rng = np.random.default_rng(delay)

@@ -117,6 +117,7 @@ def test_a_friendly_derivative_is_caught(monkeypatch, tmp_path):
     assert trials.trial(chapter).accepted
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "place", "part", "friendly"),
     [

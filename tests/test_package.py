@@ -123,6 +123,7 @@ CLEAN = (
 )
 
 
+@pytest.mark.slow
 def test_without_a_compiler_the_install_works_on_the_array_kernels(source, tmp_path):
     """PATH holds nothing and no compiler is named: the extension is left out."""
     copied = shutil.copytree(source, tmp_path / "source", ignore=shutil.ignore_patterns("build"))

@@ -157,6 +157,7 @@ def test_figure_12_shows_the_ratio_near_one_and_falling_again():
     assert spring[-1] < 0.06
 
 
+@pytest.mark.slow
 def test_figure_13_has_a_row_for_each_delay_and_reading(few_springs):
     panels = np.array(figure("fig13")).reshape(5, 3)
     for row in panels:

@@ -66,6 +66,7 @@ def test_the_worst_angle_is_found_next_to_the_end_of_a_flat_need():
     assert abs(float(margin) - 39.06043201637795) < 1e-13
 
 
+@pytest.mark.slow
 def test_what_is_no_number_anywhere_is_no_suspect():
     """A planted error among many points outside the domain."""
     stiffest = form("max_stable_stiffness")
@@ -222,6 +223,7 @@ def test_bad_input_gives_one_line_and_writes_nothing(tmp_path):
     assert taken.read_text() == "x"
 
 
+@pytest.mark.slow
 def test_plots_and_tables_are_written(tiny, tmp_path):
     from symhaptic.bench.output import FORMATS, write
     from symhaptic.book.measured.chapter import measurement

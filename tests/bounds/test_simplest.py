@@ -272,6 +272,7 @@ SMALL = [
 """Delay, and the ranges of gamma, delta and beta: a soft spring, left out."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", SMALL, ids=str)
 def test_the_bound_of_a_small_cost_is_within_half_of_what_a_search_finds(case):
     """2.61 per cent for 0.18 before: the difference of two limits that the range has far apart."""

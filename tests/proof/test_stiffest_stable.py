@@ -64,6 +64,7 @@ def test_a_ratio_that_is_off_by_a_digit_is_refused(times, most):
         of_ratio(claim, 0, UNDELAYED)
 
 
+@pytest.mark.slow
 def test_less_than_a_free_mass_keeps_is_refused():
     # one period late a free mass of delta = 0.02 keeps 21.705 % of 0.71321
     with pytest.raises(NotShown):
