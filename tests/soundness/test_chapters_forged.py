@@ -8,11 +8,21 @@ import sys
 from pathlib import Path
 
 import pytest
-from sympy import Symbol
+from sympy import S, Symbol, sin
 from typer.testing import CliRunner
 
+from symhaptic.book.arrivals import arrived
+from symhaptic.book.chapters import BadChapter
+from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app
-from symhaptic.notation.proposition import Exists, proposition
+from symhaptic.notation.proposition import Exists, Relation, proposition
+from symhaptic.proof.seal import KEY
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.sign import Fact
+from symhaptic.proof.theorems.judge import Case, Judged
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.verdict import Kind, Unfounded, Verdict
+from symhaptic.rocq.steps import Step
 
 HEAD = '"""A title\n\nAn introduction.\n"""\n'
 
@@ -160,6 +170,64 @@ def test_a_theorem_of_another_process_says_the_same_here() -> None:
     x, y = Symbol("x"), Symbol("y")
     claim = Exists((y,), proposition(x < y))
     sent = subprocess.run([sys.executable, "-c", ELSEWHERE], capture_output=True, check=True)
-    arrived = pickle.loads(sent.stdout)
-    assert arrived.conclusion == claim
-    assert arrived.hypotheses == {claim}
+    found = pickle.loads(sent.stdout)
+    assert found.conclusion == claim
+    assert found.hypotheses == {claim}
+
+
+class Sent:
+    """Anything, as a pickle that calls a function, and then says what the result is like."""
+
+    def __init__(self, made: object, *args: object, state: object = None) -> None:
+        self.how = (made, args) if state is None else (made, args, state)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return self.how
+
+
+def changed(of: object, state: object) -> bytes:
+    """A pickle that names something and changes it."""
+    named, given = pickle.dumps(of, 2)[:-1], pickle.dumps(state, 2)[2:-1]
+    return named + given + pickle.BUILD + pickle.STOP
+
+
+TRUE = Relation(S.Zero, "<", S.One)
+NEVER: dict[str, bytes] = {
+    # SymPy reads text as a program, in a list, too
+    "text in a list": pickle.dumps(Sent(sin, ["[print('READ'), 1][1]"])),
+    # the symbols of one name are one object, in all that is derived after it
+    "a symbol's name": pickle.dumps(Sent(Symbol, "z", state={"name": "y"})),
+    "an assumption": pickle.dumps(Sent(Symbol, "z", state={"_assumptions": {"positive": True}})),
+    "a class": changed(Settlement, (None, {"decide": Verdict})),
+    "a verdict's name": changed(Kind.UNDECIDED, {"_value_": "proved"}),
+    "a theorem": pickle.dumps(
+        Sent(*number(TRUE).__reduce__(), state=(None, {"conclusion": TRUE})),
+    ),
+    "no record": pickle.dumps(Sent(Agreement, "eq11")),
+    "a fact": pickle.dumps(Sent(Fact, Symbol("z"), 1, KEY)),
+    "another module": b"cantigravity\nfly\n.",
+}
+
+
+@pytest.mark.parametrize("what", NEVER)
+def test_what_arrives_changes_nothing_that_was_here(
+    what: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    decide, name = Settlement.decide, Symbol("z").name
+    found = arrived(NEVER[what], Path("forged.py"))
+    assert isinstance(found, BadChapter)
+    assert (Settlement.decide, Symbol("z").name) == (decide, name)
+    assert Symbol("z").is_positive is None
+    assert Kind.UNDECIDED.value == "undecided"
+    assert "READ" not in capfd.readouterr().out
+
+
+def test_what_only_looks_like_a_theorem_is_none() -> None:
+    """A record of the package that has hypotheses and a conclusion."""
+    false = Relation(S.One, "<", S.Zero)
+    looks = Step("forged", "number", (), (), false, "")
+    with pytest.raises(Unfounded, match="what looks like a theorem is none"):
+        Judged(looks).decide(false)  # type: ignore[arg-type]
+    case = Case({}, looks)  # type: ignore[arg-type]
+    with pytest.raises(Unfounded, match="what looks like a theorem is none"):
+        Judged(number(TRUE), unless=(case,)).decide(false)
