@@ -19,12 +19,14 @@ from typing import Any, ClassVar
 
 import sympy as sp
 from sympy import Basic
+from sympy.core.function import AppliedUndef, UndefinedFunction
 
 from symhaptic.book.chapters import BadChapter
 from symhaptic.notation.proposition import FUNCTIONS, Proposition
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.theorems import kernel
 
+_RELATIONS = {sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge}
 _SYMBOLS = {sp.Symbol, sp.Dummy}
 _ATOMS = (sp.pi, sp.E, sp.I, sp.S.Zero, sp.S.One, sp.S.NegativeOne, sp.S.Half)
 _TERMS = {sp.Add, sp.Mul, sp.Pow, sp.Integer, sp.Rational, *FUNCTIONS, *map(type, _ATOMS)}
@@ -49,15 +51,17 @@ class _Named:
 
     def called(self, *args: Any, **named: Any) -> Any:
         """What a call of it gives."""
-        if self.kind in _TERMS or self.kind in _SYMBOLS:
+        if self.kind in _SYMBOLS or _is_made_of_terms(self.kind):
             return self.anew(*args, **named)
         return self.kind(*args, **named)
 
     def anew(self, *args: Any, **named: Any) -> Any:
         """One that has no fields yet, or a term."""
-        if self.kind in _TERMS and not all(isinstance(arg, (Basic, int)) for arg in args):
+        if _is_made_of_terms(self.kind) and not all(isinstance(a, (Basic, int)) for a in args):
             name = self.kind.__name__
             raise pickle.UnpicklingError(f"{name} of text is not allowed in it")
+        if self.kind in _RELATIONS:
+            return self.kind(*args, evaluate=False)
         if isinstance(self.kind, type):
             return self.kind.__new__(self.kind, *args, **named)
         raise pickle.UnpicklingError(f"{self.kind.__name__} makes nothing without a call")
@@ -76,11 +80,13 @@ class _Reader(pickle._Unpickler):
     def find_class(self, module: str, name: str) -> _Named:
         if (module, name) == (kernel.__name__, "_arrived"):
             return _Named(kernel._arrived)
+        if (module, name) == (AppliedUndef.__module__, "_rebuild_undef"):
+            return _Named(_unknown)
         ours = module.startswith("symhaptic.")
         if not ours and module not in sys.modules:
             raise pickle.UnpicklingError(f"{module} is not allowed in it")
         found = super().find_class(module, name)
-        if found in _SYMBOLS or found in _TERMS or found in _PLAIN:
+        if found in _SYMBOLS or found in _PLAIN or _is_made_of_terms(found):
             return _Named(found)
         where = getattr(found, "__module__", None), getattr(found, "__name__", None)
         if ours and isinstance(found, type) and where == (module, name) and _is_record(found):
@@ -129,6 +135,20 @@ class _Reader(pickle._Unpickler):
     dispatch[pickle.BUILD[0]] = load_build
     for op in (pickle.INST, pickle.OBJ, pickle.EXT1, pickle.EXT2, pickle.EXT4, pickle.PERSID):
         dispatch[op[0]] = refused
+
+
+def _is_made_of_terms(kind: Any) -> bool:
+    """Whether SymPy makes it of terms, which no text may stand for."""
+    if not isinstance(kind, type):
+        return False
+    return kind in _TERMS or kind in _RELATIONS or type(kind) is UndefinedFunction
+
+
+def _unknown(name: object, assumed: Any) -> _Named:
+    """A function of which nothing is known but its name, and what is assumed of its values."""
+    if type(name) is not str or not all(type(holds) is bool for holds in assumed.values()):
+        raise pickle.UnpicklingError("a function that is more than its name is not allowed in it")
+    return _Named(sp.Function(name, **assumed))
 
 
 def _is_record(kind: type) -> bool:
