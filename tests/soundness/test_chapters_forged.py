@@ -239,9 +239,10 @@ def test_a_print_is_compared_again_where_it_arrives(how: str, tmp_path: Path) ->
 )
 def test_what_is_compared_arrives(derived: str, kind: str, tmp_path: Path) -> None:
     body = f"""
-from sympy import Eq, Function, symbols
+from sympy import Eq, Function, S, cos, sin, symbols
 x, y = symbols("x y")
 def derive(page):
+    page.step("Two", cos(y)**2 + sin(y)**2 + 1, S(2), name=x)
     page.state("mine", "two", "x = 2")
     page.settle("mine", {derived})
 """
