@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -119,6 +120,40 @@ def test_a_library_in_c(tmp_path):
     way = "check", "--formula", "linear_limit", "--library"
     assert symhaptic(*way, "f.so:f", cwd=tmp_path).returncode == 0
     assert symhaptic(*way, "f.so:g", cwd=tmp_path).returncode == 2
+
+
+def test_a_library_that_ends_the_program(tmp_path):
+    """What ended the program without saying so had agreed: ``exit(0)`` is the status of a pass."""
+    (tmp_path / "f.c").write_text(
+        "#include <stdio.h>\n#include <stdlib.h>\n"
+        "double leaves(double y, double x, double d){if(d>0)exit(0);return (y+x)/(d+.5);}"
+        "double fails(double y, double x, double d){abort();}"
+        'double says(double y, double x, double d){puts("here");return (y+x)/(d+.5);}'
+        "void late(void){_Exit(3);}"
+        "double last(double y, double x, double d){atexit(late);return (y+x)/(d+.5);}"
+        "void two(double b, double T, double d, double *K, double *B){if(d>0)exit(0);*K=*B=0;}"
+    )
+    (tmp_path / "g.c").write_text(
+        "#include <stdlib.h>\n__attribute__((constructor)) void f(void){exit(0);}"
+    )
+    for one in "fg":
+        build = ["gcc", "-shared", "-fPIC", "-o", f"{one}.so", f"{one}.c"]
+        subprocess.run(build, cwd=tmp_path, check=True)
+    way = "check", "--points", 500, "--formula"
+    for formula, name, said in (
+        ("linear_limit", "f.so:leaves", r"called with .*, [1-9][\d.]* it ends the program \(0\)"),
+        ("linear_limit", "f.so:fails", r"called with .* it ends the program \(-6\)"),
+        ("linear_limit", "f.so:last", r"at last it ends the program \(3\)"),
+        ("linear_limit", "g.so:f", r"when it is loaded it ends the program \(0\)"),
+        ("eq11", "f.so:two", r"called with .* it ends the program \(0\)"),
+    ):
+        done = symhaptic(*way, formula, "--library", name, cwd=tmp_path)
+        assert done.returncode == 2, done.stdout
+        assert re.search(said, done.stderr), done.stderr
+        assert len(done.stderr.splitlines()) == 1
+    done = symhaptic(*way, "linear_limit", "--library", "f.so:says", cwd=tmp_path)
+    assert done.returncode == 0
+    assert "here" not in done.stdout
 
 
 def test_a_command(tmp_path):

@@ -214,3 +214,18 @@ def test_list_names_the_statements_and_runs_nothing(monkeypatch, capsys):
     assert records["s3a-mass-free"]["says"]
     assert "counting-ignores-delay" in records
     assert verify("--list", "eq11").stdout.startswith("eq11  Sec. III-C  ")
+
+
+def test_a_report_says_what_is_found_of_each_chapter_alone(tmp_path):
+    """They are run side by side there; none may patch the package for the next, or for itself."""
+    names = "--chapter", "first", "--chapter", "second", "-o", tmp_path / "out", "--format", "tex"
+    for before, last in ((PATCH, WRONG), ("", PATCH + WRONG)):
+        first = chapter(tmp_path, "first", before)
+        second = chapter(tmp_path, "second", STATED, last)
+        run = symhaptic("report", "--derivation", first, "--derivation", second, *names)
+        assert run.returncode == 2, run.stdout
+        assert "my-own" in run.stderr
+        assert not (tmp_path / "out").exists()
+    second = chapter(tmp_path, "second", STATED, RIGHT)
+    run = symhaptic("report", "--derivation", first, "--derivation", second, *names)
+    assert run.returncode == 0, run.stderr

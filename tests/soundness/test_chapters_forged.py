@@ -8,11 +8,23 @@ import sys
 from pathlib import Path
 
 import pytest
-from sympy import Symbol
+from sympy import S, Symbol, floor, sin
 from typer.testing import CliRunner
 
+from symhaptic.book.arrivals import arrived
+from symhaptic.book.chapters import BadChapter
+from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
+from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app
-from symhaptic.notation.proposition import Exists, proposition
+from symhaptic.notation.proposition import Exists, Relation, proposition
+from symhaptic.paper import Statement
+from symhaptic.proof.seal import KEY
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.sign import Fact
+from symhaptic.proof.theorems.judge import Case, Judged
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.verdict import Kind, Unfounded, Verdict
+from symhaptic.rocq.steps import Step
 
 HEAD = '"""A title\n\nAn introduction.\n"""\n'
 
@@ -160,6 +172,148 @@ def test_a_theorem_of_another_process_says_the_same_here() -> None:
     x, y = Symbol("x"), Symbol("y")
     claim = Exists((y,), proposition(x < y))
     sent = subprocess.run([sys.executable, "-c", ELSEWHERE], capture_output=True, check=True)
-    arrived = pickle.loads(sent.stdout)
-    assert arrived.conclusion == claim
-    assert arrived.hypotheses == {claim}
+    found = pickle.loads(sent.stdout)
+    assert found.conclusion == claim
+    assert found.hypotheses == {claim}
+
+
+COMPARED = {
+    "decide.compare": """
+    decide.compare = settle.compare = record.compare = lambda *forms: decide.Comparison(True, "so")
+    page.settle("forged", Eq(x, 1))
+""",
+    "Settlement.decide": """
+    Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
+    page.settle("forged", Eq(x, 1))
+""",
+    "nothing sent": """
+    Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
+    ledger._to_be_compared = lambda entry, grounds: entry
+    page.settle("forged", Eq(x, 1))
+""",
+    "a number put in": """
+    pages.not_defined = lambda given, definitions: None
+    page.settle("forged", Eq(x, 1), given={x: S.One, S(2): S.One})
+""",
+    "a theorem for a comparison": """
+    Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
+    ledger._to_be_compared = lambda entry, grounds: replace(entry, compared=entry.statement)
+    page.settle("forged", Eq(x, 1))
+""",
+}
+COMPARING = """
+from dataclasses import replace
+from sympy import Eq, S, symbols
+import symhaptic.book.ledger as ledger
+import symhaptic.book.page as pages
+import symhaptic.book.record as record
+import symhaptic.proof.decide as decide
+import symhaptic.proof.settle as settle
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.verdict import Kind, Verdict
+x = symbols("x")
+def derive(page):
+    page.state("forged", "two", "x = 2")
+"""
+
+
+@pytest.mark.parametrize("how", COMPARED)
+def test_a_print_is_compared_again_where_it_arrives(how: str, tmp_path: Path) -> None:
+    """What a chapter derived is 1; the print says 2."""
+    path = chapter(tmp_path, "forged", COMPARING + COMPARED[how])
+    out = tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code == 1
+    assert told.exception is None or isinstance(told.exception, SystemExit)
+    assert "DIFFERS  forged: " in out.read_text()
+
+
+@pytest.mark.parametrize(
+    ("derived", "kind"),
+    [
+        ("Eq(x, 2)", "proved"),
+        ("Eq(x, symbols('p', positive=True)**0 + 1)", "proved"),
+        ("Eq(x, Function('f')(y)**0 + 1)", "proved"),
+        ("Eq(x, 1)", "misprint"),
+    ],
+)
+def test_what_is_compared_arrives(derived: str, kind: str, tmp_path: Path) -> None:
+    body = f"""
+from sympy import Eq, Function, S, cos, sin, symbols
+x, y = symbols("x y")
+def derive(page):
+    page.step("Two", cos(y)**2 + sin(y)**2 + 1, S(2), name=x)
+    page.state("mine", "two", "x = 2")
+    page.settle("mine", {derived})
+"""
+    path, out = chapter(tmp_path, "mine", body), tmp_path / "out.json"
+    way = ["verify", "mine", "--derivation", str(path), "--format", "json", "-o", str(out)]
+    CliRunner().invoke(app, way)
+    assert f'"verdict": "{kind}"' in out.read_text()
+
+
+def test_what_cannot_be_sent_to_be_compared_is_argued() -> None:
+    x, proved = Symbol("x"), Verdict(Kind.PROVED, "identical")
+    entry = Entry(Statement("mine", "here", "a whole number", ("x",)), proved, None, 0.0, own=True)
+    found = _to_be_compared(entry, Settlement((floor(x),)))
+    assert found.compared is None
+    assert (found.verdict.kind, found.verdict.argued_for) == (Kind.ARGUED, Kind.PROVED)
+    assert judged_again(entry) == "mine: proved, of what was not compared again"
+
+
+class Sent:
+    """Anything, as a pickle that calls a function, and then says what the result is like."""
+
+    def __init__(self, made: object, *args: object, state: object = None) -> None:
+        self.how = (made, args) if state is None else (made, args, state)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return self.how
+
+
+def changed(of: object, state: object) -> bytes:
+    """A pickle that names something and changes it."""
+    named, given = pickle.dumps(of, 2)[:-1], pickle.dumps(state, 2)[2:-1]
+    return named + given + pickle.BUILD + pickle.STOP
+
+
+TRUE = Relation(S.Zero, "<", S.One)
+NEVER: dict[str, bytes] = {
+    # SymPy reads text as a program, in a list, too
+    "text in a list": pickle.dumps(Sent(sin, ["[print('READ'), 1][1]"])),
+    # the symbols of one name are one object, in all that is derived after it
+    "a symbol's name": pickle.dumps(Sent(Symbol, "z", state={"name": "y"})),
+    "an assumption": pickle.dumps(Sent(Symbol, "z", state={"_assumptions": {"positive": True}})),
+    "a class": changed(Settlement, (None, {"decide": Verdict})),
+    "a verdict's name": changed(Kind.UNDECIDED, {"_value_": "proved"}),
+    "a theorem": pickle.dumps(
+        Sent(*number(TRUE).__reduce__(), state=(None, {"conclusion": TRUE})),
+    ),
+    "no record": pickle.dumps(Sent(Agreement, "eq11")),
+    "a fact": pickle.dumps(Sent(Fact, Symbol("z"), 1, KEY)),
+    "another module": b"cantigravity\nfly\n.",
+}
+
+
+@pytest.mark.parametrize("what", NEVER)
+def test_what_arrives_changes_nothing_that_was_here(
+    what: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    decide, name = Settlement.decide, Symbol("z").name
+    found = arrived(NEVER[what], Path("forged.py"))
+    assert isinstance(found, BadChapter)
+    assert (Settlement.decide, Symbol("z").name) == (decide, name)
+    assert Symbol("z").is_positive is None
+    assert Kind.UNDECIDED.value == "undecided"
+    assert "READ" not in capfd.readouterr().out
+
+
+def test_what_only_looks_like_a_theorem_is_none() -> None:
+    """A record of the package that has hypotheses and a conclusion."""
+    false = Relation(S.One, "<", S.Zero)
+    looks = Step("forged", "number", (), (), false, "")
+    with pytest.raises(Unfounded, match="what looks like a theorem is none"):
+        Judged(looks).decide(false)  # type: ignore[arg-type]
+    case = Case({}, looks)  # type: ignore[arg-type]
+    with pytest.raises(Unfounded, match="what looks like a theorem is none"):
+        Judged(number(TRUE), unless=(case,)).decide(false)

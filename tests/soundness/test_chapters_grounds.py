@@ -136,6 +136,45 @@ def test_what_proves_is_not_made_by_hand(make):
         make()
 
 
+# -- prints -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("printed", "form"),
+    [
+        ("x = 2", Eq(x, 2)),
+        ("x = 2", Eq(2, x, evaluate=False)),
+        ("x = K + B/T", Eq(x, B / T + K)),
+        ("x > 2", x > 2),
+        ("x > 2", sp.Lt(2, x, evaluate=False)),
+        ("x - K = B", Eq(B - x, -K)),
+    ],
+)
+def test_a_print_that_is_retyped_is_not_proved(printed, form):
+    page = Page("test")
+    page.step("Beside it", sin(theta) ** 2, 1 - cos(theta) ** 2)
+    page.state("mine", "whatever it says", printed)
+    verdict = page.settle("mine", form)
+    assert (verdict.kind, verdict.argued_for) == ("argued", "proved")
+    page.state("again", "what rests on it", printed)
+    assert page.settle("again", form).kind == "argued"
+
+
+def test_a_print_that_is_retyped_is_what_the_page_shows():
+    page = Page("test")
+    page.step("Two", cos(theta) ** 2 + sin(theta) ** 2 + 1, S(2), name=x)
+    page.state("mine", "what the name stands for", "x = 2")
+    assert page.settle("mine", Eq(x, 2)).kind == "proved"
+    page.state("wrong", "it is 2", "x = 3")
+    assert page.settle("wrong", Eq(x, 3)).kind == "argued"
+    page.state("sign", "of an angle inside", r"\pi \theta - \theta^2 > 0")
+    fact = combined(theta * (pi - theta), [assume(theta), assume(pi - theta)])
+    page.positive("It is", fact, r"0<\theta<\pi")
+    assert page.settle("sign", pi * theta - theta**2 > 0).kind == "proved"
+    page.state("identity", "true of itself", r"\sin^2(\theta) = 1 - \cos^2(\theta)")
+    assert page.settle("identity", Eq(sin(theta) ** 2, 1 - cos(theta) ** 2)).kind == "proved"
+
+
 # -- what is put in ---------------------------------------------------------------------
 
 

@@ -10,6 +10,7 @@ from types import CodeType
 
 import sympy as sp
 from sympy import Expr
+from sympy.core.relational import Relational
 
 from symhaptic.notation import SYMBOLS
 from symhaptic.proof.decide import equal
@@ -111,6 +112,36 @@ def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr
 
 def _alike(one: Expr, other: Expr, given: Mapping[Expr, Expr]) -> bool:
     return one == other or equal(one.xreplace(dict(given)), other.xreplace(dict(given)))
+
+
+def retyped(printed: Sequence[Expr], derived: Sequence[Expr]) -> bool:
+    """Whether a derived form is the print itself, its terms sorted at most."""
+    if len(printed) != len(derived):
+        return False
+    return all(map(_alike_written, printed, derived))
+
+
+def _alike_written(one: Expr, other: Expr) -> bool:
+    if one == other:
+        return True
+    if isinstance(one, Relational) and isinstance(other, Relational):
+        if one.reversed.func == other.func != one.func:
+            one = one.reversed
+        ours, theirs = (sp.expand(r.lhs - r.rhs) for r in (one, other))
+        turned = isinstance(one, (sp.Eq, sp.Ne)) and ours == -theirs
+        return one.func == other.func and (ours == theirs or turned)
+    relations = isinstance(one, Relational) or isinstance(other, Relational)
+    return not relations and sp.expand(one - other) == 0
+
+
+def follows(relation: Expr, definitions: Sequence[Definition], facts: Iterable[Fact]) -> bool:
+    """Whether what is on the page shows a relation: a sign, or what a side stands for."""
+    if not isinstance(relation, sp.Eq):
+        signs = (f.expr > 0 if f.strict else f.expr >= 0 for f in facts)
+        return any(equal(relation, sign) for sign in signs)
+    known = dict(definitions)
+    left, right = ([side, *(m for n, m in definitions if n == side)] for side in relation.args)
+    return any(_alike(one, other, known) for one in left for other in right)
 
 
 def written_twice(call: CodeType, at: int, skipped: int) -> str | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -10,16 +11,19 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book.arrivals import arrived
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
+from symhaptic.book.grounds import not_defined
 from symhaptic.book.record import Settled
 from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
+from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source
-from symhaptic.proof.settle import WEIGHED, Settlement
+from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
@@ -44,6 +48,8 @@ class Entry:
     """The theorems on which it is settled; sent to another process they are derived there anew."""
     claim: Proposition | None = None
     """What a statement of one's own claims."""
+    compared: Settlement | None = None
+    """What the print was compared with, where no theorem settles it, to be compared again."""
 
     @property
     def source(self) -> Source | None:
@@ -91,14 +97,17 @@ class Entry:
 def of_chapter(chapter: Chapter) -> list[Entry]:
     """The statements that a chapter settles, or states without settling them."""
     found = {
-        id: Entry(
-            s.statement,
-            s.verdict,
-            chapter.source,
-            s.seconds,
-            own=id not in STATEMENTS,
-            judged=s.settlement.judged,
-            claim=_own_claim(s),
+        id: _to_be_compared(
+            Entry(
+                s.statement,
+                s.verdict,
+                chapter.source,
+                s.seconds,
+                own=id not in STATEMENTS,
+                judged=s.settlement.judged,
+                claim=_own_claim(s),
+            ),
+            s.settlement,
         )
         for id, s in chapter.page.settled.items()
     }
@@ -114,18 +123,66 @@ def _own_claim(settled: Settled) -> Proposition | None:
     return claim(settled.statement.printed)
 
 
+def _to_be_compared(entry: Entry, grounds: Settlement) -> Entry:
+    """With what the print was compared with; *argued* where that cannot be sent to be compared."""
+    kind = entry.verdict.kind
+    if grounds.judged is not None or not grounds.derived or kind not in WEIGHED:
+        return entry
+    compared = _forms(grounds)
+    try:
+        arrives = isinstance(arrived(pickle.dumps(compared), Path()), Settlement)
+    except (pickle.PicklingError, AttributeError, TypeError):
+        arrives = False
+    if arrives:
+        return replace(entry, compared=compared)
+    if entry.source is PAPER or kind not in ACCEPTED:
+        return entry
+    return replace(entry, verdict=replace(entry.verdict, kind=Kind.ARGUED, argued_for=kind))
+
+
+def _forms(grounds: Settlement) -> Settlement:
+    """Of the grounds of a verdict those that are forms, and what is done with them."""
+    return Settlement(
+        tuple(grounds.derived),
+        dict(grounds.given),
+        definition=grounds.definition,
+        unless=grounds.unless and dict(grounds.unless),
+        corrected=grounds.corrected,
+        misprint=grounds.misprint,
+    )
+
+
+def _compared_again(entry: Entry, printed: Printed) -> str | None:
+    """What is wrong with the verdict that another process gives by comparing, if anything is."""
+    id, kind, compared = entry.statement.id, entry.verdict.kind, entry.compared
+    if compared is None:
+        return None if entry.source is PAPER else f"{id}: {kind}, of what was not compared again"
+    try:
+        if wrong := not_defined(compared.given, list(compared.given.items())):
+            return f"{id}: {wrong}"
+        found = _forms(compared).decide(printed)
+    except (AttributeError, TypeError, ValueError) as wrong_data:
+        return f"{id}: compared again: {wrong_data}"
+    same = found.kind is kind or (kind is Kind.ENCLOSED and found.kind is Kind.PROVED)
+    if not same or found.condition != entry.verdict.condition:
+        return f"{id}: compared again it is {found.kind}"
+    return None
+
+
 def judged_again(entry: Entry) -> str | None:
-    """What is wrong with the verdict that another process gives by theorems, if anything is.
+    """What is wrong with the verdict that another process gives, if anything is.
 
     The theorems were derived again when they arrived; here they are held against what the
-    statement claims.
+    statement claims.  Without theorems the print is compared again with what was derived.
     """
     judged, statement, kind = entry.judged, entry.statement, entry.verdict.kind
     known, claim = STATEMENTS.get(statement.id), entry.claim
     if judged is None:
-        compared = (known or statement).printed or (known and known.quoted)
-        if kind not in WEIGHED or (compared and statement.id not in CLAIMED):
+        printed, free = (known or statement).printed, statement.id not in CLAIMED
+        if kind not in WEIGHED or (free and not printed and known and known.quoted):
             return None
+        if free and printed:
+            return _compared_again(entry, printed)
         return f"{statement.id}: {kind} without a theorem, of what is not compared with a formula"
     own = None if claim is None else partial(of_print, claim)
     claimed = CLAIMED.get(statement.id) if known else own

@@ -19,7 +19,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import not_defined, unproved, written_twice
+from symhaptic.book.grounds import follows, not_defined, retyped, unproved, written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import SYMBOLS
@@ -409,7 +409,9 @@ class Page(Record):
         """Settle a statement on these grounds; the verdict is found, not given.
 
         ``grounds`` are the derived form (compared with the printed one) or proofs of what the
-        statement says in words; ``given`` are definitions in force, put into both.
+        statement says in words; a print of one's own that is retyped is *argued* where no
+        definition, step with a ``name`` or sign on the page shows it; ``given`` are definitions
+        in force, put into both.
         ``provided`` names a condition that the paper leaves out and ``unless`` a point without
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
@@ -479,6 +481,7 @@ class Page(Record):
             quoted=statement.quoted,
             shows=shows,
             note=note,
+            assumed=id in self.own and self._assumed(statement.printed, forms),
         )
         verdict = self._record(statement, settlement, checks)
         if verdict.kind in ACCEPTED:
@@ -506,6 +509,13 @@ class Page(Record):
         self._put_in(id, given)
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
+
+    def _assumed(self, printed: Sequence[Expr], derived: Sequence[Expr]) -> bool:
+        """Whether a form is the print itself, retyped, and nothing on the page shows it."""
+        facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]
+        return retyped(printed, derived) and not all(
+            follows(form, self.definitions, facts) for form in derived
+        )
 
     def _put_in(self, id: str, given: Mapping[Expr, Expr] | None) -> None:
         """Only definitions are put into a statement."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import ctypes
 import importlib
 import inspect
 import os
 import shlex
+import struct
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -73,26 +73,27 @@ def called(function: Callable[..., Any], results: int) -> Caller:
 
 
 def library(name: str, arguments: int, results: int) -> Caller:
-    """``FILE:function`` in C: doubles by value; several results by pointers behind them."""
+    """``FILE:function`` in C: doubles by value; several results by pointers behind them.
+
+    It is called in a process of its own, which it may end.
+    """
     file, _, symbol = name.rpartition(":")
-    try:
-        function = getattr(ctypes.CDLL(str(Path(file).resolve())), symbol)
-    except (OSError, AttributeError) as wrong:
-        raise ValueError(f"--library: {name!r} is not found ({wrong}); FILE:NAME is") from None
-    double = ctypes.c_double
-    function.argtypes = [double] * arguments
-    if results == 1:
-        function.restype = double
-        return lambda points: [(function(*point),) for point in points]
-    function.argtypes += [ctypes.POINTER(double)] * results
-    function.restype = None
-    out = [double() for _ in range(results)]
+    program = [sys.executable, "-I", str(Path(__file__).with_name("apart.py"))]
+    program += [str(Path(file).resolve()), symbol, str(arguments), str(results)]
 
     def run(points: Points) -> list[tuple[float, ...]]:
-        found = []
-        for point in points:
-            function(*point, *out)
-            found.append(tuple(o.value for o in out))
+        given = b"".join(struct.pack(f"={arguments}d", *point) for point in points)
+        done = subprocess.run(program, input=given, stdout=subprocess.PIPE, check=False)
+        told, sent = done.stdout[:1], done.stdout[1:]
+        if told == b"-":
+            wrong = sent.decode()
+            raise ValueError(f"--library: {name!r} is not found ({wrong}); FILE:NAME is")
+        whole = len(sent) // (8 * results)
+        found = list(struct.iter_unpack(f"={results}d", sent[: 8 * results * whole]))
+        if done.returncode or len(found) != len(points):
+            at = ", ".join(map(str, points[whole])) if whole < len(points) else ""
+            when = "when it is loaded" if not told else f"called with {at}" if at else "at last"
+            raise ValueError(f"--library: {when} it ends the program ({done.returncode})")
         return found
 
     return run

@@ -73,14 +73,19 @@ class Settlement:
     external: str | None = None
     shows: str | None = None
     note: str | None = None
+    assumed: bool = False
+    """Whether what is derived is the print itself, and nothing on the page shows it."""
     judged: Judged | None = None
     """The theorems that show it, of what is claimed."""
     claim: Claim | None = None
 
     def decide(self, printed: Printed) -> Verdict:
-        """The verdict on a printed form; *argued* where words join what was checked."""
+        """The verdict on a printed form; *argued* where words join what was checked, if any."""
         found = self.found(printed)
-        if self.judged is not None or found.kind not in WEIGHED or not self._rests_on_words(found):
+        if self.judged is not None or found.kind not in WEIGHED:
+            return found
+        assumed = self.assumed and found.kind is Kind.PROVED
+        if not assumed and not self._rests_on_words(found):
             return found
         return replace(found, kind=Kind.ARGUED, argued_for=found.kind)
 

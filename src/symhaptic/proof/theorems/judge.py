@@ -115,6 +115,9 @@ class Judged:
 
     def decide(self, claim: Proposition, right: Proposition | None = None) -> Verdict:
         """The verdict on a claim; ``right`` is the claim with the corrected print."""
+        cases = (*self.unless, *(() if self.example is None else (self.example,)))
+        if not all(type(t) is Theorem for t in (self.theorem, *(case.theorem for case in cases))):
+            raise Unfounded("what looks like a theorem is none")
         if self.theorem.hypotheses:
             raise Unfounded(f"open: {listed(sorted(self.theorem.hypotheses, key=written))}")
         right = self.instead if right is None else right
