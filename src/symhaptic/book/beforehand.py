@@ -33,13 +33,18 @@ class Beforehand:
 
     def ready(self, number: int) -> bool:
         """Whether nothing is left to derive of what this chapter shares with others."""
-        return not any(self._left.get(name) for name in self._wanted[number])
+        return not self._missing(number)
+
+    def _missing(self, number: int) -> list[str]:
+        """The modules of which a chapter waits for a lemma."""
+        return sorted(name for name in self._wanted[number] if self._left.get(name))
 
     def derive(self) -> bool:
-        """Derive the next lemma; False where none is left."""
-        name = next((name for name, lemmas in self._left.items() if lemmas), None)
-        if name is None:
+        """Derive a lemma of the chapter that waits for the fewest; False where none is left."""
+        waiting = [n for n in map(self._missing, range(len(self._wanted))) if n]
+        if not waiting:
             return False
+        name = min(waiting, key=lambda names: sum(len(self._left[name]) for name in names))[0]
         with suppress(ValueError):  # told by the chapters that need it
             self._left[name].pop(0)()
         return True

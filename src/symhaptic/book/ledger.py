@@ -66,6 +66,15 @@ class Entry:
         """How far a foreign kernel has checked it, as far as its record is of what is said here."""
         return checked(self.statement.id, self.judged)
 
+    @cached_property
+    def wrong(self) -> str | None:
+        """What is wrong with the verdict, judged here, if another process gives it."""
+        return judged_again(self)
+
+    def looked_at(self) -> None:
+        """Find now what is asked of it in the end, while other chapters run."""
+        _ = self.wrong, self.rocq
+
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
         v = self.verdict

@@ -66,6 +66,8 @@ def settled(
             failed(result)
         else:
             found[i] = result
+            for entry in result:
+                entry.looked_at()
     return [entry for i in sorted(found) for entry in found[i]]
 
 

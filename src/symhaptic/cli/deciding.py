@@ -168,7 +168,7 @@ def verify(
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = [] if known is None else ledger.surprises(entries, known, whole=not wanted)
-    surprises += filter(None, map(ledger.judged_again, found))
+    surprises += [entry.wrong for entry in found if entry.wrong]
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
     text = {

@@ -198,9 +198,9 @@ def verdicts_apart(paths: list[Path]) -> dict[str, tuple[Kind, str | None]]:
 
     Side by side a chapter may change the package for the next.
     """
-    from symhaptic.book import ledger, parallel
+    from symhaptic.book import parallel
 
     entries = parallel.settled(paths, parallel.workers()) if paths else []
-    for wrong in filter(None, map(ledger.judged_again, entries)):
+    for wrong in (entry.wrong for entry in entries if entry.wrong):
         refuse(wrong)
     return {e.statement.id: (e.verdict.kind, e.verdict.condition) for e in entries}
