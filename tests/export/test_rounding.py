@@ -38,9 +38,9 @@ FOUND = {
     # three roundings; 2 delta is exact; a sum of two terms, one or two of them rounded; one product
     "linear_limit_alpha": ((), "3.01"),
     "max_passive_stiffness_alpha": (("tan",), "1"),
-    "characteristic_polynomial_p2": (("plant_n1", "exp"), "4.01"),
-    "characteristic_polynomial_p1": (("plant_n1", "plant_n0"), "5.01"),
-    "characteristic_polynomial_p0": (("plant_n0",), "1"),
+    "characteristic_polynomial_p2": (("n1", "exp"), "4.01"),
+    "characteristic_polynomial_p1": (("n1", "n0"), "5.01"),
+    "characteristic_polynomial_p0": (("n0",), "1"),
 }
 """What is given, and the bound, as counted by hand: u for each rounding of a product or quotient;
 of a sum of two terms up to M, those of the terms and 2 u for the sum."""

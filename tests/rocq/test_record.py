@@ -75,6 +75,8 @@ def in_kernel(judged):
     meanings = MEANING | set(map(compiled.rule_of, compiled.known_there()))
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
+    if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros by Jury's criterion
+        found.add("jury")
     return found & (set(sources()) | meanings)
 
 
@@ -86,7 +88,9 @@ def test_what_is_whole_rests_on_the_rules_that_our_kernel_names(name):
         assert not found.stale, id
         if found.extent == foreign.WHOLE:
             library = {foreign.REALS, foreign.INTEGERS} | compiled.meant()
-            assert set(found.rests) - library == in_kernel(item.settlement.judged) - PROVED, id
+            # a predicate and the rule that is named like it are told apart by neither list
+            ours = in_kernel(item.settlement.judged) - PROVED - library
+            assert set(found.rests) - library == ours, id
         elif found.extent == foreign.LEAVES:
             assert found.why, id
 

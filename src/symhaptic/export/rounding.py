@@ -22,7 +22,6 @@ from symhaptic.export.branches import guarded
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import Routine, Several
 from symhaptic.export.target import Target
-from symhaptic.forms.implicit import FractionalPart
 
 MARK = "# Written by `symhaptic export`; do not edit."
 
@@ -244,9 +243,8 @@ def goals(routine: Routine, target: Target) -> list[Goal]:
     Of one that chooses between whole delays and others, it is the result of a whole delay.
     """
     found: list[Goal] = []
-    whole = any(expr.has(FractionalPart) for expr in routine.expressions)
     try:
-        steps, leaves, results = _straight(guarded(routine), routine, target)
+        steps, leaves, results, whole = _straight(guarded(routine), routine, target)
     except NotStraight:
         return found
     for (name, _), expr in zip(routine.results, results, strict=True):
@@ -261,34 +259,47 @@ def goals(routine: Routine, target: Target) -> list[Goal]:
 
 def _straight(
     block: Block, routine: Routine, target: Target
-) -> tuple[dict[str, sp.Expr], dict[str, str], tuple[sp.Basic, ...]]:
-    """The steps of the one way that is taken inside the domain, by name; what is given; the end."""
+) -> tuple[dict[str, sp.Expr], dict[str, str], tuple[sp.Basic, ...], bool]:
+    """The steps of the one way that is taken inside the domain, by name; what is given; the end.
+
+    Last stands whether it is the way of whole delays.
+    """
     steps: dict[str, sp.Expr] = {}
+    meant: dict[sp.Basic, sp.Expr] = {}
+    whole = False
     leaves = {target.rename(s.name): "" for s in routine.arguments}
     while True:
         for statement in block:
             if isinstance(statement, Assign):
                 steps[target.rename(statement.name.name)] = statement.expr
+                meant[statement.name] = statement.expr.xreplace(meant)
             elif isinstance(statement, Several):
                 for symbol in statement.names:
                     name = target.rename(symbol.name)
                     leaves[name] = name.removesuffix("_of")
             elif isinstance(statement, Return):
-                return steps, leaves, statement.results
+                return steps, leaves, statement.results, whole
             elif isinstance(statement, Choice):
-                block = _side(statement, routine)
+                fraction = _is_fraction(statement.condition, meant)
+                block = statement.yes if fraction else _inside(statement, routine)
+                whole = whole or fraction
             else:
                 raise NotStraight(type(statement).__name__)
 
 
-def _side(choice: Choice, routine: Routine) -> Block:
+def _inside(choice: Choice, routine: Routine) -> Block:
     outside = (Return((routine.outside,) * len(routine.results)),)
     if choice.yes == outside:
         return choice.no
-    asked = choice.condition
-    if isinstance(asked, sp.Eq) and isinstance(asked.lhs, FractionalPart) and asked.rhs == 0:
-        return choice.yes
-    raise NotStraight(str(asked))
+    raise NotStraight(str(choice.condition))
+
+
+def _is_fraction(asked: sp.Basic, meant: dict[sp.Basic, sp.Expr]) -> bool:
+    """Whether it is asked if a delay has no fraction of a period, x - floor(x) = 0."""
+    if not isinstance(asked, sp.Eq) or asked.rhs != 0:
+        return False
+    part = asked.lhs.xreplace(meant)
+    return any(part == of.args[0] - of for of in part.atoms(sp.floor))
 
 
 def _goal(script: _Script, name: str, result: str, expr: sp.Basic) -> Goal | None:

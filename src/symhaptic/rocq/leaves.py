@@ -19,7 +19,7 @@ from symhaptic.proof.theorems.roots import jury
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import Image, polar, same, script
 from symhaptic.rocq.logic import Written
-from symhaptic.rocq.steps import Proof
+from symhaptic.rocq.steps import Proof, premises
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
 __all__ = ["LEAVES", "SPELLED"]
@@ -253,7 +253,7 @@ def mirrored(proof: Proof, theorem: Theorem) -> None:
 
 @shows
 def is_whole(proof: Proof, theorem: Theorem) -> None:
-    for premise in theorem.premises:
+    for premise in premises(theorem):
         proof.keep(premise)
     proof.say("opened; defined; wholes.")
 

@@ -172,12 +172,12 @@ class Proof:
 
 def premises(theorem: Theorem) -> tuple[Theorem, ...]:
     """What a theorem was made of; lemmas that a tactic took from a set in an order of their own."""
-    if theorem.rule != "cut":
-        return tuple(theorem.premises)
-    first, *lemmas = theorem.premises
-    return first, *sorted(
-        lemmas, key=lambda t: (repr(t.conclusion), sorted(map(repr, t.hypotheses)))
+    fixed = {"cut": 1, "is_whole": 0}.get(theorem.rule, len(theorem.premises))
+    lemmas = sorted(
+        theorem.premises[fixed:],
+        key=lambda t: (repr(t.conclusion), sorted(map(repr, t.hypotheses))),
     )
+    return *theorem.premises[:fixed], *lemmas
 
 
 def order(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
