@@ -235,7 +235,9 @@ BEGIN = "From Symhaptic Require Import Prelude.\nSet Default Timeout 10.\n\n"
 
 
 def file_of(theorem):
-    page = SimpleNamespace(blocks=[SimpleNamespace(theorem=theorem, number=1)], settled={})
+    page = SimpleNamespace(
+        blocks=[SimpleNamespace(theorem=theorem, number=1, title="A step")], settled={}
+    )
     return printed(SimpleNamespace(name="attack", title="An attack", page=page))
 
 
