@@ -171,9 +171,9 @@ class ArrayApi(Target):
     def _written(self, block: Block, depth: int) -> list[str]:
         return Scope(self, functional(block)).written(depth)
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """From a tuple."""
-        return [f"{', '.join(names)} = {function}(xp, {args})"]
+        return f"{', '.join(names)} = {function}(xp, {args})"
 
     def notes(self, library: Library) -> list[str]:
         """What must not be done to it."""

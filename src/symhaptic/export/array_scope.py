@@ -114,8 +114,8 @@ class Scope:
                 self._retired(last.get(i, ()), idle)
                 for symbol in statement.names:
                     self._renamed(symbol, idle)
-                given = self.target.unpacked(self.named(statement.names), name, args)
-                lines += [pad + line for line in given]
+                names = self.named(statement.names)
+                lines.append(pad + self.target.unpacked(names, name, args))
             elif isinstance(statement, Join):
                 lines += self._join(statement, depth)
             elif isinstance(statement, Choice):

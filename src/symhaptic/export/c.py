@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from copy import copy
+
+from sympy import Expr
 from sympy.printing.c import C99CodePrinter
 
 from symhaptic.export import c_si, cmake, rounding, standard
@@ -10,7 +13,8 @@ from symhaptic.export.cmake import FLAGS, STRICT
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
-from symhaptic.export.routine import Routine
+from symhaptic.export.records import Places, Records
+from symhaptic.export.routine import Routine, Several
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import wrapped
@@ -30,15 +34,16 @@ CPP_KEYWORDS = KEYWORDS | vocabulary(
 )
 """Those of C++ too, since its programs read the header."""
 
-_SHORT = 88
-"""Characters up to which a declaration and a call share a line."""
-
-
 class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
     """SymPy's, with the shared operations, and without macros that the standard does not have."""
 
+    target: C
+
     def __init__(self) -> None:
         super().__init__({"math_macros": {}})
+
+    def _print_Function(self, expr: Expr) -> str:
+        return str(self.target.called(expr))
 
 
 class C(Target):
@@ -73,10 +78,21 @@ class C(Target):
         TwoProdError="fmaf({0}, {1}, -({0}*{1}))",
     )
 
+    records: Records | None = None
+    """Those of the library that is written."""
+    writes: Routine | None = None
+    """The routine that is written."""
+    places = Places()
+    """Where its names are that are in a record."""
+
     @property
     def late(self) -> str:
         """The type."""
         return self.real
+
+    def rename(self, name: str) -> str:
+        """As in all languages; in a routine, of a number in a record that record and its field."""
+        return self.places.written.get(name) or super().rename(name)
 
     def number(self, value: float) -> str:
         """A literal of the type."""
@@ -97,12 +113,18 @@ class C(Target):
         lines += self.prelude(library)
         if table := self.table(library):
             lines += ["// 1/n!", f"static const {self.real} inverse_factorial[] = {{{table}}};", ""]
+        own = copy(self)
+        own.records = records = Records(self, library.helpers)
+        types = records.declared()
+        if pair := records.pair():
+            lines += ["// a float and what it misses", pair, ""]
         for helper in library.helpers:
-            lines.append(f"// {helper.about}")
-            head = self._head(self.call(helper.name), helper)
-            lines += self._written(helper, f"{self.helper} {head}")
+            if helper.name in types:
+                lines += [types[helper.name], ""]
+            lines += [f"// {helper.about}", *own._helper(helper)]
         for routine in library.public:
-            lines += self._written(routine, self._head(f"{library.name}_{routine.name}", routine))
+            head = self._head(f"{library.name}_{routine.name}", routine)
+            lines += own._written(routine, head)
         files = {f"{library.name}.h": header, f"{library.name}.c": lines}
         return {name: "\n".join(wrapped(text)) for name, text in files.items()}
 
@@ -113,17 +135,46 @@ class C(Target):
     def _out(self, name: str) -> str:
         return f"{name}_out"
 
-    def _written(self, routine: Routine, head: str) -> list[str]:
-        ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
-        ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
-        return [f"{head} {{", *braces(self, guarded(routine), ends, f"const {self.real}"), "}", ""]
+    def _helper(self, routine: Routine) -> list[str]:
+        """One that others here call: of pairs, and with all results in a record."""
+        assert self.records is not None
+        args = ", ".join(self.records.arguments(routine)) or "void"
+        kind = self.records.kind(routine)
+        head = f"{self.helper} {kind} {self.call(routine.name)}({args})"
+        return self._written(routine, head, [] if kind != self.real else ["return {0};"])
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
-        """Through pointers."""
-        places = ", ".join(f"&{name}" for name in names)
-        declared, call = f"{self.real} {', '.join(names)};", f"{function}({args}, {places});"
-        together = f"{declared} {call}"
-        return [together] if len(together) < _SHORT else [declared, call]
+    def _written(self, routine: Routine, head: str, ends: list[str] | None = None) -> list[str]:
+        if ends is None:
+            ends = [f"*{self._out(n)} = {{{i}}};" for i, (n, _) in enumerate(routine.results)]
+            ends = ["return {0};"] if len(ends) == 1 else [*ends, "return;"]
+        own = copy(self)
+        if self.records is not None:
+            own.places = self.records.places(routine)
+            own.writes = routine
+        return [f"{head} {{", *braces(own, guarded(routine), ends, f"const {self.real}"), "}", ""]
+
+    def called(self, call: Expr) -> str:
+        """A call, with pairs where the routine takes them."""
+        name, printer = call.func.__name__, self.printing()
+        args = [printer.doprint(a) for a in call.args]
+        if self.records is not None:
+            args = self.records.given(name, args)
+        return f"{self.call(name)}({', '.join(args)})"
+
+    def received(self, several: Several) -> tuple[str, str]:
+        """As a record."""
+        assert self.records is not None
+        kind = self.records.kind(self.records.routines[several.call.func.__name__])
+        variable, _, _ = self.rename(several.names[0].name).partition(".")
+        return f"const {kind} ", f"{variable} = {self.called(several.call)};"
+
+    def ended(self, ends: list[str], results: list[str]) -> list[str]:
+        """Several results of a helper as a record."""
+        if ends:
+            return super().ended(ends, results)
+        assert self.records is not None
+        assert self.writes is not None
+        return [f"return {self.records.made(self.writes, results, self.places)};"]
 
     def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]

@@ -81,9 +81,9 @@ class Cpp(Target):
         body = braces(self, guarded(routine), [end], f"const {self.real}")
         return [f"{self._head(routine)} {{", *body, "}", ""]
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """From an array."""
-        return [f"const auto [{', '.join(names)}] = {function}({args});"]
+        return f"const auto [{', '.join(names)}] = {function}({args});"
 
     def _head(self, routine: Routine) -> str:
         args = ", ".join(f"{self.real} {self.rename(s.name)}" for s in routine.arguments)

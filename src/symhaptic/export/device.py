@@ -96,7 +96,7 @@ def device_motion() -> Routine:
     found = w, w_low, root, reach
     return do.routine("DeviceMotion", "w = delta^2/4 - gamma, what it misses, its root and the "
                       "size of the poles", (gamma, delta),
-                      dict(zip(_MOTION, found, strict=True)))  # fmt: skip
+                      dict(zip(_MOTION, found, strict=True)), "Motion")  # fmt: skip
 
 
 def real_poles() -> Routine:
@@ -112,7 +112,7 @@ def real_poles() -> Routine:
     off = do("off", off - q * p_low)
     found = whole, p_low, q, do("q_low", off / whole)
     return do.routine("RealPoles", "the poles p = half + root and q = gamma/p and what they miss",
-                      (gamma, *_KEPT), dict(zip(_POLES, found, strict=True)))  # fmt: skip
+                      (gamma, *_KEPT), dict(zip(_POLES, found, strict=True)), "Poles")  # fmt: skip
 
 
 def _called(name: str, small: Boolean, *arguments: Expr) -> Expr:
@@ -201,7 +201,7 @@ def fast_fall() -> Routine:
     fast, low = product(do, s.fall, far.fall, far.fall_low)
     given = s.fall, s.fall_low, far.fall, far.fall_low
     return do.routine("FastFall", "exp(-p), of the faster pole, and what it misses", given,
-                      {"fast": fast, "low": low + s.fall_low * far.fall})  # fmt: skip
+                      {"fast": fast, "fast_low": low + s.fall_low * far.fall})  # fmt: skip
 
 
 def _faster(do: Steps, s: Fading, far: Fading) -> tuple[Expr, Expr]:
@@ -341,7 +341,7 @@ def half_squares() -> Routine:
     turned_, turned_low = product(do, envelope, square, low)
     total, rest = two_diff(do, turned_, -grown * grown)
     return do.routine("HalfSquares", "(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it "
-                      "misses", given, {"total": total, "low": rest + turned_low})  # fmt: skip
+                      "misses", given, {"total": total, "total_low": rest + turned_low})  # fmt: skip
 
 
 def _squares(do: Steps, wave: type[sp.Function]) -> tuple[Expr, Expr]:
@@ -408,7 +408,7 @@ def slow_fade() -> Routine:
     fall, low = fallen(do, choose(small, _HALF, 0))
     return do.routine("SlowFade", "exp(-half) of a device with slow poles, and what it misses",
                       (_REACH, _HALF),
-                      {"fade": choose(small, fall, 0), "low": choose(small, low, 0)})  # fmt: skip
+                      {"fade": choose(small, fall, 0), "fade_low": choose(small, low, 0)})  # fmt: skip
 
 
 def plant_n0_near() -> Routine:

@@ -113,7 +113,7 @@ def plant_n0_term() -> Routine:
     total, more = two_diff(do, total, -number)
     rest, both = do("rest", grown_low - less_low), do("both", lost + more)
     return do.routine("PlantN0Term", "number + delta one - gamma two and what it misses, of pairs",
-                      (gamma, delta, *given), {"total": total, "low": both + rest})  # fmt: skip
+                      (gamma, delta, *given), {"total": total, "total_low": both + rest})  # fmt: skip
 
 
 def numerator_at_one_series(precision: Precision = DOUBLE) -> Routine:

@@ -30,7 +30,7 @@ BRIEF = sp.Rational(3, 4)
 SLOW = sp.Rational(3, 2)
 """The same for the squared angle of a wave: cos is still above 1/4."""
 
-x, w, rate, low = sp.symbols("x w rate low")
+x, w, rate, low = sp.symbols("x w rate rate_low")
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def brief_fading() -> Routine:
     fall, rest = fast_two_sum(do, sp.S.One, -gone)
     found = Fading(fall, rest - off, mean, mean_low)
     return do.routine("BriefFading", "exp(-rate), (1 - exp(-rate))/rate and what they miss, for a "
-                      "rate up to 3/4", (rate, low), vars(found))  # fmt: skip
+                      "rate up to 3/4", (rate, low), vars(found), "Fading")  # fmt: skip
 
 
 def fallen(do: Steps, rate: Expr) -> tuple[Expr, Expr]:
@@ -91,7 +91,7 @@ def fading_pair() -> Routine:
     far = Fading(sunk, sunk_low, mean, mean_low)
     found = {name: choose(brief, value, getattr(far, name)) for name, value in vars(near).items()}
     return do.routine("FadingPair", "exp(-rate), (1 - exp(-rate))/rate and what they miss",
-                      (rate, low), found)  # fmt: skip
+                      (rate, low), found, "Fading")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -149,7 +149,7 @@ def waving_pair() -> Routine:
     far = Wave(cosine, -angle_low * sine, ratio, missed)
     found = {name: choose(slow, value, getattr(far, name)) for name, value in vars(near).items()}
     return do.routine("WavingPair", "cos(angle), sin(angle)/angle and what they miss, where "
-                      "-square is the square of the angle", given, found)  # fmt: skip
+                      "-square is the square of the angle", given, found, "Wave")  # fmt: skip
 
 
 def polynomial(do: Steps, at: Expr, factorials: range) -> Expr:

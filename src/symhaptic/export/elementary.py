@@ -193,7 +193,7 @@ def next_wave(precision: Precision = DOUBLE) -> Routine:
         wave, still = do("sine", sin(angle)), do("cosine", cos(angle))
         cosine, sine = still - off * wave, wave + off * still
     return do.routine("NextWave", "cos((k + 1) x) and sin((k + 1) x)", (k, x),
-                      {"cosine": cosine, "sine": sine})  # fmt: skip
+                      {"cosine": cosine, "sine": sine}, "CosSin")  # fmt: skip
 
 
 def cos_next() -> Routine:

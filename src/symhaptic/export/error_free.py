@@ -23,7 +23,7 @@ def fast_two_sum() -> Routine:
     total = do("total", x + y)
     back = do("back", total - x)
     return do.routine("FastTwoSum", "x + y and what it misses, for |x| >= |y|", (x, y),
-                      {"total": total, "lost": y - back})  # fmt: skip
+                      {"total": total, "total_low": y - back})  # fmt: skip
 
 
 def two_diff() -> Routine:
@@ -34,7 +34,7 @@ def two_diff() -> Routine:
     rest = do("rest", total - back)
     one, two = do("one", x - rest), do("two", -y - back)
     return do.routine("TwoDiff", "x - y and what it misses", (x, y),
-                      {"total": total, "lost": one + two})  # fmt: skip
+                      {"total": total, "total_low": one + two})  # fmt: skip
 
 
 def two_prod() -> Routine:
@@ -42,7 +42,7 @@ def two_prod() -> Routine:
     do = Steps()
     total = do("total", x * y)
     return do.routine("TwoProd", "x y and what it misses", (x, y),
-                      {"total": total, "lost": TwoProdError(x, y)})  # fmt: skip
+                      {"total": total, "total_low": TwoProdError(x, y)})  # fmt: skip
 
 
 def wide_prod() -> Routine:
@@ -50,7 +50,7 @@ def wide_prod() -> Routine:
     do = Steps()
     total = do("total", x * y)
     return do.routine("WideProd", "x (y + y_low) and what it misses", (x, y, y_low),
-                      {"total": total, "lost": TwoProdError(x, y) + x * y_low})  # fmt: skip
+                      {"total": total, "total_low": TwoProdError(x, y) + x * y_low})  # fmt: skip
 
 
 def wide_quot() -> Routine:
@@ -62,7 +62,7 @@ def wide_quot() -> Routine:
     rest = do("rest", x_low - total * y_low)
     left = do("left", left + rest)
     return do.routine("WideQuot", "(x + x_low)/(y + y_low) and what it misses",
-                      (x, y, x_low, y_low), {"total": total, "lost": left / y})  # fmt: skip
+                      (x, x_low, y, y_low), {"total": total, "total_low": left / y})  # fmt: skip
 
 
 ROUTINES = (fast_two_sum, two_diff, two_prod, wide_prod, wide_quot)

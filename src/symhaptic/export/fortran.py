@@ -146,9 +146,9 @@ class Fortran(Target):
         ]
         return [part for line in lines for part in _folded(line)]
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """From a subroutine."""
-        return [f"call {function}({', '.join([args, *names])})"]
+        return f"call {function}({', '.join([args, *names])})"
 
     def notes(self, library: Library) -> list[str]:
         """As a package, of arrays, and what it must not be compiled with."""

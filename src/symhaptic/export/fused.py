@@ -199,7 +199,8 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     results = tuple((name, last.get(s, s)) for name, s in results)
     order = [made for made in order if last.keys().isdisjoint(names(made))]
     about = "; ".join(routines[part].about for part in parts)
-    return Routine("_".join(parts), about, arguments, tuple(order), results)
+    record = "Response" if "Ahead" in parts else ""
+    return Routine("_".join(parts), about, arguments, tuple(order), results, record=record)
 
 
 def _of_many(result: Expr) -> Expr:

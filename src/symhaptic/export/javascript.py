@@ -114,9 +114,9 @@ class Javascript(Target):
         nothing = [self.printing().doprint(routine.outside)] * len(routine.results)
         return [f"    if ({' || '.join(asked)}) {{", f"        {end.format(*nothing)}", "    }"]
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """From an array."""
-        return [f"const [{', '.join(names)}] = {function}({args});"]
+        return f"const [{', '.join(names)}] = {function}({args});"
 
     def notes(self, library: Library) -> list[str]:
         """How a page loads it."""

@@ -39,7 +39,8 @@ def late_device() -> Routine:
     results = tuple(zip(names, _numbers(_PART), strict=True))
     about = "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period"
     found = merged(routine(Form("late_device", about, (gamma, delta), results, tuple, ())))
-    return replace(found, name="LateDevice", arguments=(gamma, delta, _PART), within=())
+    arguments = gamma, delta, _PART
+    return replace(found, name="LateDevice", arguments=arguments, within=(), record="Delayed")
 
 
 def with_late_device(form: Form) -> Form:

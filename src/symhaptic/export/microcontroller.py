@@ -56,8 +56,8 @@ class Microcontroller(C):
         asked = any("exp" in operations(r) for r in (*library.helpers, *library.public))
         return _EXPONENTIAL.split("\n") if asked else []
 
-    def _written(self, routine: Routine, head: str) -> list[str]:
-        lines = super()._written(routine, head)
+    def _written(self, routine: Routine, head: str, ends: list[str] | None = None) -> list[str]:
+        lines = super()._written(routine, head, ends)
         if routine.name != "TwoProdError":
             return lines
         x, y = (self.rename(s.name) for s in routine.arguments)

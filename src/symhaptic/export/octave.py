@@ -106,9 +106,9 @@ class Octave(Target):
         outs = outs or f"[{', '.join(self._results(routine))}]"
         return f"function {outs} = {self.call(routine.name)}({args})"
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """As results."""
-        return [f"[{', '.join(names)}] = {function}({args});"]
+        return f"[{', '.join(names)}] = {function}({args});"
 
     def notes(self, library: Library) -> list[str]:
         """What it takes."""

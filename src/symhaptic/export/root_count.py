@@ -98,7 +98,7 @@ def quadratic_roots() -> Routine:
     two = do("two", choose(sp.Eq(q, 0), -1, c / own))
     found = {"low": choose(upper, one, two), "high": choose(upper, two, one)}
     return do.routine("QuadraticRoots", "(-b - root)/(2 a) and (-b + root)/(2 a), without "
-                      "cancellation; -1 for what is infinite", given, found)  # fmt: skip
+                      "cancellation; -1 for what is infinite", given, found, "Roots")  # fmt: skip
 
 
 def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:
@@ -113,7 +113,7 @@ def turn_angle() -> Routine:
     halves = choose(x < 0, choose(y < 0, -1, 1), 0)
     rest = atan2(choose(x < 0, -y, y), sp.Abs(x))
     return do.routine("TurnAngle", "the angle of x + j y in half turns, and the rest", (x, y),
-                      {"halves": halves, "rest": rest})  # fmt: skip
+                      {"halves": halves, "rest": rest}, "Angle")  # fmt: skip
 
 
 def _angle(do: Steps, real: Expr, up: Expr) -> _Angle:

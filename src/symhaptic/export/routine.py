@@ -172,6 +172,8 @@ class Routine:
     """What is true of each argument inside the domain alone, NaN included, if that is asked."""
     outside: sp.Basic = sp.nan
     """What every result is where one of these is not true; of a truth value, false."""
+    record: str = ""
+    """What all its results are together, where a language has a type for that."""
 
     @property
     def truth(self) -> bool:
@@ -306,12 +308,17 @@ class Steps:
         return self("whole", choose(sp.Eq(value, 0), sp.S.One, value))
 
     def routine(
-        self, name: str, about: str, arguments: tuple[Symbol, ...], result: Expr | dict[str, Expr]
+        self,
+        name: str,
+        about: str,
+        arguments: tuple[Symbol, ...],
+        result: Expr | dict[str, Expr],
+        record: str = "",
     ) -> Routine:
         """The routine of these steps, of one result or of several with their names."""
         results = result if isinstance(result, dict) else {name: result}
         found = tuple((own, sp.sympify(expr)) for own, expr in results.items())
-        return Routine(name, about, arguments, tuple(self.done), found)
+        return Routine(name, about, arguments, tuple(self.done), found, record=record)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
@@ -340,7 +347,7 @@ def quotient(
     do: Steps, top: Expr, bottom: Expr, top_low: Expr = sp.S.Zero, bottom_low: Expr = sp.S.Zero
 ) -> tuple[Symbol, Symbol]:
     """(top + top_low)/(bottom + bottom_low) and what the float misses."""
-    return _pair(do, "WideQuot", top, bottom, top_low, bottom_low)
+    return _pair(do, "WideQuot", top, top_low, bottom, bottom_low)
 
 
 def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:

@@ -114,9 +114,9 @@ class Rust(Target):
         head = f"{word} {self.call(routine.name)}({args}) -> {kind} {{"
         return [head, *braces(self, guarded(routine), [end], "let"), "}", ""]
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
         """From a tuple."""
-        return [f"let ({', '.join(names)}) = {function}({args});"]
+        return f"let ({', '.join(names)}) = {function}({args});"
 
     def notes(self, library: Library) -> list[str]:
         """As a crate, without std, and as a module."""

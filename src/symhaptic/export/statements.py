@@ -27,7 +27,11 @@ def braces(
         elif isinstance(statement, Repeat):
             lines += [pad + line for line in _repeated(target, statement, declare)]
         elif isinstance(statement, Several):
-            lines += [pad + line for line in _unpacked(target, statement)]
+            head, given = target.received(statement)
+            if head:
+                _declared(target, lines, pad + head, given)
+            else:
+                lines.append(pad + given)
         elif isinstance(statement, Choice):
             head = f"{pad}if ({printer.doprint(statement.condition)}) {{"
             inner = braces(target, statement.yes, ends, declare, depth + 1)
@@ -58,8 +62,8 @@ def braces(
             _beside(target, lines, pad, f"{name} = {printer.doprint(statement.expr)};")
         elif isinstance(statement, Return):
             shown = [printer.doprint(r) for r in statement.results]
-            for end in ends:
-                _beside(target, lines, pad, end.format(*shown))
+            for end in target.ended(ends, shown):
+                _beside(target, lines, pad, end)
     return lines
 
 
@@ -116,13 +120,6 @@ def _beside(target: Target, lines: list[str], pad: str, statement: str) -> None:
 
 _SETS = re.compile(r"\s*\*?\w+ = [^{}]*;")
 """A line of these."""
-
-
-def _unpacked(target: Target, several: Several) -> list[str]:
-    printer, call = target.printing(), several.call
-    names = [target.rename(s.name) for s in several.names]
-    args = ", ".join(map(printer.doprint, call.args))
-    return target.unpacked(names, target.call(call.func.__name__), args)
 
 
 def _at_once(loop: Repeat) -> tuple[Symbol, Symbol] | None:
@@ -193,7 +190,7 @@ def worded(
         elif isinstance(statement, Repeat):
             lines += [before + line for line in _turned(target, statement, words)]
         elif isinstance(statement, Several):
-            lines += [before + line for line in _unpacked(target, statement)]
+            lines.append(before + "".join(target.received(statement)))
         elif isinstance(statement, (Choice, Join)):
             lines.append(before + words.when.format(printer.doprint(statement.condition)))
             lines += worded(target, statement.yes, results, words, pad, depth + 1)

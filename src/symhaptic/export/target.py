@@ -17,7 +17,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Repeat, Routine
+from symhaptic.export.routine import Repeat, Routine, Several
 from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
@@ -207,9 +207,20 @@ class Target:
         printer = self.printing()
         return ", ".join(printer.doprint(1 / sp.factorial(n)) for n in range(library.factorials))
 
-    def unpacked(self, names: list[str], function: str, args: str) -> list[str]:
-        """Statements that give names to all results of a routine."""
+    def unpacked(self, names: list[str], function: str, args: str) -> str:
+        """A statement that gives names to all results of a routine."""
         raise NotImplementedError
+
+    def received(self, several: Several) -> tuple[str, str]:
+        """The statement that does so, after what declares more than one, if anything does."""
+        printer, call = self.printing(), several.call
+        names = [self.rename(s.name) for s in several.names]
+        args = ", ".join(map(printer.doprint, call.args))
+        return "", self.unpacked(names, self.call(call.func.__name__), args)
+
+    def ended(self, ends: list[str], results: list[str]) -> list[str]:
+        """The lines that return the results, which are given as they are written."""
+        return [end.format(*results) for end in ends]
 
     # -- files -------------------------------------------------------------------------
 

@@ -82,7 +82,7 @@ def whole_turns(precision: Precision) -> Routine:
     results = {name: choose(swings, choose(near, value, 0), 0)
                for name, value in zip(_FOUND, found, strict=True)}  # fmt: skip
     return do.routine("WholeTurns", "whether the device has nearly swung whole turns; n1, n0 and "
-                      "n1 + n0 there", GIVEN, results)  # fmt: skip
+                      "n1 + n0 there", GIVEN, results, "Turns")  # fmt: skip
 
 
 def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple[Expr, Expr]:
