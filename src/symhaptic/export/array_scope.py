@@ -312,7 +312,7 @@ class Scope:
         return self.named(expr.free_symbols)
 
 
-_OF_NUMBERS = "FastTwoSum", "TwoDiff", "ScaledSum"
+_OF_NUMBERS = "FastTwoSum", "TwoDiff", "PairSum", "PairDiff", "OnePlus", "OneMinus", "ScaledSum"
 """Routines that take numbers beside arrays."""
 
 

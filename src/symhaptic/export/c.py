@@ -34,6 +34,7 @@ CPP_KEYWORDS = KEYWORDS | vocabulary(
 )
 """Those of C++ too, since its programs read the header."""
 
+
 class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
     """SymPy's, with the shared operations, and without macros that the standard does not have."""
 
@@ -158,7 +159,9 @@ class C(Target):
         name, printer = call.func.__name__, self.printing()
         args = [printer.doprint(a) for a in call.args]
         if self.records is not None:
-            args = self.records.given(name, args)
+            calls = self.places.calls
+            given = self.records.given(name, args)
+            args = [self.called(calls[a]) if a in calls else a for a in given]
         return f"{self.call(name)}({', '.join(args)})"
 
     def received(self, several: Several) -> tuple[str, str]:
@@ -166,6 +169,9 @@ class C(Target):
         assert self.records is not None
         kind = self.records.kind(self.records.routines[several.call.func.__name__])
         variable, _, _ = self.rename(several.names[0].name).partition(".")
+        if variable in self.places.passed:
+            self.places.calls[variable] = several.call
+            return "", ""
         return f"const {kind} ", f"{variable} = {self.called(several.call)};"
 
     def ended(self, ends: list[str], results: list[str]) -> list[str]:

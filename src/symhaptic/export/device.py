@@ -22,18 +22,23 @@ from sympy.logic.boolalg import Boolean
 from symhaptic.export.device_series import NEAR
 from symhaptic.export.double_word import Fading, Wave, fading, fallen, root_low, waving
 from symhaptic.export.elementary import SIXTH, number_and
-from symhaptic.export.precision import Precision
-from symhaptic.export.routine import (
-    Routine,
-    Steps,
-    TwoProdError,
-    choose,
-    expm1,
+from symhaptic.export.pairs import (
+    Pair,
+    exact,
     fast_two_sum,
-    product,
-    quotient,
+    minus,
+    one_minus,
+    one_plus,
+    over,
+    plus,
+    rounded,
+    scaled,
+    squared,
+    times,
     two_diff,
 )
+from symhaptic.export.precision import Precision
+from symhaptic.export.routine import Routine, Steps, choose, expm1
 from symhaptic.export.whole_turns import turned
 from symhaptic.forms.entire import Decay
 from symhaptic.notation import delta, gamma
@@ -87,10 +92,9 @@ def device_motion() -> Routine:
     """What vanishes is a small difference."""
     do = Steps()
     half = do("half", delta / 2)
-    square = do("square", half * half)
+    square, square_low = squared(do, exact(half))
     most, lost = two_diff(do, square, gamma)
-    rest = do("rest", lost + TwoProdError(half, half))
-    w, w_low = fast_two_sum(do, most, rest)
+    w, w_low = fast_two_sum(do, most, do("rest", lost + square_low))
     root = do("root", sqrt(sp.Abs(w)))
     reach = do("reach", choose(w < 0, gamma / STIFF, (half + root) / NEAR))
     found = w, w_low, root, reach
@@ -105,12 +109,8 @@ def real_poles() -> Routine:
     half, w, w_low, root = _KEPT
     p, p_lost = fast_two_sum(do, half, root)
     p_low = do("p_low", p_lost + root_low(w, w_low, root))
-    whole = do.nonzero(p)
-    q = do("q", gamma / whole)
-    off = do("off", gamma - whole * q)
-    off = do("off", off - TwoProdError(whole, q))
-    off = do("off", off - q * p_low)
-    found = whole, p_low, q, do("q_low", off / whole)
+    larger = do.nonzero(p), p_low
+    found = *larger, *over(do, exact(gamma), larger)
     return do.routine("RealPoles", "the poles p = half + root and q = gamma/p and what they miss",
                       (gamma, *_KEPT), dict(zip(_POLES, found, strict=True)), "Poles")  # fmt: skip
 
@@ -151,116 +151,74 @@ class Creeping:
 
 def _creeping(do: Steps, m: Motion) -> Creeping:
     """Guarded: without distance for a device that swings."""
-    return Creeping(fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low))
+    return Creeping(fading(do, (m.q, m.q_low)), fading(do, (2 * m.root, 2 * m.root_low)))
 
 
-_SLOW = Fading(*sp.symbols("slow slow_low mean mean_low"))
-_APART = Fading(*sp.symbols("ratio ratio_low even even_low"))
+_SLOW = Fading(sp.symbols("slow slow_low"), sp.symbols("mean mean_low"))
+_APART = Fading(sp.symbols("ratio ratio_low"), sp.symbols("even even_low"))
 _P = sp.symbols("p p_low")
 _REACH, _HALF, _W = sp.symbols("reach half w")
 _FADE = sp.symbols("fade fade_low")
 
 
-def _all(f: Fading) -> tuple[Expr, ...]:
-    return f.fall, f.fall_low, f.mean, f.mean_low
-
-
 def plant_n1_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    pulled, lost = product(do, s.fall, far.mean, far.mean_low)
-    pulled_low = do("pulled_low", lost + s.fall_low * far.mean)
-    top, top_low = two_diff(do, s.mean, pulled)
-    rest = do("rest", top_low + (s.mean_low - pulled_low))
-    creep, missed = quotient(do, top, _P[0], rest, _P[1])
-    given = _REACH, *_FADE, _HALF, _W, *_P, *_all(s), far.mean, far.mean_low
+    found = over(do, minus(do, s.mean, times(do, s.fall, far.mean)), _P)
+    given = _REACH, *_FADE, _HALF, _W, *_P, *s.flat, *far.mean
     near = _n1_near(_REACH < SOFT, *_FADE, _HALF, _W)
     return do.routine("PlantN1Creep", "n1 of a creeping device", given,
-                      choose(_REACH < SOFT, near, creep + missed))  # fmt: skip
+                      choose(_REACH < SOFT, near, rounded(found)))  # fmt: skip
 
 
 def plant_n0_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    pulled, lost = product(do, far.fall, s.mean, s.mean_low)
-    pulled_low = do("pulled_low", lost + far.fall_low * s.mean)
-    top, top_low = two_diff(do, far.mean, pulled)
-    rest = do("rest", top_low + (far.mean_low - pulled_low))
-    rest, missed = quotient(do, top, _P[0], rest, _P[1])
-    creep, lost = product(do, s.fall, rest, missed)
-    low = do("low", lost + s.fall_low * rest)
+    rest = over(do, minus(do, far.mean, times(do, far.fall, s.mean)), _P)
+    found = times(do, s.fall, rest)
     near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, delta)
-    given = _REACH, *_FADE, gamma, delta, *_P, *_all(s), *_all(far)
+    given = _REACH, *_FADE, gamma, delta, *_P, *s.flat, *far.flat
     return do.routine("PlantN0Creep", "n0 of a creeping device", given,
-                      choose(_REACH < SOFT, near, creep + low))  # fmt: skip
-
-
-def fast_fall() -> Routine:
-    """The slower one, and what is between them."""
-    do, s, far = Steps(), _SLOW, _APART
-    fast, low = product(do, s.fall, far.fall, far.fall_low)
-    given = s.fall, s.fall_low, far.fall, far.fall_low
-    return do.routine("FastFall", "exp(-p), of the faster pole, and what it misses", given,
-                      {"fast": fast, "fast_low": low + s.fall_low * far.fall})  # fmt: skip
-
-
-def _faster(do: Steps, s: Fading, far: Fading) -> tuple[Expr, Expr]:
-    given = s.fall, s.fall_low, far.fall, far.fall_low
-    fast, low = do.several(("fast", "fast_low"), "FastFall", *given)
-    return fast, low
+                      choose(_REACH < SOFT, near, rounded(found)))  # fmt: skip
 
 
 def numerator_at_one_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    fast, fast_low = _faster(do, s, far)
-    gone, lost = fast_two_sum(do, sp.S.One, -fast)
-    moved, moved_low = product(do, s.mean, gone, lost - fast_low)
-    moved_low = do("moved_low", moved_low + s.mean_low * gone)
-    creep, rest = quotient(do, moved, _P[0], moved_low, _P[1])
-    given = _REACH, _HALF, _W, *_P, *_all(s), far.fall, far.fall_low
+    fast = times(do, s.fall, far.fall)
+    found = over(do, times(do, s.mean, one_minus(do, fast)), _P)
+    given = _REACH, _HALF, _W, *_P, *s.flat, *far.fall
     near = _one_near(_REACH < 1, _HALF, _W)
     return do.routine("NumeratorAtOneCreep", "n1 + n0 of a creeping device", given,
-                      choose(_REACH < 1, near, creep + rest))  # fmt: skip
+                      choose(_REACH < 1, near, rounded(found)))  # fmt: skip
 
 
 def denominator_at_minus_one_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    one, one_low = fast_two_sum(do, sp.S.One, s.fall)
-    fast, fast_low = _faster(do, s, far)
-    two, two_low = fast_two_sum(do, sp.S.One, fast)
-    found, missed = product(do, one, two, two_low + fast_low)
-    low = do("low", missed + (one_low + s.fall_low) * two)
-    given = s.fall, s.fall_low, far.fall, far.fall_low
-    return do.routine(
-        "DenominatorAtMinusOneCreep", "1 + a + e of a creeping device", given, found + low
-    )
+    fast = times(do, s.fall, far.fall)
+    found = times(do, one_plus(do, s.fall), one_plus(do, fast))
+    return do.routine("DenominatorAtMinusOneCreep", "1 + a + e of a creeping device",
+                      (*s.fall, *far.fall), rounded(found))  # fmt: skip
 
 
 def plant_trace_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    both, rest = fast_two_sum(do, sp.S.One, far.fall)
-    creep, more = product(do, s.fall, both, rest + far.fall_low)
-    low = do("low", more + s.fall_low * both)
-    given = s.fall, s.fall_low, far.fall, far.fall_low
-    return do.routine("PlantTraceCreep", "a of a creeping device", given, creep + low)
+    found = times(do, s.fall, one_plus(do, far.fall))
+    return do.routine("PlantTraceCreep", "a of a creeping device",
+                      (*s.fall, *far.fall), rounded(found))  # fmt: skip
 
 
 def numerator_gap_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), _SLOW, _APART
-    fast = do("fast", s.fall * far.fall)
-    twice = do("twice", 2 * s.fall)
-    pulled, pulled_low = product(do, twice, far.mean, far.mean_low)
-    top, top_low = two_diff(do, s.mean, pulled)
-    more, more_low = product(do, fast, s.mean, s.mean_low)
-    top = do("top", top + more)
-    rest = do("rest", s.mean_low + more_low - pulled_low)
-    low = do("low", top_low + rest)
+    slow, ratio = s.fall[0], far.fall[0]
+    top, top_low = minus(do, s.mean, scaled(do, do("twice", 2 * slow), far.mean))
+    more, more_low = scaled(do, do("fast", slow * ratio), s.mean)
+    top, low = do("top", top + more), do("low", top_low + more_low)
     found = (top + low) / do.nonzero(_P[0] * delta)
-    known = s.fall, s.mean, s.mean_low, far.fall, far.mean, far.mean_low
+    known = slow, *s.mean, ratio, *far.mean
     near = _gap_near(_REACH < 1, _HALF, _W)
     return do.routine("NumeratorGapCreep", "(n1 - n0)/delta of a creeping device",
                       (_REACH, _HALF, _W, delta, _P[0], *known),
@@ -279,23 +237,21 @@ class Swinging:
 
 
 def _swinging(do: Steps, m: Motion) -> Swinging:
-    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root)
+    wave = waving(do, (choose(m.w < 0, m.w, 0), m.w_low), m.root)
     return Swinging(do("envelope", exp(-m.half)), wave)
 
 
-_WAVE = Wave(*sp.symbols("even even_low wave wave_low"))
+_WAVE = Wave(sp.symbols("even even_low"), sp.symbols("wave wave_low"))
 _ENVELOPE, _ROOT, _W_LOW, _NEAR, _KNOWN = sp.symbols("envelope root w_low near known")
 _CLOSED = (
-    _REACH, *_FADE, _HALF, _W, _ENVELOPE, _WAVE.even, _WAVE.even_low, _WAVE.odd, _WAVE.odd_low,
-    gamma, _NEAR, _KNOWN,
+    _REACH, *_FADE, _HALF, _W, _ENVELOPE, *_WAVE.even, *_WAVE.odd, gamma, _NEAR, _KNOWN,
 )  # fmt: skip
 
 
 def _closed(
     m: Motion, v: Swinging, turns: tuple[Expr, Expr], fade: tuple[Expr, ...]
 ) -> tuple[Expr, ...]:
-    wave = v.wave.even, v.wave.even_low, v.wave.odd, v.wave.odd_low
-    return (m.reach, *fade, m.half, m.w, v.envelope, *wave, gamma, *turns)
+    return (m.reach, *fade, m.half, m.w, v.envelope, *v.wave.even, *v.wave.odd, gamma, *turns)
 
 
 def _chosen(small: Boolean, near: Expr, far: Expr) -> Expr:
@@ -306,28 +262,23 @@ def _chosen(small: Boolean, near: Expr, far: Expr) -> Expr:
 def plant_n1_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
-    odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
-    both, lost = two_diff(do, v.even, -odd)
-    left, left_low = product(do, _ENVELOPE, both, lost + (v.even_low + odd_low))
-    top, lost = fast_two_sum(do, sp.S.One, -left)
-    swing, more = quotient(do, top, do.nonzero(gamma), lost - left_low)
-    found = _chosen(_REACH < SOFT, _n1_near(_REACH < SOFT, *_FADE, _HALF, _W), swing + more)
+    both = plus(do, v.even, scaled(do, _HALF, v.odd))
+    top = one_minus(do, scaled(do, _ENVELOPE, both))
+    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    found = _chosen(_REACH < SOFT, _n1_near(_REACH < SOFT, *_FADE, _HALF, _W), swing)
     return do.routine("PlantN1Swing", "n1 of a swinging device", _CLOSED, found)
 
 
 def plant_n0_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
-    odd, odd_low = product(do, _HALF, v.odd, v.odd_low)
-    top, top_low = two_diff(do, odd, v.even)
-    top, lost = two_diff(do, top, -_ENVELOPE)
-    rest = do("rest", lost + (top_low + odd_low - v.even_low))
-    top, top_low = product(do, _ENVELOPE, top, rest)
-    swing, missed = quotient(do, top, do.nonzero(gamma), top_low)
+    both = minus(do, scaled(do, _HALF, v.odd), v.even)
+    top = scaled(do, _ENVELOPE, plus(do, both, exact(_ENVELOPE)))
+    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
     near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, 2 * _HALF)
     given = tuple(s for s in _CLOSED if s != _W)
     return do.routine("PlantN0Swing", "n0 of a swinging device", given,
-                      _chosen(_REACH < SOFT, near, swing + missed))  # fmt: skip
+                      _chosen(_REACH < SOFT, near, swing))  # fmt: skip
 
 
 def half_squares() -> Routine:
@@ -335,67 +286,60 @@ def half_squares() -> Routine:
     do = Steps()
     given = half, envelope, wave, back = sp.symbols("half envelope wave back")
     grown = do("grown", -expm1(-half) / 2)
-    first, lost = two_diff(do, wave, back)
-    square, low = product(do, first, first)
-    low = do("low", low + 2 * first * lost)
-    turned_, turned_low = product(do, envelope, square, low)
-    total, rest = two_diff(do, turned_, -grown * grown)
+    turned_ = scaled(do, envelope, squared(do, two_diff(do, wave, back)))
+    total, low = plus(do, turned_, exact(grown * grown))
     return do.routine("HalfSquares", "(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it "
-                      "misses", given, {"total": total, "total_low": rest + turned_low})  # fmt: skip
+                      "misses", given, {"total": total, "total_low": low})  # fmt: skip
 
 
-def _squares(do: Steps, wave: type[sp.Function]) -> tuple[Expr, Expr]:
+def _squares(do: Steps, wave: type[sp.Function]) -> Pair:
     """(1 - exp(-delta/2))^2/4 and exp(-delta/2) times the square of sin or cos of root/2, added."""
     angle = do("angle", _ROOT / 2)
     own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
     back = do("back", -root_low(_W, _W_LOW, _ROOT) / 2 * other)
-    total, low = do.several(("total", "low"), "HalfSquares", _HALF, _ENVELOPE, own, back)
+    total, low = do.several(("total", "total_low"), "HalfSquares", _HALF, _ENVELOPE, own, back)
     return total, low
 
 
 def numerator_at_one_swing() -> Routine:
     """Of a swinging device."""
     do = Steps()
-    total, low = _squares(do, sin)
-    found, missed = quotient(do, total, do.nonzero(gamma), low)
+    found = rounded(over(do, _squares(do, sin), exact(do.nonzero(gamma))))
     near = _one_near(_REACH < 1, _HALF, _W, _ENVELOPE)
     given = _REACH, _HALF, _W, _W_LOW, _ENVELOPE, _ROOT, gamma, _NEAR, _KNOWN
     return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
-                      _chosen(_REACH < 1, near, 4 * (found + missed)))  # fmt: skip
+                      _chosen(_REACH < 1, near, 4 * found))  # fmt: skip
 
 
 def denominator_at_minus_one_swing() -> Routine:
     """A sum where a > 0, a sum of squares where it is not."""
     do, v = Steps(), _WAVE
-    total, low = _squares(do, cos)
-    ends, lost = fast_two_sum(do, sp.S.One, do("e", exp(-2 * _HALF)))
-    turn, turn_low = product(do, 2 * _ENVELOPE, v.even, v.even_low)
-    both, rest = fast_two_sum(do, ends, turn)
-    rest = do("rest", rest + lost + turn_low)
+    squares = _squares(do, cos)
+    turn = scaled(do, 2 * _ENVELOPE, v.even)
+    both = plus(do, one_plus(do, exact(do("e", exp(-2 * _HALF)))), turn)
     return do.routine("DenominatorAtMinusOneSwing", "1 + a + e of a swinging device",
-                      (_HALF, _W, _W_LOW, _ENVELOPE, v.even, v.even_low, _ROOT),
-                      choose(turn > 0, both + rest, 4 * (total + low)))  # fmt: skip
+                      (_HALF, _W, _W_LOW, _ENVELOPE, *v.even, _ROOT),
+                      choose(turn[0] > 0, rounded(both), 4 * rounded(squares)))  # fmt: skip
 
 
 def plant_trace_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
-    turn, lost = product(do, _ENVELOPE, v.even, v.even_low)
-    return do.routine("PlantTraceSwing", "a of a swinging device", (_ENVELOPE, v.even, v.even_low),
-                      2 * (turn + lost))  # fmt: skip
+    turn = scaled(do, _ENVELOPE, v.even)
+    return do.routine("PlantTraceSwing", "a of a swinging device", (_ENVELOPE, *v.even),
+                      2 * rounded(turn))  # fmt: skip
 
 
 def numerator_gap_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), _WAVE
     mean = do("mean", Decay(delta))
-    turn, turn_low = product(do, _ENVELOPE, v.odd, v.odd_low)
-    top, rest = two_diff(do, mean, turn)
-    swing, missed = quotient(do, top, do.nonzero(gamma), rest - turn_low)
-    given = _REACH, _HALF, _W, _ENVELOPE, v.odd, v.odd_low, gamma, delta
+    top = minus(do, exact(mean), scaled(do, _ENVELOPE, v.odd))
+    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    given = _REACH, _HALF, _W, _ENVELOPE, *v.odd, gamma, delta
     near = _gap_near(_REACH < 1, _HALF, _W, _ENVELOPE)
     return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,
-                      choose(_REACH < 1, near, swing + missed))  # fmt: skip
+                      choose(_REACH < 1, near, swing))  # fmt: skip
 
 
 # -- near the origin, and all together ----------------------------------------------------------
@@ -414,7 +358,7 @@ def slow_fade() -> Routine:
 def plant_n0_near() -> Routine:
     """From its power series."""
     do = Steps()
-    fall, low = product(do, _FADE[0], _FADE[0], 2 * _FADE[1])
+    fall, low = squared(do, _FADE)
     found = number_and(fall, sp.S.Half, "PlantN0Series", gamma, delta, low=low)
     return do.routine(
         "PlantN0Near", "n0 of a device with slow poles", (*_FADE, gamma, delta), found
@@ -438,8 +382,7 @@ def plant_n1() -> Routine:
     near, risen, _, _ = _turned(do, m)
     fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
     swing = sp.Function("PlantN1Swing")(*_closed(m, v, (near, risen), fade))
-    own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *_all(c.slow)
-    own = *own, c.apart.mean, c.apart.mean_low
+    own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *c.slow.flat, *c.apart.mean
     creep = sp.Function("PlantN1Creep")(*own)
     found = _asked(m.reach < SOFT, _n1_near(m.reach < SOFT, *fade, m.half, m.w), m, swing, creep)
     return do.routine("PlantN1", "n1, how far a unit force moves the device in a period",
@@ -455,7 +398,7 @@ def plant_n0() -> Routine:
     fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
     given = zip(_CLOSED, _closed(m, v, (near, sunk), fade), strict=True)
     swing = sp.Function("PlantN0Swing")(*(value for s, value in given if s != _W))
-    own = m.reach, *fade, gamma, delta, m.p, m.p_low, *_all(c.slow), *_all(c.apart)
+    own = m.reach, *fade, gamma, delta, m.p, m.p_low, *c.slow.flat, *c.apart.flat
     creep = sp.Function("PlantN0Creep")(*own)
     near_ = _called("PlantN0Near", m.reach < SOFT, *fade, gamma, delta)
     found = _asked(m.reach < SOFT, near_, m, swing, creep)
@@ -471,7 +414,7 @@ def numerator_at_one() -> Routine:
     near, _, _, both = _turned(do, m)
     given = m.reach, m.half, m.w, m.w_low, v.envelope, m.root, gamma, near, both
     swing = sp.Function("NumeratorAtOneSwing")(*given)
-    own = m.reach, m.half, m.w, m.p, m.p_low, *_all(c.slow), c.apart.fall, c.apart.fall_low
+    own = m.reach, m.half, m.w, m.p, m.p_low, *c.slow.flat, *c.apart.fall
     creep = sp.Function("NumeratorAtOneCreep")(*own)
     found = _asked(m.reach < 1, _one_near(m.reach < 1, m.half, m.w), m, swing, creep)
     return do.routine("NumeratorAtOne", "n1 + n0",
@@ -483,9 +426,9 @@ def denominator_at_minus_one() -> Routine:
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
-    given = m.half, m.w, m.w_low, v.envelope, v.wave.even, v.wave.even_low, m.root
+    given = m.half, m.w, m.w_low, v.envelope, *v.wave.even, m.root
     swing = sp.Function("DenominatorAtMinusOneSwing")(*given)
-    own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
+    own = *c.slow.fall, *c.apart.fall
     creep = sp.Function("DenominatorAtMinusOneCreep")(*own)
     return do.routine("DenominatorAtMinusOne", "1 + a + e", (gamma, delta),
                       choose(m.w < 0, swing, creep))  # fmt: skip
@@ -496,8 +439,8 @@ def plant_trace() -> Routine:
     do = Steps()
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
-    swing = sp.Function("PlantTraceSwing")(v.envelope, v.wave.even, v.wave.even_low)
-    own = c.slow.fall, c.slow.fall_low, c.apart.fall, c.apart.fall_low
+    swing = sp.Function("PlantTraceSwing")(v.envelope, *v.wave.even)
+    own = *c.slow.fall, *c.apart.fall
     return do.routine("PlantTrace", "a, the sum of the sampled device's poles", (gamma, delta),
                       choose(m.w < 0, swing, sp.Function("PlantTraceCreep")(*own)))  # fmt: skip
 
@@ -511,9 +454,9 @@ def numerator_gap() -> Routine:
     m = motion(do)
     c, v = _creeping(do, m), _swinging(do, m)
     slow, far = c.slow, c.apart
-    own = slow.fall, slow.mean, slow.mean_low, far.fall, far.mean, far.mean_low
+    own = slow.fall[0], *slow.mean, far.fall[0], *far.mean
     creep = sp.Function("NumeratorGapCreep")(m.reach, m.half, m.w, delta, m.p, *own)
-    wave = v.envelope, v.wave.odd, v.wave.odd_low, gamma, delta
+    wave = v.envelope, *v.wave.odd, gamma, delta
     swing = sp.Function("NumeratorGapSwing")(m.reach, m.half, m.w, *wave)
     return do.routine("NumeratorGap", "(n1 - n0)/delta", (gamma, delta),
                       _asked(m.reach < 1, _gap_near(m.reach < 1, m.half, m.w), m,
@@ -521,7 +464,7 @@ def numerator_gap() -> Routine:
 
 
 ROUTINES = (
-    device_motion, real_poles, plant_n1_creep, plant_n0_creep, fast_fall, numerator_at_one_creep,
+    device_motion, real_poles, plant_n1_creep, plant_n0_creep, numerator_at_one_creep,
     denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep, plant_n1_swing,
     plant_n0_swing, half_squares, numerator_at_one_swing, denominator_at_minus_one_swing,
     plant_trace_swing, numerator_gap_swing, slow_fade, plant_n0_near, plant_n1, plant_n0,

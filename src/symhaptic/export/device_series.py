@@ -9,13 +9,9 @@ import sympy as sp
 from sympy import Expr, Symbol, factorial
 from sympy.logic.boolalg import Boolean
 
+from symhaptic.export.pairs import exact, minus, plus, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import (
-    Routine,
-    Steps,
-    product,
-    two_diff,
-)
+from symhaptic.export.routine import Routine, Steps
 from symhaptic.notation import delta, gamma
 
 NEAR = sp.Rational(9, 4)
@@ -99,7 +95,7 @@ def plant_n0_series(precision: Precision = DOUBLE) -> Routine:
         two, two_low = one, one_low
         one, one_low = do.several(("one", "one_low"), "PlantN0Term", *given)
     return do.routine("PlantN0Series", "divided difference of exp at 0, p and q, less 1/2",
-                      (gamma, delta), one + one_low)  # fmt: skip
+                      (gamma, delta), rounded((one, one_low)))  # fmt: skip
 
 
 def plant_n0_term() -> Routine:
@@ -107,13 +103,10 @@ def plant_n0_term() -> Routine:
     do = Steps()
     given = sp.symbols("one one_low two two_low number")
     one, one_low, two, two_low, number = given
-    grown, grown_low = product(do, delta, one, one_low)
-    less, less_low = product(do, gamma, two, two_low)
-    total, lost = two_diff(do, grown, less)
-    total, more = two_diff(do, total, -number)
-    rest, both = do("rest", grown_low - less_low), do("both", lost + more)
+    grown, less = scaled(do, delta, (one, one_low)), scaled(do, gamma, (two, two_low))
+    total, low = plus(do, minus(do, grown, less), exact(number))
     return do.routine("PlantN0Term", "number + delta one - gamma two and what it misses, of pairs",
-                      (gamma, delta, *given), {"total": total, "total_low": both + rest})  # fmt: skip
+                      (gamma, delta, *given), {"total": total, "total_low": low})  # fmt: skip
 
 
 def numerator_at_one_series(precision: Precision = DOUBLE) -> Routine:

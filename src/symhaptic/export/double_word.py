@@ -13,16 +13,18 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Symbol, cos, exp, factorial, sin
 
-from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import (
-    Routine,
-    Steps,
-    TwoProdError,
-    choose,
+from symhaptic.export.pairs import (
+    Pair,
+    exact,
     fast_two_sum,
-    product,
-    quotient,
+    one_minus,
+    one_plus,
+    over,
+    squared,
+    times,
 )
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.routine import Routine, Steps, TwoProdError, choose
 
 BRIEF = sp.Rational(3, 4)
 """Up to this rate 1 - exp(-rate) is found from its series, beyond it from exp(-rate)."""
@@ -37,18 +39,26 @@ x, w, rate, low = sp.symbols("x w rate rate_low")
 class Fading:
     """exp(-rate) and (1 - exp(-rate))/rate."""
 
-    fall: Expr
-    fall_low: Expr
-    mean: Expr
-    mean_low: Expr
+    fall: Pair
+    mean: Pair
+
+    @property
+    def flat(self) -> tuple[Expr, ...]:
+        """Both, and what they miss."""
+        return (*self.fall, *self.mean)
 
 
 _FADING = "fall", "fall_low", "mean", "mean_low"
 
 
-def briefly(do: Steps, given: Expr, low: Expr) -> Fading:
+def _fading(do: Steps, routine: str, rate: Pair) -> Fading:
+    fall, fall_low, mean, mean_low = do.several(_FADING, routine, *rate)
+    return Fading((fall, fall_low), (mean, mean_low))
+
+
+def briefly(do: Steps, rate: Pair) -> Fading:
     """Both of Fading and what they miss, for a rate up to BRIEF."""
-    return Fading(*do.several(_FADING, "BriefFading", given, low))
+    return _fading(do, "BriefFading", rate)
 
 
 def brief_fading() -> Routine:
@@ -58,38 +68,34 @@ def brief_fading() -> Routine:
     curved = do("curved", rate * rate * sp.Function("DecaySeries")(rate))
     mean, more = fast_two_sum(do, first, curved)
     bent = do("bent", low * (sp.S.Half - rate / 3 + rate * rate / 8))
-    mean_low = do("mean_low", (lost + more) - bent)
-    gone, off = product(do, rate, mean, mean_low)
-    off = do("off", off + low * mean)
-    fall, rest = fast_two_sum(do, sp.S.One, -gone)
-    found = Fading(fall, rest - off, mean, mean_low)
+    whole = mean, do("mean_low", (lost + more) - bent)
+    found = Fading(one_minus(do, times(do, (rate, low), whole)), whole)
     return do.routine("BriefFading", "exp(-rate), (1 - exp(-rate))/rate and what they miss, for a "
-                      "rate up to 3/4", (rate, low), vars(found), "Fading")  # fmt: skip
+                      "rate up to 3/4", (rate, low), dict(zip(_FADING, found.flat, strict=True)),
+                      "Fading")  # fmt: skip
 
 
-def fallen(do: Steps, rate: Expr) -> tuple[Expr, Expr]:
+def fallen(do: Steps, rate: Expr) -> Pair:
     """exp(-rate) and what it misses, for a rate up to twice BRIEF: the square of that of half."""
-    half = briefly(do, rate / 2, sp.S.Zero)
-    return product(do, half.fall, half.fall, 2 * half.fall_low)
+    return squared(do, briefly(do, exact(rate / 2)).fall)
 
 
-def fading(do: Steps, rate: Expr, low: Expr) -> Fading:
-    """The pair for rate + low."""
-    return Fading(*do.several(_FADING, "FadingPair", rate, low))
+def fading(do: Steps, rate: Pair) -> Fading:
+    """The same for any rate."""
+    return _fading(do, "FadingPair", rate)
 
 
 def fading_pair() -> Routine:
     """Beyond its series, from exp."""
     do = Steps()
     brief = rate < BRIEF
-    near = briefly(do, do("given", choose(brief, rate, 0)), low)
+    near = briefly(do, (do("given", choose(brief, rate, 0)), low))
     sunk = do("sunk", exp(-rate))
-    sunk_low = do("sunk_low", -sunk * low)
-    top, top_low = fast_two_sum(do, sp.S.One, -sunk)
+    fall = sunk, do("sunk_low", -sunk * low)
     bottom = do("bottom", choose(brief, 1, rate))
-    mean, mean_low = quotient(do, top, bottom, top_low - sunk_low, low)
-    far = Fading(sunk, sunk_low, mean, mean_low)
-    found = {name: choose(brief, value, getattr(far, name)) for name, value in vars(near).items()}
+    far = Fading(fall, over(do, one_minus(do, fall), (bottom, low)))
+    found = {name: choose(brief, one, two)
+             for name, one, two in zip(_FADING, near.flat, far.flat, strict=True)}  # fmt: skip
     return do.routine("FadingPair", "exp(-rate), (1 - exp(-rate))/rate and what they miss",
                       (rate, low), found, "Fading")  # fmt: skip
 
@@ -98,10 +104,8 @@ def fading_pair() -> Routine:
 class Wave:
     """cos(angle) and sin(angle)/angle."""
 
-    even: Expr
-    even_low: Expr
-    odd: Expr
-    odd_low: Expr
+    even: Pair
+    odd: Pair
 
 
 _WAVE = "even", "even_low", "odd", "odd_low"
@@ -124,9 +128,10 @@ def root_miss() -> Routine:
                       left / do.nonzero(root) / 2)  # fmt: skip
 
 
-def waving(do: Steps, square: Expr, square_low: Expr, angle: Expr) -> Wave:
-    """The pair for the root of -square - square_low, of which the float is known."""
-    return Wave(*do.several(_WAVE, "WavingPair", square, square_low, angle))
+def waving(do: Steps, square: Pair, angle: Expr) -> Wave:
+    """Of the root of minus a square, of which the float is known."""
+    even, even_low, odd, odd_low = do.several(_WAVE, "WavingPair", *square, angle)
+    return Wave((even, even_low), (odd, odd_low))
 
 
 def waving_pair() -> Routine:
@@ -139,15 +144,13 @@ def waving_pair() -> Routine:
     curved = do("curved", small * small * sp.Function("CosSeries")(small))
     even, more = fast_two_sum(do, first, curved)
     both = do("both", lost + more)
-    bent = do("bent", small * sp.Function("SinSeries")(small))
-    odd, rest = fast_two_sum(do, sp.S.One, bent)
+    odd = one_plus(do, (do("bent", small * sp.Function("SinSeries")(small)), square_low / 6))
+    near = even, both + square_low / 2, *odd
     angle_low = do("angle_low", root_low(square, square_low, angle))
-    near = Wave(even, both + square_low / 2, odd, rest + square_low / 6)
     sine, cosine = do("sine", sin(angle)), do("cosine", cos(angle))
     some = do("some", choose(slow, 1, angle))
-    ratio, missed = quotient(do, sine, some, angle_low * cosine, angle_low)
-    far = Wave(cosine, -angle_low * sine, ratio, missed)
-    found = {name: choose(slow, value, getattr(far, name)) for name, value in vars(near).items()}
+    far = cosine, -angle_low * sine, *over(do, (sine, angle_low * cosine), (some, angle_low))
+    found = {name: choose(slow, one, two) for name, one, two in zip(_WAVE, near, far, strict=True)}
     return do.routine("WavingPair", "cos(angle), sin(angle)/angle and what they miss, where "
                       "-square is the square of the angle", given, found, "Wave")  # fmt: skip
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr, Max, cos, exp, factorial, floor, sin, sqrt
 
+from symhaptic.export.pairs import rounded, times, two_diff
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     Routine,
@@ -12,8 +13,6 @@ from symhaptic.export.routine import (
     TwoProdError,
     choose,
     expm1,
-    product,
-    two_diff,
 )
 from symhaptic.forms.entire import CosNext, Decay, Gap, Sinc, SinNext
 
@@ -62,12 +61,10 @@ def number_and(
 def scaled_sum() -> Routine:
     """Of a float or a pair, and a sum that is not rounded."""
     do = Steps()
-    fall, fall_low = sp.symbols("fall fall_low")
-    total, lost = two_diff(do, y, -z)
-    found, missed = product(do, fall, total, lost)
-    low = do("low", missed + fall_low * total)
+    fall = sp.symbols("fall fall_low")
+    found = times(do, fall, two_diff(do, y, -z))
     return do.routine("ScaledSum", "(fall + fall_low) (y + z), rounded once",
-                      (fall, fall_low, y, z), found + low)  # fmt: skip
+                      (*fall, y, z), rounded(found))  # fmt: skip
 
 
 def creep() -> Routine:

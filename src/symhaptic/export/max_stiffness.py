@@ -7,8 +7,19 @@ from collections.abc import Callable
 import sympy as sp
 from sympy import And, Expr, Max, Or, atan2, cos, pi, sin, sqrt
 
+from symhaptic.export.pairs import (
+    Pair,
+    exact,
+    minus,
+    plus,
+    rounded,
+    scaled,
+    squared,
+    times,
+    two_diff,
+)
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, product, two_diff
+from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.search import crossing
 from symhaptic.forms import max_stiffness_slope
 from symhaptic.forms.max_stiffness_angle import MAX_STIFFNESS_ARGUMENTS, MAX_STIFFNESS_SPRING
@@ -24,33 +35,26 @@ _PARTS = 24
 """Of what is looked at for the first maximum."""
 
 
+def _times(number: int, pair: Pair) -> Pair:
+    """So often, by a power of two, which rounds nothing."""
+    return number * pair[0], number * pair[1]
+
+
 def end_slope() -> Routine:
     """Its terms cancel where the maximum is next to pi: each is known twice as well as a float."""
     do = Steps()
     _, r, loss, s, a, late = max_stiffness_slope.EARLY
-    side, side_low = two_diff(do, s, 4 * late)
-    square, square_low = product(do, side, side, 2 * side_low)
-    across, across_low = product(do, a, s)
-    gap, gap_low = two_diff(do, across, square)
-    gap_low = do("gap_low", gap_low + (across_low - square_low))
-    lean, lean_low = two_diff(do, square, 2 * across)
-    lean_low = do("lean_low", lean_low + (square_low - 2 * across_low))
-    one, one_low = product(do, side, lean, lean_low)
-    two, two_low = product(do, a, across, across_low)
-    bent, bent_low = two_diff(do, one, -two)
-    bent_low = do("bent_low", bent_low + (one_low + side_low * lean + two_low))
-    one, one_low = product(do, r, bent, bent_low)
-    part, part_low = product(do, a, gap, gap_low)
-    two, two_low = product(do, loss, part, part_low)
-    rest, rest_low = two_diff(do, 2 * a, side)
-    wide, wide_low = product(do, a, a)
-    three, three_low = product(do, wide, rest, rest_low - side_low)
-    three_low = do("three_low", three_low + wide_low * rest)
-    found, lost = two_diff(do, 4 * three, one)
-    found, more = two_diff(do, found, 2 * two)
-    low = do("low", (lost + more) + (4 * three_low - (one_low + 2 * two_low)))
+    side = two_diff(do, s, 4 * late)
+    square, across = squared(do, side), scaled(do, a, exact(s))
+    gap, lean = minus(do, across, square), minus(do, square, _times(2, across))
+    bent = plus(do, times(do, side, lean), scaled(do, a, across))
+    rest = minus(do, exact(2 * a), side)
+    two = scaled(do, loss, scaled(do, a, gap))
+    three = times(do, squared(do, exact(a)), rest)
+    found = minus(do, _times(4, three), scaled(do, r, bent))
+    found = minus(do, found, _times(2, two))
     return do.routine("EndSlope", "has the sign of the slope of the boundary's alpha next to pi",
-                      max_stiffness_slope.EARLY[1:], found + low)  # fmt: skip
+                      max_stiffness_slope.EARLY[1:], rounded(found))  # fmt: skip
 
 
 def early_slope() -> Routine:

@@ -8,11 +8,15 @@ gives it, or that of the routine.  Results of the same names are the same struct
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from symhaptic.export.routine import Routine, Several, fresh, names
+import sympy as sp
+from sympy import Expr
+
+from symhaptic.export.routine import Repeat, Routine, Search, Several, computed, fresh, names
 from symhaptic.export.target import Target
 
 PAIR = "Pair"
@@ -26,6 +30,10 @@ class Places:
     """How each is written."""
     variables: dict[str, str] = field(default_factory=dict)
     """All records that the routine asks others for, with their types."""
+    passed: set[str] = field(default_factory=set)
+    """Pairs that have no name of their own, as they are only handed on, once."""
+    calls: dict[str, Expr] = field(default_factory=dict)
+    """What gives such a pair."""
 
 
 class Records:
@@ -89,7 +97,33 @@ class Records:
         for step in routine.steps:
             if isinstance(step, Several):
                 self._receive(step, taken, found)
+        found.passed.update(self._passed(routine, found))
         return found
+
+    def _passed(self, routine: Routine, places: Places) -> Iterable[str]:
+        """Pairs whose two numbers stand in one call, as one of its pairs, and nowhere else."""
+        used: Counter[str] = Counter()
+        whole_: Counter[str] = Counter()
+        for step in (*routine.steps, *routine.results):
+            again = 2 if isinstance(step, (Repeat, Search)) else 1
+            exprs = computed(step) if step in routine.steps else step[1:]
+            for expr in exprs:
+                for part in sp.preorder_traversal(expr):
+                    if part.is_Symbol:
+                        used[part.name] += again
+                    elif (name := part.func.__name__) in self.routines:
+                        whole_.update(self._pairs(name, part.args, places))
+        for step in routine.steps:
+            if isinstance(step, Several):
+                high, low, *more = (s.name for s in step.names)
+                variable = places.written[high].removesuffix(".hi")
+                if not more and used[high] == used[low] == whole_[variable] == 1:
+                    yield variable
+
+    def _pairs(self, name: str, args: Sequence[Expr], places: Places) -> Iterable[str]:
+        """The pairs that a call is given, by their names."""
+        shown = [places.written.get(str(a), "") for a in args]
+        return (p for p in _grouped(_arguments(self.routines[name]), shown, "") if "{" not in p)
 
     def _receive(self, step: Several, taken: set[str], found: Places) -> None:
         called = self.routines[step.call.func.__name__]

@@ -8,8 +8,9 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol, atan2, cos, floor, pi, sin, sqrt
 
+from symhaptic.export.pairs import exact, minus, over, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, product, quotient, two_diff
+from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.search import crossing
 from symhaptic.forms import required_damping
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
@@ -30,14 +31,11 @@ def straight() -> Routine:
     stiffness, damping, k, angle = given = sp.symbols("stiffness damping k angle")
     order = do("order", 2 * k + 1)
     wave, near = do("wave", Sinc(order * angle)), do("near", 2 * Sinc(angle))
-    top, top_low = product(do, order, wave)
-    kernel, kernel_low = quotient(do, top, near, top_low)
-    one, one_low = product(do, stiffness, kernel, kernel_low)
-    two, two_low = product(do, damping, do("along", CosNext(k, 2 * angle)))
-    total, lost = two_diff(do, one, two)
-    low = do("low", lost + one_low - two_low)
+    kernel = over(do, scaled(do, order, exact(wave)), exact(near))
+    along = do("along", CosNext(k, 2 * angle))
+    found = minus(do, scaled(do, stiffness, kernel), scaled(do, damping, exact(along)))
     return do.routine("Straight", "what straight motions need at a whole delay of k periods",
-                      given, total + low)  # fmt: skip
+                      given, rounded(found))  # fmt: skip
 
 
 def between() -> Routine:

@@ -10,7 +10,18 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Symbol, tan
 
-from symhaptic.export.routine import Routine, Steps, TwoProdError, fast_two_sum, product, two_diff
+from symhaptic.export.pairs import (
+    exact,
+    fast_two_sum,
+    minus,
+    one_minus,
+    plus,
+    rounded,
+    scaled,
+    times,
+    two_diff,
+)
+from symhaptic.export.routine import Routine, Steps, TwoProdError
 from symhaptic.notation import psi
 
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
@@ -75,20 +86,12 @@ def fractional_numerator_gap() -> Routine:
     do = Steps()
     given = sp.symbols("epsilon x x_low y y_low first last turned")
     epsilon, x, x_low, y, y_low, first, last, turned = given
-    late, lost = fast_two_sum(do, sp.S.One, -epsilon)
-    share, share_low = product(do, epsilon, late, lost)
-    both, both_low = product(do, x, y, y_low)
-    both_low = do("both_low", both_low + x_low * y)
-    found, low = product(do, share, both, both_low)
-    low = do("low", low + both * share_low)
-    left, one = two_diff(do, first, 2 * found)
-    left, two = two_diff(do, left, last)
-    left, three = two_diff(do, left, -turned)
-    rest = do("rest", one + two)
-    rest = do("rest", rest + three)
-    rest = do("rest", rest - 2 * low)
+    share = scaled(do, epsilon, one_minus(do, exact(epsilon)))
+    found, low = times(do, share, times(do, (x, x_low), (y, y_low)))
+    left = minus(do, exact(first), (2 * found, 2 * low))
+    left = plus(do, minus(do, left, exact(last)), exact(turned))
     about = "m2 - m1 + m0, M at z = -1 behind a fraction of a period"
-    return do.routine("FractionalNumeratorGap", about, given, left + rest)
+    return do.routine("FractionalNumeratorGap", about, given, rounded(left))
 
 
 ROUTINES = (in_phase, ahead, fractional_numerator_gap)

@@ -326,35 +326,6 @@ def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
     return Piecewise((sp.sympify(yes), condition), (sp.sympify(no), True))
 
 
-def fast_two_sum(do: Steps, large: Expr, small: Expr) -> tuple[Symbol, Symbol]:
-    """Sum and its rounding error, where the first is not the smaller one."""
-    return _pair(do, "FastTwoSum", large, small)
-
-
-def two_diff(do: Steps, left: Expr, right: Expr) -> tuple[Symbol, Symbol]:
-    """Difference and its rounding error, whichever is larger."""
-    return _pair(do, "TwoDiff", left, right)
-
-
-def product(do: Steps, one: Expr, two: Expr, low: Expr = sp.S.Zero) -> tuple[Symbol, Symbol]:
-    """one (two + low) and what the float misses."""
-    if low == 0:
-        return _pair(do, "TwoProd", one, two)
-    return _pair(do, "WideProd", one, two, low)
-
-
-def quotient(
-    do: Steps, top: Expr, bottom: Expr, top_low: Expr = sp.S.Zero, bottom_low: Expr = sp.S.Zero
-) -> tuple[Symbol, Symbol]:
-    """(top + top_low)/(bottom + bottom_low) and what the float misses."""
-    return _pair(do, "WideQuot", top, top_low, bottom, bottom_low)
-
-
-def _pair(do: Steps, routine: str, *arguments: Expr) -> tuple[Symbol, Symbol]:
-    total, lost = do.several(("total", "lost"), routine, *arguments)
-    return total, lost
-
-
 __all__ = [
     "Repeat",
     "Routine",
@@ -365,10 +336,6 @@ __all__ = [
     "choose",
     "computed",
     "expm1",
-    "fast_two_sum",
     "fresh",
     "plain",
-    "product",
-    "quotient",
-    "two_diff",
 ]

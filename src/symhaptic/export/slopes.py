@@ -21,8 +21,9 @@ from symhaptic.export.device import Motion, motion
 from symhaptic.export.device_series import h, w
 from symhaptic.export.double_word import fading, waving
 from symhaptic.export.elementary import x
+from symhaptic.export.pairs import fast_two_sum, scaled, times
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose, fast_two_sum, product
+from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.forms.entire import Creep, Decay, Fade, Lag
 from symhaptic.forms.entire_device import PlantN0, PlantN1
 from symhaptic.forms.slopes import Echo, Kick, PlantN0Drop, PlantN1Drop
@@ -82,13 +83,11 @@ def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
 def _kick(do: Steps) -> tuple[Expr, Expr]:
     """The nearest float, and what it misses."""
     m = motion(do)
-    slow, apart = fading(do, m.q, m.q_low), fading(do, 2 * m.root, 2 * m.root_low)
-    creep, lost = product(do, slow.fall, apart.mean, apart.mean_low)
-    creep_low = do("creep_low", lost + slow.fall_low * apart.mean)
-    wave = waving(do, choose(m.w < 0, m.w, 0), m.w_low, m.root)
-    swing, swing_low = product(do, do("envelope", exp(-m.half)), wave.odd, wave.odd_low)
-    swing, swing_low = fast_two_sum(do, swing, swing_low)
-    creep, creep_low = fast_two_sum(do, creep, creep_low)
+    slow, apart = fading(do, (m.q, m.q_low)), fading(do, (2 * m.root, 2 * m.root_low))
+    wave = waving(do, (choose(m.w < 0, m.w, 0), m.w_low), m.root)
+    swing = scaled(do, do("envelope", exp(-m.half)), wave.odd)
+    swing, swing_low = fast_two_sum(do, *swing)
+    creep, creep_low = fast_two_sum(do, *times(do, slow.fall, apart.mean))
     return choose(m.w < 0, swing, creep), choose(m.w < 0, swing_low, creep_low)
 
 

@@ -30,7 +30,7 @@ def braces(
             head, given = target.received(statement)
             if head:
                 _declared(target, lines, pad + head, given)
-            else:
+            elif given:
                 lines.append(pad + given)
         elif isinstance(statement, Choice):
             head = f"{pad}if ({printer.doprint(statement.condition)}) {{"

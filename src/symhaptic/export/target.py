@@ -212,7 +212,10 @@ class Target:
         raise NotImplementedError
 
     def received(self, several: Several) -> tuple[str, str]:
-        """The statement that does so, after what declares more than one, if anything does."""
+        """The statement that does so, after what declares more than one, if anything does.
+
+        Nothing where that is done in the expression that asks for them.
+        """
         printer, call = self.printing(), several.call
         names = [self.rename(s.name) for s in several.names]
         args = ", ".join(map(printer.doprint, call.args))

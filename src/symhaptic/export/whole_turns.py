@@ -20,16 +20,22 @@ import sympy as sp
 from sympy import And, Expr, floor, pi
 
 from symhaptic.export.double_word import BRIEF, SLOW, Fading, briefly, root_low
-from symhaptic.export.precision import Precision
-from symhaptic.export.routine import (
-    Routine,
-    Steps,
-    choose,
+from symhaptic.export.pairs import (
+    Pair,
+    exact,
     fast_two_sum,
-    product,
-    quotient,
+    minus,
+    one_minus,
+    over,
+    plus,
+    rounded,
+    scaled,
+    squared,
+    times,
     two_diff,
 )
+from symhaptic.export.precision import Precision
+from symhaptic.export.routine import Routine, Steps, choose
 
 half, square, square_low, root, stiff = GIVEN = sp.symbols("half square square_low root stiff")
 
@@ -40,12 +46,12 @@ class Turned:
 
     fade: Fading
     """exp(-h) and Decay(h)."""
-    lift: Expr
+    lifted: Pair
+    """E c."""
+    lift: Pair
     """c."""
-    lift_low: Expr
-    wave: Expr
+    wave: Pair
     """sin(eta)/root."""
-    wave_low: Expr
 
 
 _FOUND = "near", "risen", "sunk", "moved"
@@ -67,30 +73,31 @@ def whole_turns(precision: Precision) -> Routine:
     far = do("far", eta * eta)
     near = And(count > 0, far < SLOW)
     eta, eta_low = do("eta", choose(near, eta, 0)), do("eta_low", choose(near, eta_low, 0))
-    y, y_low = product(do, eta, eta, 2 * eta_low)
+    y, y_low = squared(do, (eta, eta_low))
     bent = do("bent", y * y * sp.Function("CosSeries")(-y))
     lift, lost = fast_two_sum(do, y / 2, -bent)
-    flat, flat_low = fast_two_sum(do, sp.S.One, -y * sp.Function("SinSeries")(-y))
-    lift_low = do("lift_low", lost + y_low * flat / 2)
-    sine, sine_low = product(do, eta, flat, flat_low)
+    flat, flat_low = one_minus(do, exact(y * sp.Function("SinSeries")(-y)))
+    rise = lift, do("lift_low", lost + y_low * flat / 2)
+    sine, sine_low = scaled(do, eta, (flat, flat_low))
     some = do("some", choose(near, root, 1))
-    wave, wave_low = quotient(do, sine, some, sine_low + eta_low * (1 - lift), missed)
-    t = Turned(briefly(do, half, sp.S.Zero), lift, lift_low, wave, wave_low)
+    wave = over(do, (sine, sine_low + eta_low * (1 - lift)), (some, missed))
+    fade = briefly(do, exact(half))
+    t = Turned(fade, times(do, fade.fall, rise), rise, wave)
     some = do.nonzero(stiff)
     moved = _risen(do, t, half), _fallen(do, t, half), _both(do, t)
-    found = sp.S.One, *(_over(do, *pair, some) for pair in moved)
+    found = sp.S.One, *(rounded(over(do, pair, exact(some))) for pair in moved)
     results = {name: choose(swings, choose(near, value, 0), 0)
                for name, value in zip(_FOUND, found, strict=True)}  # fmt: skip
     return do.routine("WholeTurns", "whether the device has nearly swung whole turns; n1, n0 and "
                       "n1 + n0 there", GIVEN, results, "Turns")  # fmt: skip
 
 
-def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple[Expr, Expr]:
+def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> Pair:
     """Root - 2 pi count."""
     large, middle, small = precision.parts(4 * pi**2, 3)
     turns = do("turns", count * count)
-    most, most_low = product(do, turns, large)
-    more, more_low = product(do, turns, middle)
+    most, most_low = scaled(do, turns, exact(large))
+    more, more_low = scaled(do, turns, exact(middle))
     left, one = two_diff(do, -square, most)
     left, two = two_diff(do, left, most_low)
     left, three = two_diff(do, left, more)
@@ -99,47 +106,30 @@ def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> tuple
     low = do("low", one + two + three + four - (more_low + turned))
     left, low = two_diff(do, left, -low)
     once, once_low = precision.parts(2 * pi)
-    way, way_low = product(do, count, once)
+    way, way_low = scaled(do, count, exact(once))
     both, lost = two_diff(do, root, -way)
     back = do("back", count * once_low)
     both_low = do("both_low", lost + (way_low + back) + missed)
-    return quotient(do, left, do.nonzero(both), low, both_low)
+    return over(do, (left, low), (do.nonzero(both), both_low))
 
 
-def _risen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
+def _risen(do: Steps, t: Turned, given: Expr) -> Pair:
     """n1, times gamma."""
-    back, lost = product(do, t.fade.fall, t.wave, t.wave_low)
-    rest, low = two_diff(do, t.fade.mean, back)
-    low = do("low", low + (t.fade.mean_low - (lost + t.fade.fall_low * t.wave)))
-    moved, moved_low = product(do, given, rest, low)
-    lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
-    total, low = two_diff(do, moved, -lifted)
-    return total, low + (moved_low + (lost + t.fade.fall_low * t.lift))
+    rest = minus(do, t.fade.mean, times(do, t.fade.fall, t.wave))
+    return plus(do, scaled(do, given, rest), t.lifted)
 
 
-def _fallen(do: Steps, t: Turned, given: Expr) -> tuple[Expr, Expr]:
+def _fallen(do: Steps, t: Turned, given: Expr) -> Pair:
     """n0, times gamma."""
-    rest, low = two_diff(do, t.fade.mean, t.wave)
-    moved, moved_low = product(do, given, rest, low + (t.fade.mean_low - t.wave_low))
-    total, low = two_diff(do, t.lift, moved)
-    total, low = two_diff(do, total, -do("low", low + (t.lift_low - moved_low)))
-    kept, lost = product(do, t.fade.fall, total, low)
-    return kept, lost + t.fade.fall_low * total
+    rest = minus(do, t.fade.mean, t.wave)
+    total, low = minus(do, t.lift, scaled(do, given, rest))
+    return times(do, t.fade.fall, two_diff(do, total, -low))
 
 
-def _both(do: Steps, t: Turned) -> tuple[Expr, Expr]:
+def _both(do: Steps, t: Turned) -> Pair:
     """n1 + n0, times gamma: (1 - E)^2 and 2 E c."""
-    gone, lost = fast_two_sum(do, sp.S.One, -t.fade.fall)
-    gone, gone_low = fast_two_sum(do, gone, do("low", lost - t.fade.fall_low))
-    square, square_low = product(do, gone, gone, 2 * gone_low)
-    lifted, lost = product(do, t.fade.fall, t.lift, t.lift_low)
-    total, low = two_diff(do, square, -2 * lifted)
-    return total, low + (square_low + 2 * (lost + t.fade.fall_low * t.lift))
-
-
-def _over(do: Steps, total: Expr, low: Expr, some: Expr) -> Expr:
-    found, missed = quotient(do, total, some, do("low", low))
-    return found + missed
+    gone = fast_two_sum(do, *one_minus(do, t.fade.fall))
+    return plus(do, squared(do, gone), (2 * t.lifted[0], 2 * t.lifted[1]))
 
 
 ROUTINES: tuple[Callable[[], Routine], ...] = ()
