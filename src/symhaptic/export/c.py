@@ -17,7 +17,7 @@ from symhaptic.export.records import Places, Records
 from symhaptic.export.routine import Routine, Several
 from symhaptic.export.statements import braces
 from symhaptic.export.target import Target, called, describe, vocabulary
-from symhaptic.export.wrapping import wrapped
+from symhaptic.export.wrapping import WIDTH, wrapped
 
 KEYWORDS = vocabulary(
     "auto break case char const continue default do double else enum extern float for goto if "
@@ -116,12 +116,9 @@ class C(Target):
             lines += ["// 1/n!", f"static const {self.real} inverse_factorial[] = {{{table}}};", ""]
         own = copy(self)
         own.records = records = Records(self, library.helpers)
-        types = records.declared()
-        if pair := records.pair():
-            lines += ["// a float and what it misses", pair, ""]
+        if types := records.declared():
+            lines += [*types, ""]
         for helper in library.helpers:
-            if helper.name in types:
-                lines += [types[helper.name], ""]
             lines += [f"// {helper.about}", *own._helper(helper)]
         for routine in library.public:
             head = self._head(f"{library.name}_{routine.name}", routine)
@@ -152,16 +149,18 @@ class C(Target):
         if self.records is not None:
             own.places = self.records.places(routine)
             own.writes = routine
-        return [f"{head} {{", *braces(own, guarded(routine), ends, f"const {self.real}"), "}", ""]
+        body = braces(own, guarded(routine), ends, f"const {self.real}")
+        short = f"{head} {{ {body[0].lstrip()} }}"
+        if len(body) == 1 and len(short) <= WIDTH:
+            return [short, ""]
+        return [f"{head} {{", *body, "}", ""]
 
     def called(self, call: Expr) -> str:
         """A call, with pairs where the routine takes them."""
         name, printer = call.func.__name__, self.printing()
         args = [printer.doprint(a) for a in call.args]
         if self.records is not None:
-            calls = self.places.calls
-            given = self.records.given(name, args)
-            args = [self.called(calls[a]) if a in calls else a for a in given]
+            args = list(map(self._handed, self.records.given(name, args)))
         return f"{self.call(name)}({', '.join(args)})"
 
     def received(self, several: Several) -> tuple[str, str]:
@@ -180,7 +179,13 @@ class C(Target):
             return super().ended(ends, results)
         assert self.records is not None
         assert self.writes is not None
-        return [f"return {self.records.made(self.writes, results, self.places)};"]
+        made = self.records.made(self.writes, results, self.places, self._handed)
+        return [f"return {made};"]
+
+    def _handed(self, pair: str) -> str:
+        """A pair, or the call that gives it."""
+        call = self.places.calls.get(pair)
+        return pair if call is None else self.called(call)
 
     def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]

@@ -51,68 +51,79 @@ STIFF = sp.Integer(4)
 
 # -- the motion: w = delta^2/4 - gamma and both poles, to twice the precision -----------------
 
+HALF, ROOT, REACH = sp.symbols("half root reach")
+W = sp.symbols("w w_low")
+MOTION = (HALF, *W, ROOT, REACH)
+"""delta/2, w, sqrt |w|, and the size of the poles in parts of that up to which series serve."""
+
+P, Q = sp.symbols("p p_low"), sp.symbols("q q_low")
+"""The larger pole, or 1 where it is 0, and the other one."""
+
+_NAMES = tuple(s.name for s in MOTION)
+
 
 @dataclass(frozen=True)
 class Motion:
     """What the functions of gamma and delta share."""
 
     half: Expr
-    """delta/2."""
     w: Expr
     w_low: Expr
-    """Its rounding error."""
     root: Expr
-    """sqrt |w|."""
-    root_low: Expr
-    """Its rounding error."""
-    p: Expr
-    """The larger pole, or 1 where it is 0."""
-    p_low: Expr
-    q: Expr
-    q_low: Expr
     reach: Expr
-    """The size of the poles, in parts of that up to which the power series serve."""
 
-
-_MOTION = "w", "w_low", "root", "reach"
-_POLES = "p", "p_low", "q", "q_low"
-_KEPT = sp.symbols("half w w_low root")
+    @property
+    def values(self) -> dict[Expr, Expr]:
+        """All by their symbols."""
+        return dict(zip(MOTION, vars(self).values(), strict=True)) | {gamma: gamma, delta: delta}
 
 
 def motion(do: Steps) -> Motion:
     """The steps that find it."""
-    half = do("half", delta / 2)
-    w, w_low, root, reach = do.several(_MOTION, "DeviceMotion", gamma, delta)
-    low = do("root_low", root_low(w, w_low, root))
-    p, p_low, q, q_low = do.several(_POLES, "RealPoles", gamma, half, w, w_low, root)
-    return Motion(half, w, w_low, root, low, p, p_low, q, q_low, reach)
+    return Motion(*do.several(_NAMES, "DeviceMotion", gamma, delta))
+
+
+_SWINGING, _CREEPING = ("Motion", "Swinging"), ("Motion", "Creeping")
+"""The records that a function of each kind takes its numbers from."""
+
+
+def poles(do: Steps, m: Motion) -> tuple[Pair, Pair]:
+    """Both, where they are real."""
+    p, p_low, q, q_low = do.several(
+        _names(*P, *Q), "RealPoles", gamma, m.half, m.w, m.w_low, m.root
+    )
+    return (p, p_low), (q, q_low)
+
+
+def _names(*symbols: Expr) -> tuple[str, ...]:
+    return tuple(s.name for s in symbols)
 
 
 def device_motion() -> Routine:
     """What vanishes is a small difference."""
     do = Steps()
     half = do("half", delta / 2)
-    square, square_low = squared(do, exact(half))
+    square, square_low = scaled(do, half, exact(half))
     most, lost = two_diff(do, square, gamma)
     w, w_low = fast_two_sum(do, most, do("rest", lost + square_low))
     root = do("root", sqrt(sp.Abs(w)))
     reach = do("reach", choose(w < 0, gamma / STIFF, (half + root) / NEAR))
-    found = w, w_low, root, reach
-    return do.routine("DeviceMotion", "w = delta^2/4 - gamma, what it misses, its root and the "
-                      "size of the poles", (gamma, delta),
-                      dict(zip(_MOTION, found, strict=True)), "Motion")  # fmt: skip
+    found = half, w, w_low, root, reach
+    return do.routine("DeviceMotion", "half = delta/2, w = half^2 - gamma, its root and the size of "
+                      "the poles", (gamma, delta), dict(zip(_NAMES, found, strict=True)),
+                      "Motion")  # fmt: skip
 
 
 def real_poles() -> Routine:
     """Their sum is delta, and their product is gamma; 1 in place of a p of 0."""
     do = Steps()
-    half, w, w_low, root = _KEPT
-    p, p_lost = fast_two_sum(do, half, root)
-    p_low = do("p_low", p_lost + root_low(w, w_low, root))
+    p, p_lost = fast_two_sum(do, HALF, ROOT)
+    p_low = do("p_low", p_lost + root_low(*W, ROOT))
     larger = do.nonzero(p), p_low
     found = *larger, *over(do, exact(gamma), larger)
-    return do.routine("RealPoles", "the poles p = half + root and q = gamma/p and what they miss",
-                      (gamma, *_KEPT), dict(zip(_POLES, found, strict=True)), "Poles")  # fmt: skip
+    return do.routine("RealPoles", "the poles p = half + root and q = gamma/p",
+                      (gamma, HALF, *W, ROOT), dict(zip(_names(*P, *Q), found, strict=True)),
+                      "Poles", takes=("Motion",))  # fmt: skip
 
 
 def _called(name: str, small: Boolean, *arguments: Expr) -> Expr:
@@ -141,144 +152,142 @@ def _gap_near(small: Boolean, half: Expr, w: Expr, envelope: Expr | None = None)
 # -- of poles that creep ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Creeping:
-    """Of both poles: exp and mean of the slower one and of their distance."""
+SLOW = Fading(sp.symbols("slow slow_low"), sp.symbols("mean mean_low"))
+APART = Fading(sp.symbols("ratio ratio_low"), sp.symbols("even even_low"))
+"""Of both poles: exp and mean of the slower one and of their distance."""
 
-    slow: Fading
-    apart: Fading
-
-
-def _creeping(do: Steps, m: Motion) -> Creeping:
-    """Guarded: without distance for a device that swings."""
-    return Creeping(fading(do, (m.q, m.q_low)), fading(do, (2 * m.root, 2 * m.root_low)))
+CREEP = (*P, *SLOW.flat, *APART.flat)
+FADE = sp.symbols("decayed decayed_low")
+"""exp(-half) of a device with slow poles."""
 
 
-_SLOW = Fading(sp.symbols("slow slow_low"), sp.symbols("mean mean_low"))
-_APART = Fading(sp.symbols("ratio ratio_low"), sp.symbols("even even_low"))
-_P = sp.symbols("p p_low")
-_REACH, _HALF, _W = sp.symbols("reach half w")
-_FADE = sp.symbols("fade fade_low")
+def creeping_device() -> Routine:
+    """What the functions of a creeping device share."""
+    do = Steps()
+    p, q = poles(do, Motion(HALF, *W, ROOT, REACH))
+    low = do("root_low", root_low(*W, ROOT))
+    found = *p, *fading(do, q).flat, *fading(do, (2 * ROOT, 2 * low)).flat
+    about = "of a creeping device the pole p, exp and mean of the other one and of their distance"
+    return do.routine("CreepingDevice", about, (gamma, HALF, *W, ROOT),
+                      dict(zip(_names(*CREEP), found, strict=True)), "Creeping",
+                      takes=("Motion",))  # fmt: skip
 
 
 def plant_n1_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
-    found = over(do, minus(do, s.mean, times(do, s.fall, far.mean)), _P)
-    given = _REACH, *_FADE, _HALF, _W, *_P, *s.flat, *far.mean
-    near = _n1_near(_REACH < SOFT, *_FADE, _HALF, _W)
+    do, s, far = Steps(), SLOW, APART
+    found = over(do, minus(do, s.mean, times(do, s.fall, far.mean)), P)
+    given = REACH, HALF, W[0], *P, *s.flat, *far.mean, *FADE
+    near = _n1_near(REACH < SOFT, *FADE, HALF, W[0])
     return do.routine("PlantN1Creep", "n1 of a creeping device", given,
-                      choose(_REACH < SOFT, near, rounded(found)))  # fmt: skip
+                      choose(REACH < SOFT, near, rounded(found)), takes=_CREEPING)  # fmt: skip
 
 
 def plant_n0_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
-    rest = over(do, minus(do, far.mean, times(do, far.fall, s.mean)), _P)
+    do, s, far = Steps(), SLOW, APART
+    rest = over(do, minus(do, far.mean, times(do, far.fall, s.mean)), P)
     found = times(do, s.fall, rest)
-    near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, delta)
-    given = _REACH, *_FADE, gamma, delta, *_P, *s.flat, *far.flat
+    near = _called("PlantN0Near", REACH < SOFT, *FADE, gamma, delta)
+    given = REACH, *P, *s.flat, *far.flat, *FADE, gamma, delta
     return do.routine("PlantN0Creep", "n0 of a creeping device", given,
-                      choose(_REACH < SOFT, near, rounded(found)))  # fmt: skip
+                      choose(REACH < SOFT, near, rounded(found)), takes=_CREEPING)  # fmt: skip
 
 
 def numerator_at_one_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
+    do, s, far = Steps(), SLOW, APART
     fast = times(do, s.fall, far.fall)
-    found = over(do, times(do, s.mean, one_minus(do, fast)), _P)
-    given = _REACH, _HALF, _W, *_P, *s.flat, *far.fall
-    near = _one_near(_REACH < 1, _HALF, _W)
+    found = over(do, times(do, s.mean, one_minus(do, fast)), P)
+    given = REACH, HALF, W[0], *P, *s.flat, *far.fall
+    near = _one_near(REACH < 1, HALF, W[0])
     return do.routine("NumeratorAtOneCreep", "n1 + n0 of a creeping device", given,
-                      choose(_REACH < 1, near, rounded(found)))  # fmt: skip
+                      choose(REACH < 1, near, rounded(found)), takes=_CREEPING)  # fmt: skip
 
 
 def denominator_at_minus_one_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
+    do, s, far = Steps(), SLOW, APART
     fast = times(do, s.fall, far.fall)
     found = times(do, one_plus(do, s.fall), one_plus(do, fast))
     return do.routine("DenominatorAtMinusOneCreep", "1 + a + e of a creeping device",
-                      (*s.fall, *far.fall), rounded(found))  # fmt: skip
+                      (*s.fall, *far.fall), rounded(found), takes=_CREEPING)  # fmt: skip
 
 
 def plant_trace_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
+    do, s, far = Steps(), SLOW, APART
     found = times(do, s.fall, one_plus(do, far.fall))
     return do.routine("PlantTraceCreep", "a of a creeping device",
-                      (*s.fall, *far.fall), rounded(found))  # fmt: skip
+                      (*s.fall, *far.fall), rounded(found), takes=_CREEPING)  # fmt: skip
 
 
 def numerator_gap_creep() -> Routine:
     """Of a creeping device."""
-    do, s, far = Steps(), _SLOW, _APART
+    do, s, far = Steps(), SLOW, APART
     slow, ratio = s.fall[0], far.fall[0]
     top, top_low = minus(do, s.mean, scaled(do, do("twice", 2 * slow), far.mean))
     more, more_low = scaled(do, do("fast", slow * ratio), s.mean)
     top, low = do("top", top + more), do("low", top_low + more_low)
-    found = (top + low) / do.nonzero(_P[0] * delta)
+    found = (top + low) / do.nonzero(P[0] * delta)
     known = slow, *s.mean, ratio, *far.mean
-    near = _gap_near(_REACH < 1, _HALF, _W)
+    given = REACH, HALF, W[0], P[0], *known, delta
+    near = _gap_near(REACH < 1, HALF, W[0])
     return do.routine("NumeratorGapCreep", "(n1 - n0)/delta of a creeping device",
-                      (_REACH, _HALF, _W, delta, _P[0], *known),
-                      choose(_REACH < 1, near, found))  # fmt: skip
+                      given, choose(REACH < 1, near, found), takes=_CREEPING)  # fmt: skip
 
 
 # -- of poles that swing ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Swinging:
-    """exp(-delta/2); cos(root), sin(root)/root and what these miss."""
-
-    envelope: Expr
-    wave: Wave
-
-
-def _swinging(do: Steps, m: Motion) -> Swinging:
-    wave = waving(do, (choose(m.w < 0, m.w, 0), m.w_low), m.root)
-    return Swinging(do("envelope", exp(-m.half)), wave)
+ENVELOPE = sp.Symbol("envelope")
+WAVE = Wave(sp.symbols("even even_low"), sp.symbols("wave wave_low"))
+NEAR_TURNS, RISEN, SUNK, MOVED = sp.symbols("near risen sunk moved")
+SWING = (ENVELOPE, *WAVE.even, *WAVE.odd, NEAR_TURNS, RISEN, SUNK, MOVED)
+"""exp(-delta/2); cos(root), sin(root)/root; whether it is near whole turns, n1, n0, n1 + n0 there."""
 
 
-_WAVE = Wave(sp.symbols("even even_low"), sp.symbols("wave wave_low"))
-_ENVELOPE, _ROOT, _W_LOW, _NEAR, _KNOWN = sp.symbols("envelope root w_low near known")
-_CLOSED = (
-    _REACH, *_FADE, _HALF, _W, _ENVELOPE, *_WAVE.even, *_WAVE.odd, gamma, _NEAR, _KNOWN,
-)  # fmt: skip
+def swinging_device() -> Routine:
+    """What the functions of a swinging device share."""
+    do = Steps()
+    wave = waving(do, W, ROOT)
+    turns = turned(do, HALF, *W, ROOT, do("stiff", gamma))
+    found = do("envelope", exp(-HALF)), *wave.even, *wave.odd, *turns
+    about = (
+        "of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns"
+    )
+    return do.routine("SwingingDevice", about, (gamma, HALF, *W, ROOT),
+                      dict(zip(_names(*SWING), found, strict=True)), "Swinging",
+                      takes=("Motion",))  # fmt: skip
 
 
-def _closed(
-    m: Motion, v: Swinging, turns: tuple[Expr, Expr], fade: tuple[Expr, ...]
-) -> tuple[Expr, ...]:
-    return (m.reach, *fade, m.half, m.w, v.envelope, *v.wave.even, *v.wave.odd, gamma, *turns)
-
-
-def _chosen(small: Boolean, near: Expr, far: Expr) -> Expr:
+def _chosen(small: Boolean, near: Expr, known: Expr, far: Expr) -> Expr:
     """A form near the origin, else what is known near whole turns, else the closed form."""
-    return choose(small, near, choose(_NEAR > 0, _KNOWN, far))
+    return choose(small, near, choose(NEAR_TURNS > 0, known, far))
 
 
 def plant_n1_swing() -> Routine:
     """Of a swinging device."""
-    do, v = Steps(), _WAVE
-    both = plus(do, v.even, scaled(do, _HALF, v.odd))
-    top = one_minus(do, scaled(do, _ENVELOPE, both))
+    do, v = Steps(), WAVE
+    both = plus(do, v.even, scaled(do, HALF, v.odd))
+    top = one_minus(do, scaled(do, ENVELOPE, both))
     swing = rounded(over(do, top, exact(do.nonzero(gamma))))
-    found = _chosen(_REACH < SOFT, _n1_near(_REACH < SOFT, *_FADE, _HALF, _W), swing)
-    return do.routine("PlantN1Swing", "n1 of a swinging device", _CLOSED, found)
+    near = _n1_near(REACH < SOFT, *FADE, HALF, W[0])
+    given = REACH, HALF, W[0], ENVELOPE, *v.even, *v.odd, NEAR_TURNS, RISEN, *FADE, gamma
+    return do.routine("PlantN1Swing", "n1 of a swinging device", given,
+                      _chosen(REACH < SOFT, near, RISEN, swing), takes=_SWINGING)  # fmt: skip
 
 
 def plant_n0_swing() -> Routine:
     """Of a swinging device."""
-    do, v = Steps(), _WAVE
-    both = minus(do, scaled(do, _HALF, v.odd), v.even)
-    top = scaled(do, _ENVELOPE, plus(do, both, exact(_ENVELOPE)))
+    do, v = Steps(), WAVE
+    both = minus(do, scaled(do, HALF, v.odd), v.even)
+    top = scaled(do, ENVELOPE, plus(do, both, exact(ENVELOPE)))
     swing = rounded(over(do, top, exact(do.nonzero(gamma))))
-    near = _called("PlantN0Near", _REACH < SOFT, *_FADE, gamma, 2 * _HALF)
-    given = tuple(s for s in _CLOSED if s != _W)
+    near = _called("PlantN0Near", REACH < SOFT, *FADE, gamma, 2 * HALF)
+    given = REACH, HALF, ENVELOPE, *v.even, *v.odd, NEAR_TURNS, SUNK, *FADE, gamma
     return do.routine("PlantN0Swing", "n0 of a swinging device", given,
-                      _chosen(_REACH < SOFT, near, swing))  # fmt: skip
+                      _chosen(REACH < SOFT, near, SUNK, swing), takes=_SWINGING)  # fmt: skip
 
 
 def half_squares() -> Routine:
@@ -294,10 +303,10 @@ def half_squares() -> Routine:
 
 def _squares(do: Steps, wave: type[sp.Function]) -> Pair:
     """(1 - exp(-delta/2))^2/4 and exp(-delta/2) times the square of sin or cos of root/2, added."""
-    angle = do("angle", _ROOT / 2)
+    angle = do("angle", ROOT / 2)
     own, other = (sin(angle), cos(angle)) if wave is sin else (cos(angle), -sin(angle))
-    back = do("back", -root_low(_W, _W_LOW, _ROOT) / 2 * other)
-    total, low = do.several(("total", "total_low"), "HalfSquares", _HALF, _ENVELOPE, own, back)
+    back = do("back", -root_low(*W, ROOT) / 2 * other)
+    total, low = do.several(("total", "total_low"), "HalfSquares", HALF, ENVELOPE, own, back)
     return total, low
 
 
@@ -305,41 +314,42 @@ def numerator_at_one_swing() -> Routine:
     """Of a swinging device."""
     do = Steps()
     found = rounded(over(do, _squares(do, sin), exact(do.nonzero(gamma))))
-    near = _one_near(_REACH < 1, _HALF, _W, _ENVELOPE)
-    given = _REACH, _HALF, _W, _W_LOW, _ENVELOPE, _ROOT, gamma, _NEAR, _KNOWN
+    near = _one_near(REACH < 1, HALF, W[0], ENVELOPE)
+    given = REACH, HALF, *W, ROOT, ENVELOPE, NEAR_TURNS, MOVED, gamma
     return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
-                      _chosen(_REACH < 1, near, 4 * found))  # fmt: skip
+                      _chosen(REACH < 1, near, MOVED, 4 * found), takes=_SWINGING)  # fmt: skip
 
 
 def denominator_at_minus_one_swing() -> Routine:
     """A sum where a > 0, a sum of squares where it is not."""
-    do, v = Steps(), _WAVE
+    do, v = Steps(), WAVE
     squares = _squares(do, cos)
-    turn = scaled(do, 2 * _ENVELOPE, v.even)
-    both = plus(do, one_plus(do, exact(do("e", exp(-2 * _HALF)))), turn)
+    turn = scaled(do, 2 * ENVELOPE, v.even)
+    both = plus(do, one_plus(do, exact(do("e", exp(-2 * HALF)))), turn)
     return do.routine("DenominatorAtMinusOneSwing", "1 + a + e of a swinging device",
-                      (_HALF, _W, _W_LOW, _ENVELOPE, *v.even, _ROOT),
-                      choose(turn[0] > 0, rounded(both), 4 * rounded(squares)))  # fmt: skip
+                      (HALF, *W, ROOT, ENVELOPE, *v.even),
+                      choose(turn[0] > 0, rounded(both), 4 * rounded(squares)),
+                      takes=_SWINGING)  # fmt: skip
 
 
 def plant_trace_swing() -> Routine:
     """Of a swinging device."""
-    do, v = Steps(), _WAVE
-    turn = scaled(do, _ENVELOPE, v.even)
-    return do.routine("PlantTraceSwing", "a of a swinging device", (_ENVELOPE, *v.even),
-                      2 * rounded(turn))  # fmt: skip
+    do, v = Steps(), WAVE
+    turn = scaled(do, ENVELOPE, v.even)
+    return do.routine("PlantTraceSwing", "a of a swinging device", (ENVELOPE, *v.even),
+                      2 * rounded(turn), takes=_SWINGING)  # fmt: skip
 
 
 def numerator_gap_swing() -> Routine:
     """Of a swinging device."""
-    do, v = Steps(), _WAVE
+    do, v = Steps(), WAVE
     mean = do("mean", Decay(delta))
-    top = minus(do, exact(mean), scaled(do, _ENVELOPE, v.odd))
+    top = minus(do, exact(mean), scaled(do, ENVELOPE, v.odd))
     swing = rounded(over(do, top, exact(do.nonzero(gamma))))
-    given = _REACH, _HALF, _W, _ENVELOPE, *v.odd, gamma, delta
-    near = _gap_near(_REACH < 1, _HALF, _W, _ENVELOPE)
+    given = REACH, HALF, W[0], ENVELOPE, *v.odd, gamma, delta
+    near = _gap_near(REACH < 1, HALF, W[0], ENVELOPE)
     return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,
-                      choose(_REACH < 1, near, swing))  # fmt: skip
+                      choose(REACH < 1, near, swing), takes=_SWINGING)  # fmt: skip
 
 
 # -- near the origin, and all together ----------------------------------------------------------
@@ -348,101 +358,100 @@ def numerator_gap_swing() -> Routine:
 def slow_fade() -> Routine:
     """Of a device that is not slow it is asked by nobody."""
     do = Steps()
-    small = _REACH < SOFT
-    fall, low = fallen(do, choose(small, _HALF, 0))
+    small = REACH < SOFT
+    fall, low = fallen(do, choose(small, HALF, 0))
     return do.routine("SlowFade", "exp(-half) of a device with slow poles, and what it misses",
-                      (_REACH, _HALF),
-                      {"fade": choose(small, fall, 0), "fade_low": choose(small, low, 0)})  # fmt: skip
+                      (REACH, HALF), {"decayed": choose(small, fall, 0),
+                                      "decayed_low": choose(small, low, 0)},
+                      takes=("Motion",))  # fmt: skip
 
 
 def plant_n0_near() -> Routine:
     """From its power series."""
     do = Steps()
-    fall, low = squared(do, _FADE)
+    fall, low = squared(do, FADE)
     found = number_and(fall, sp.S.Half, "PlantN0Series", gamma, delta, low=low)
-    return do.routine(
-        "PlantN0Near", "n0 of a device with slow poles", (*_FADE, gamma, delta), found
-    )
+    return do.routine("PlantN0Near", "n0 of a device with slow poles", (*FADE, gamma, delta), found)
 
 
-def _asked(small: Boolean, near: Expr, m: Motion, swing: Expr, creep: Expr) -> Expr:
-    """Its series first: of a function alone nothing else is found in vain then."""
-    return choose(small, near, choose(m.w < 0, swing, creep))
+@dataclass(frozen=True)
+class _Device:
+    """All that the functions of a device share, by the symbols of what they are given."""
+
+    m: Motion
+    swing: dict[Expr, Expr]
+    creep: dict[Expr, Expr]
+
+    def called(self, swing: Callable[[], Routine], creep: Callable[[], Routine]) -> Expr:
+        """One of both, of what it takes."""
+        both = (
+            sp.Function(made.name)(*(values[s] for s in made.arguments))
+            for made, values in ((swing(), self.swing), (creep(), self.creep))
+        )
+        return choose(self.m.w < 0, *both)
 
 
-def _turned(do: Steps, m: Motion) -> tuple[Expr, Expr, Expr, Expr]:
-    return turned(do, m.half, m.w, m.w_low, m.root, do("stiff", gamma))
+def shared(do: Steps, fades: bool = False) -> _Device:
+    """The steps that find it; what only slow devices need is asked for by some."""
+    m = motion(do)
+    known = m.values
+    if fades:
+        known |= zip(FADE, do.several(_names(*FADE), "SlowFade", m.reach, m.half), strict=True)
+    given = m.w_low, m.root
+    swing = gamma, m.half, choose(m.w < 0, m.w, 0), *given
+    swings = do.several(_names(*SWING), "SwingingDevice", *swing)
+    creeps = do.several(_names(*CREEP), "CreepingDevice", gamma, m.half, m.w, *given)
+    return _Device(m, known | dict(zip(SWING, swings, strict=True)),
+                   known | dict(zip(CREEP, creeps, strict=True)))  # fmt: skip
+
+
+def _whole(do: Steps, name: str, about: str, result: Expr) -> Routine:
+    return do.routine(name, about, (gamma, delta), result)
 
 
 def plant_n1() -> Routine:
-    """n_1."""
+    """n_1; its series first: of a function alone nothing else is found in vain then."""
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    near, risen, _, _ = _turned(do, m)
-    fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
-    swing = sp.Function("PlantN1Swing")(*_closed(m, v, (near, risen), fade))
-    own = m.reach, *fade, m.half, m.w, m.p, m.p_low, *c.slow.flat, *c.apart.mean
-    creep = sp.Function("PlantN1Creep")(*own)
-    found = _asked(m.reach < SOFT, _n1_near(m.reach < SOFT, *fade, m.half, m.w), m, swing, creep)
-    return do.routine("PlantN1", "n1, how far a unit force moves the device in a period",
-                      (gamma, delta), found)  # fmt: skip
+    v = shared(do, fades=True)
+    small = v.m.reach < SOFT
+    near = _n1_near(small, *(v.creep[s] for s in (*FADE, HALF, W[0])))
+    return _whole(do, "PlantN1", "n1, how far a unit force moves the device in a period",
+                  choose(small, near, v.called(plant_n1_swing, plant_n1_creep)))  # fmt: skip
 
 
 def plant_n0() -> Routine:
-    """n_0."""
+    """n_0; its series first."""
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    near, _, sunk, _ = _turned(do, m)
-    fade = do.several(("fade", "fade_low"), "SlowFade", m.reach, m.half)
-    given = zip(_CLOSED, _closed(m, v, (near, sunk), fade), strict=True)
-    swing = sp.Function("PlantN0Swing")(*(value for s, value in given if s != _W))
-    own = m.reach, *fade, gamma, delta, m.p, m.p_low, *c.slow.flat, *c.apart.flat
-    creep = sp.Function("PlantN0Creep")(*own)
-    near_ = _called("PlantN0Near", m.reach < SOFT, *fade, gamma, delta)
-    found = _asked(m.reach < SOFT, near_, m, swing, creep)
-    return do.routine("PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
-                      (gamma, delta), found)  # fmt: skip
+    v = shared(do, fades=True)
+    small = v.m.reach < SOFT
+    near = _called("PlantN0Near", small, *(v.creep[s] for s in (*FADE, gamma, delta)))
+    return _whole(do, "PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
+                  choose(small, near, v.called(plant_n0_swing, plant_n0_creep)))  # fmt: skip
 
 
 def numerator_at_one() -> Routine:
     """n_1 + n_0: a product for a creeping device, a sum of squares for a swinging one."""
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    near, _, _, both = _turned(do, m)
-    given = m.reach, m.half, m.w, m.w_low, v.envelope, m.root, gamma, near, both
-    swing = sp.Function("NumeratorAtOneSwing")(*given)
-    own = m.reach, m.half, m.w, m.p, m.p_low, *c.slow.flat, *c.apart.fall
-    creep = sp.Function("NumeratorAtOneCreep")(*own)
-    found = _asked(m.reach < 1, _one_near(m.reach < 1, m.half, m.w), m, swing, creep)
-    return do.routine("NumeratorAtOne", "n1 + n0",
-                      (gamma, delta), found)  # fmt: skip
+    v = shared(do)
+    small = v.m.reach < 1
+    near = _one_near(small, v.m.half, v.m.w)
+    return _whole(do, "NumeratorAtOne", "n1 + n0",
+                  choose(small, near, v.called(numerator_at_one_swing,
+                                               numerator_at_one_creep)))  # fmt: skip
 
 
 def denominator_at_minus_one() -> Routine:
     """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    given = m.half, m.w, m.w_low, v.envelope, *v.wave.even, m.root
-    swing = sp.Function("DenominatorAtMinusOneSwing")(*given)
-    own = *c.slow.fall, *c.apart.fall
-    creep = sp.Function("DenominatorAtMinusOneCreep")(*own)
-    return do.routine("DenominatorAtMinusOne", "1 + a + e", (gamma, delta),
-                      choose(m.w < 0, swing, creep))  # fmt: skip
+    found = shared(do).called(denominator_at_minus_one_swing, denominator_at_minus_one_creep)
+    return _whole(do, "DenominatorAtMinusOne", "1 + a + e", found)
 
 
 def plant_trace() -> Routine:
     """a, the sum of the poles of the sampled device."""
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    swing = sp.Function("PlantTraceSwing")(v.envelope, *v.wave.even)
-    own = *c.slow.fall, *c.apart.fall
-    return do.routine("PlantTrace", "a, the sum of the sampled device's poles", (gamma, delta),
-                      choose(m.w < 0, swing, sp.Function("PlantTraceCreep")(*own)))  # fmt: skip
+    found = shared(do).called(plant_trace_swing, plant_trace_creep)
+    return _whole(do, "PlantTrace", "a, the sum of the sampled device's poles", found)
 
 
 def numerator_gap() -> Routine:
@@ -451,20 +460,15 @@ def numerator_gap() -> Routine:
     Forms have delta NumeratorGap alone, which is 0 there.
     """
     do = Steps()
-    m = motion(do)
-    c, v = _creeping(do, m), _swinging(do, m)
-    slow, far = c.slow, c.apart
-    own = slow.fall[0], *slow.mean, far.fall[0], *far.mean
-    creep = sp.Function("NumeratorGapCreep")(m.reach, m.half, m.w, delta, m.p, *own)
-    wave = v.envelope, *v.wave.odd, gamma, delta
-    swing = sp.Function("NumeratorGapSwing")(m.reach, m.half, m.w, *wave)
-    return do.routine("NumeratorGap", "(n1 - n0)/delta", (gamma, delta),
-                      _asked(m.reach < 1, _gap_near(m.reach < 1, m.half, m.w), m,
-                             swing, creep))  # fmt: skip
+    v = shared(do)
+    small = v.m.reach < 1
+    near = _gap_near(small, v.m.half, v.m.w)
+    return _whole(do, "NumeratorGap", "(n1 - n0)/delta",
+                  choose(small, near, v.called(numerator_gap_swing, numerator_gap_creep)))  # fmt: skip
 
 
 ROUTINES = (
-    device_motion, real_poles, plant_n1_creep, plant_n0_creep, numerator_at_one_creep,
+    device_motion, real_poles, creeping_device, swinging_device, plant_n1_creep, plant_n0_creep, numerator_at_one_creep,
     denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep, plant_n1_swing,
     plant_n0_swing, half_squares, numerator_at_one_swing, denominator_at_minus_one_swing,
     plant_trace_swing, numerator_gap_swing, slow_fade, plant_n0_near, plant_n1, plant_n0,

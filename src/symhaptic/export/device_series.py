@@ -9,7 +9,7 @@ import sympy as sp
 from sympy import Expr, Symbol, factorial
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.pairs import exact, minus, plus, rounded, scaled
+from symhaptic.export.pairs import exact, minus, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps
 from symhaptic.notation import delta, gamma
@@ -104,7 +104,7 @@ def plant_n0_term() -> Routine:
     given = sp.symbols("one one_low two two_low number")
     one, one_low, two, two_low, number = given
     grown, less = scaled(do, delta, (one, one_low)), scaled(do, gamma, (two, two_low))
-    total, low = plus(do, minus(do, grown, less), exact(number))
+    total, low = minus(do, minus(do, grown, less), exact(-number))
     return do.routine("PlantN0Term", "number + delta one - gamma two and what it misses, of pairs",
                       (gamma, delta, *given), {"total": total, "total_low": low})  # fmt: skip
 

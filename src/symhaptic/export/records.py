@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
 import sympy as sp
-from sympy import Expr
+from sympy import Expr, Piecewise
 
 from symhaptic.export.routine import Repeat, Routine, Search, Several, computed, fresh, names
 from symhaptic.export.target import Target
@@ -58,20 +58,15 @@ class Records:
         """The type of what a routine gives."""
         return self.kinds.get(_fields(routine), self.target.real)
 
-    def declared(self) -> dict[str, str]:
-        """The definition of each type but pairs, by the first routine that gives it."""
-        found = {}
-        for fields, name in self.kinds.items():
-            if name != PAIR:
-                first = next(h.name for h in self.routines.values() if _fields(h) == fields)
-                found[first] = self._definition(name, fields)
-        return found
-
-    def pair(self) -> str:
-        """That of a pair, if there is one; else nothing."""
+    def declared(self) -> list[str]:
+        """The definitions of all types, that of pairs first."""
         flat = *map(_arguments, self.routines.values()), *self.kinds
         asked = any(len(part) > 1 for one in flat for part in joined(one))
-        return f"typedef struct {{ {self.target.real} hi, lo; }} {PAIR};" if asked else ""
+        pair = (
+            f"typedef struct {{ {self.target.real} hi, lo; }} {PAIR}; // and what its float misses"
+        )
+        kinds = [self._definition(name, own) for own, name in self.kinds.items() if name != PAIR]
+        return [pair] * asked + kinds
 
     def _definition(self, name: str, fields: tuple[str, ...]) -> str:
         kinds = groupby(joined(fields), key=len)
@@ -81,19 +76,40 @@ class Records:
     def _kind(self, size: int) -> str:
         return PAIR if size > 1 else self.target.real
 
+    def _taken(self, routine: Routine) -> dict[str, dict[str, str]]:
+        """Where the arguments are that are taken out of records, by the types of these."""
+        fields = {kind: _inside(names) for names, kind in self.kinds.items() if kind != PAIR}
+        given = _arguments(routine)
+        found = {
+            kind: {name: place for name, place in fields.get(kind, {}).items() if name in given}
+            for kind in routine.takes
+        }
+        return {kind: own for kind, own in found.items() if own}
+
+    def _parts(self, routine: Routine) -> list[tuple[str, ...]]:
+        """The other arguments."""
+        taken = set().union(*self._taken(routine).values())
+        return joined(name for name in _arguments(routine) if name not in taken)
+
     def arguments(self, routine: Routine) -> list[str]:
-        """Those of a routine, with their types."""
-        parts = joined(_arguments(routine))
-        return [f"{self._kind(len(part))} {self.target.rename(part[0])}" for part in parts]
+        """Those of a routine, with their types; records stand before all others."""
+        records = [f"{kind} {self.target.rename(kind.lower())}" for kind in self._taken(routine)]
+        parts = self._parts(routine)
+        others = [f"{self._kind(len(part))} {self.target.rename(part[0])}" for part in parts]
+        return [*records, *others]
 
     def places(self, routine: Routine) -> Places:
         """Of the arguments of a routine of these, and of what any routine asks these for."""
         found = Places()
         if routine.name in self.routines:
-            for part in joined(_arguments(routine)):
+            for part in self._parts(routine):
                 found.written.update(_pair(part, self.target.rename(part[0])))
+            for kind, own in self._taken(routine).items():
+                variable = self.target.rename(kind.lower())
+                found.variables[variable] = kind
+                found.written.update({name: f"{variable}.{place}" for name, place in own.items()})
         taken = {s.name for s in routine.arguments}
-        taken |= {s.name for step in routine.steps for s in names(step)}
+        taken |= {s.name for step in routine.steps for s in names(step)} | set(found.variables)
         for step in routine.steps:
             if isinstance(step, Several):
                 self._receive(step, taken, found)
@@ -113,6 +129,11 @@ class Records:
                         used[part.name] += again
                     elif (name := part.func.__name__) in self.routines:
                         whole_.update(self._pairs(name, part.args, places))
+        if routine.name in self.routines:
+            results = dict(routine.results)
+            for part in (p for p in joined(_fields(routine)) if len(p) > 1):
+                for ends in _arms(*(results[name] for name in part)):
+                    whole_[whole(*(places.written.get(str(end), "") for end in ends))] += 1
         for step in routine.steps:
             if isinstance(step, Several):
                 high, low, *more = (s.name for s in step.names)
@@ -122,8 +143,11 @@ class Records:
 
     def _pairs(self, name: str, args: Sequence[Expr], places: Places) -> Iterable[str]:
         """The pairs that a call is given, by their names."""
-        shown = [places.written.get(str(a), "") for a in args]
-        return (p for p in _grouped(_arguments(self.routines[name]), shown, "") if "{" not in p)
+        called = self.routines[name]
+        shown = dict(
+            zip(_arguments(called), (places.written.get(str(a), "") for a in args), strict=True)
+        )
+        return (_grouped(part, shown, "") for part in self._parts(called) if len(part) > 1)
 
     def _receive(self, step: Several, taken: set[str], found: Places) -> None:
         called = self.routines[step.call.func.__name__]
@@ -135,28 +159,45 @@ class Records:
         else:
             name = fresh((called.record or "device").lower(), taken).name
             variable = self.target.rename(name)
-            for part, here in zip(joined(_fields(called)), _like(called, own), strict=True):
-                place = f"{variable}.{part[0]}"
-                found.written.update(_pair(here, place) or {here[0]: place})
+            inside = _inside(_fields(called)).values()
+            found.written.update(
+                {name: f"{variable}.{place}" for name, place in zip(own, inside, strict=True)}
+            )
         found.variables[variable] = kind
 
     def given(self, name: str, arguments: Sequence[str]) -> list[str]:
         """The arguments of a call, which are given as they are written, with pairs."""
         if name not in self.routines:
             return list(arguments)
-        return _grouped(_arguments(self.routines[name]), arguments, f"({PAIR})")
+        called = self.routines[name]
+        shown = dict(zip(_arguments(called), arguments, strict=True))
+        records = [self._record(kind, own, shown) for kind, own in self._taken(called).items()]
+        return [*records, *(_grouped(part, shown, f"({PAIR})") for part in self._parts(called))]
 
-    def made(self, routine: Routine, results: Sequence[str], places: Places) -> str:
-        """The record of the results of a routine."""
+    @staticmethod
+    def _record(kind: str, places: dict[str, str], shown: dict[str, str]) -> str:
+        """The record that has these numbers, made of them if there is none."""
+        ends = {name: f".{place}" for name, place in places.items()}
+        (first, end), *_ = ends.items()
+        variable = shown[first].removesuffix(end)
+        if all(shown[name] == variable + end for name, end in ends.items()):
+            return variable
+        return f"({kind}){{{', '.join(f'{end} = {shown[name]}' for name, end in ends.items())}}}"
+
+    def made(
+        self, routine: Routine, results: Sequence[str], places: Places, handed: Callable[[str], str]
+    ) -> str:
+        """The record of the results of a routine; ``handed`` is how a pair is written."""
         kind = self.kind(routine)
-        parts = _grouped(_fields(routine), results, "" if kind != PAIR else f"({PAIR})")
+        shown = dict(zip(_fields(routine), results, strict=True))
         if kind == PAIR:
-            return parts[0]
+            return handed(_grouped(_fields(routine), shown, f"({PAIR})"))
+        parts = [_grouped(part, shown, "") for part in joined(_fields(routine))]
         fields = [part[0] for part in joined(_fields(routine))]
         for variable, other in places.variables.items():
             if kind == other and parts == [f"{variable}.{name}" for name in fields]:
                 return variable
-        return f"({kind}){{{', '.join(parts)}}}"
+        return f"({kind}){{{', '.join(map(handed, parts))}}}"
 
 
 def joined(flat: Iterable[str]) -> list[tuple[str, ...]]:
@@ -184,21 +225,31 @@ def whole(high: str, low: str) -> str:
     return found[1] if found and low == f"{found[1]}.lo" else ""
 
 
-def _grouped(flat: tuple[str, ...], written: Sequence[str], literal: str) -> list[str]:
-    found, at = [], 0
-    for part in joined(flat):
-        own, at = written[at : at + len(part)], at + len(part)
-        pair = len(part) > 1 and (whole(*own) or f"{literal}{{{', '.join(own)}}}")
-        found.append(pair or own[0])
-    return found
+def _grouped(part: tuple[str, ...], shown: Mapping[str, str], literal: str) -> str:
+    """A number or a pair, whose numbers are given as they are written."""
+    own = [shown[name] for name in part]
+    return own[0] if len(own) == 1 else whole(*own) or f"{literal}{{{', '.join(own)}}}"
 
 
-def _like(called: Routine, own: tuple[str, ...]) -> list[tuple[str, ...]]:
-    """The names that a caller has for the results, in the pairs that these are."""
-    found, at = [], 0
-    for part in joined(_fields(called)):
-        found.append(own[at : at + len(part)])
-        at += len(part)
+def _arms(one: Expr, two: Expr) -> Iterable[tuple[Expr, Expr]]:
+    """Two results side by side, in each branch."""
+    both = isinstance(one, Piecewise) and isinstance(two, Piecewise)
+    if not both or [c for _, c in one.args] != [c for _, c in two.args]:
+        yield one, two
+        return
+    for (left, _), (right, _) in zip(one.args, two.args, strict=True):
+        yield from _arms(left, right)
+
+
+def _inside(fields: tuple[str, ...]) -> dict[str, str]:
+    """Where each number is in a record of these fields.
+
+    >>> _inside(("w", "w_low", "root"))
+    {'w': 'w.hi', 'w_low': 'w.lo', 'root': 'root'}
+    """
+    found: dict[str, str] = {}
+    for part in joined(fields):
+        found |= _pair(part, part[0]) or {part[0]: part[0]}
     return found
 
 

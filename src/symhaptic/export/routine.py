@@ -174,6 +174,8 @@ class Routine:
     """What every result is where one of these is not true; of a truth value, false."""
     record: str = ""
     """What all its results are together, where a language has a type for that."""
+    takes: tuple[str, ...] = ()
+    """Such records that have arguments of it, by their names."""
 
     @property
     def truth(self) -> bool:
@@ -314,11 +316,13 @@ class Steps:
         arguments: tuple[Symbol, ...],
         result: Expr | dict[str, Expr],
         record: str = "",
+        takes: tuple[str, ...] = (),
     ) -> Routine:
         """The routine of these steps, of one result or of several with their names."""
         results = result if isinstance(result, dict) else {name: result}
         found = tuple((own, sp.sympify(expr)) for own, expr in results.items())
-        return Routine(name, about, arguments, tuple(self.done), found, record=record)
+        steps = tuple(self.done)
+        return Routine(name, about, arguments, steps, found, record=record, takes=takes)
 
 
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:

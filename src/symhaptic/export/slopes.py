@@ -17,9 +17,10 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import And, Expr, Max, Symbol, binomial, cos, exp, factorial, sin
 
-from symhaptic.export.device import Motion, motion
+from symhaptic.export import device
+from symhaptic.export.device import ENVELOPE, WAVE, Motion, motion, poles, shared
 from symhaptic.export.device_series import h, w
-from symhaptic.export.double_word import fading, waving
+from symhaptic.export.double_word import root_low
 from symhaptic.export.elementary import x
 from symhaptic.export.pairs import fast_two_sum, scaled, times
 from symhaptic.export.precision import DOUBLE, Precision
@@ -44,6 +45,8 @@ class _Shared:
     """What the functions of the device share."""
 
     m: Motion
+    p: Expr
+    q: Expr
     gap: Expr
     """p - q."""
     fall: Expr
@@ -62,15 +65,17 @@ class _Shared:
 
 def _shared(do: Steps) -> _Shared:
     m = motion(do)
-    fall = do("fall", exp(-m.q))
-    fall = do("fall", fall - fall * m.q_low)
+    (p, _), (q, q_low) = poles(do, m)
+    low = do("root_low", root_low(m.w, m.w_low, m.root))
+    fall = do("fall", exp(-q))
+    fall = do("fall", fall - fall * q_low)
     gap = do("gap", 2 * m.root)
     ratio = do("ratio", exp(-gap))
-    ratio = do("ratio", ratio - ratio * (2 * m.root_low))
+    ratio = do("ratio", ratio - ratio * (2 * low))
     sine, cosine = do("sine", sin(m.root)), do("cosine", cos(m.root))
-    turned = do("turned", cosine - m.root_low * sine)
-    swung = do("swung", (sine + m.root_low * cosine) / do.nonzero(m.root))
-    return _Shared(m, gap, fall, ratio, turned, swung, do("envelope", exp(-m.half)))
+    turned = do("turned", cosine - low * sine)
+    swung = do("swung", (sine + low * cosine) / do.nonzero(m.root))
+    return _Shared(m, p, q, gap, fall, ratio, turned, swung, do("envelope", exp(-m.half)))
 
 
 def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
@@ -82,13 +87,18 @@ def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
 
 def _kick(do: Steps) -> tuple[Expr, Expr]:
     """The nearest float, and what it misses."""
-    m = motion(do)
-    slow, apart = fading(do, (m.q, m.q_low)), fading(do, (2 * m.root, 2 * m.root_low))
-    wave = waving(do, (choose(m.w < 0, m.w, 0), m.w_low), m.root)
-    swing = scaled(do, do("envelope", exp(-m.half)), wave.odd)
-    swing, swing_low = fast_two_sum(do, *swing)
-    creep, creep_low = fast_two_sum(do, *times(do, slow.fall, apart.mean))
-    return choose(m.w < 0, swing, creep), choose(m.w < 0, swing_low, creep_low)
+    v = shared(do)
+    odd, fall, mean = (
+        (of[high], of[low])
+        for of, (high, low) in (
+            (v.swing, WAVE.odd),
+            (v.creep, device.SLOW.fall),
+            (v.creep, device.APART.mean),
+        )
+    )
+    swing, swing_low = fast_two_sum(do, *scaled(do, v.swing[ENVELOPE], odd))
+    creep, creep_low = fast_two_sum(do, *times(do, fall, mean))
+    return choose(v.m.w < 0, swing, creep), choose(v.m.w < 0, swing_low, creep_low)
 
 
 def kick() -> Routine:
@@ -109,7 +119,7 @@ def coast() -> Routine:
     """exp(-p) - q exp[-p, -q], and the same with cos and sin."""
     do = Steps()
     v = _shared(do)
-    creep = v.fall * (v.ratio - v.m.q * Decay(v.gap))
+    creep = v.fall * (v.ratio - v.q * Decay(v.gap))
     swing = v.envelope * (v.cosine - v.m.half * v.sine)
     return _two(do, "Coast", "speed by a unit impulse after a period",
                 choose(v.swings, swing, creep))  # fmt: skip
@@ -130,7 +140,7 @@ def ebb() -> Routine:
     """Echo - n_0; for poles far apart without the difference."""
     do = Steps()
     v = _shared(do)
-    p, q = do("large", Max(v.m.p, 2)), v.m.q
+    p, q = do("large", Max(v.p, 2)), v.q
     far = do("far", Max(v.gap, 2))
     slow = do("slow", q * (far - 2) - 2 * far)
     fast = do("fast", 2 * far * (far + 1) + q * (far + 2) + far * far * far * Decay(q))
@@ -142,7 +152,7 @@ def ebb() -> Routine:
 
 def _small(do: Steps, v: _Shared, near: Expr) -> tuple[Expr, Expr, Expr]:
     """Whether a series serves, and its arguments, which are 0 where it does not."""
-    reach = do("range", choose(v.swings, gamma / STIFF, v.m.p / near))
+    reach = do("range", choose(v.swings, gamma / STIFF, v.p / near))
     small = reach < 1
     return small, choose(sp.Not(small), 0, v.m.half), choose(sp.Not(small), 0, v.m.w)
 
@@ -153,8 +163,8 @@ def plant_n1_drop() -> Routine:
     v = _shared(do)
     small, half, mean = _small(do, v, RISE)
     near = v.envelope * sp.Function("DropSeries")(half, mean)
-    top = do("top", (Fade(v.m.q) - v.fall * Creep(v.gap)) / v.m.p)
-    creep = (top - v.fall * Lag(v.gap)) / v.m.p
+    top = do("top", (Fade(v.q) - v.fall * Creep(v.gap)) / v.p)
+    creep = (top - v.fall * Lag(v.gap)) / v.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (PlantN1(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
     return _two(do, "PlantN1Drop", "-d n1/d gamma",
@@ -167,8 +177,8 @@ def plant_n0_drop() -> Routine:
     v = _shared(do)
     small, half, mean = _small(do, v, FALL)
     near = v.envelope * sp.Function("DropSeries")(-half, mean)
-    top = do("top", (Fade(v.gap) - v.ratio * Creep(v.m.q)) / v.m.p)
-    creep = v.fall * (Lag(v.gap) - top) / v.m.p
+    top = do("top", (Fade(v.gap) - v.ratio * Creep(v.q)) / v.p)
+    creep = v.fall * (Lag(v.gap) - top) / v.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (PlantN0(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
     return _two(do, "PlantN0Drop", "-d n0/d gamma",
