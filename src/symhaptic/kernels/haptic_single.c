@@ -1384,8 +1384,10 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
 static inline float largest_required_damping(float alpha, float beta, float d) {
     if (alpha < 0.0f) { return INFINITY; }
     const float whole = floorf(d), part = d - whole;
-    const float psi = worst_angle(alpha, beta, whole, part);
-    return damping_at(alpha, beta, whole, part, psi);
+    const float lift = (fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f);
+    const float stiffness = alpha*lift, damping = beta*lift;
+    const float psi = worst_angle(stiffness, damping, whole, part);
+    return damping_at(stiffness, damping, whole, part, psi)/lift;
 }
 
 // early + share (late - early)
