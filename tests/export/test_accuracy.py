@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from symhaptic.bench import error, libm
+from symhaptic.bench import error, implicit, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
 from symhaptic.export import device, double_word, module, request, whole_turns
@@ -165,6 +165,18 @@ def test_an_angle_next_to_pi_hangs_on_the_slope_there():
         moved = float(angles[1] - angles[0])
         assert moved == pytest.approx(float(lean * (slopes[1] - slopes[0])), rel=1e-2)
         assert abs(moved) > 1e-8
+
+
+@pytest.mark.parametrize("d", [0.2221359375853755, 0.15, 0.1])
+def test_no_angle_needs_more_than_the_exact_worst_one(d):
+    """Next to the delay of 2/9 the worst angle leaves pi, where the slope vanishes anyway."""
+    alpha, beta = 0.0005847863209369106, 0.058535222074622924
+    with flint.ctx.workprec(300):
+        need, angle = implicit.largest_required_damping(alpha, beta, d)
+        for theta in np.linspace(2.9, math.pi, 50):
+            there = implicit.required_damping_at(arb(alpha), arb(beta), 0, arb(d), arb(theta))
+            assert not there > need
+    assert float(angle) == pytest.approx(3.0879 if d > 0.2 else math.pi, abs=1e-3)
 
 
 @needs_gcc
