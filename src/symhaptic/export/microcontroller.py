@@ -13,18 +13,18 @@ from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused, Target, operations
 
 SIZES = {
-    "discretize": 4264,
-    "discretize_fractional": 5904,
-    "characteristic_polynomial": 4344,
-    "is_stable": 12652,
-    "unstable_roots": 12392,
-    "stability_conditions": 5360,
-    "stability_boundary": 8344,
-    "max_stable_stiffness": 18296,
-    "passivity_margin_at": 1336,
-    "passivity_margin": 3204,
-    "passivity_boundary": 3932,
-    "max_passive_stiffness": 4368,
+    "discretize": 4144,
+    "discretize_fractional": 5628,
+    "characteristic_polynomial": 4256,
+    "is_stable": 12312,
+    "unstable_roots": 12076,
+    "stability_conditions": 5196,
+    "stability_boundary": 7996,
+    "max_stable_stiffness": 16848,
+    "passivity_margin_at": 692,
+    "passivity_margin": 2536,
+    "passivity_boundary": 3276,
+    "max_passive_stiffness": 3760,
     "linear_limit": 100,
 }
 """Bytes of code of each function with all that it calls but the mathematical library, measured."""
