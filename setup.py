@@ -14,6 +14,7 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
 KERNELS = "src/symhaptic/kernels"
+LIBRARIES = "haptic", "haptic_single"  # each is included by the file that has its loops
 
 
 class WithData(build_py):
@@ -46,8 +47,11 @@ setup(
     ext_modules=[
         Extension(
             "symhaptic.kernels._compiled",
-            sources=[f"{KERNELS}/{name}.c" for name in ("_compiled", "haptic", "haptic_single")],
-            depends=[f"{KERNELS}/{name}.h" for name in ("haptic", "haptic_single")],
+            sources=[
+                f"{KERNELS}/_compiled.c",
+                *(f"{KERNELS}/{name}_loops.c" for name in LIBRARIES),
+            ],
+            depends=[f"{KERNELS}/{name}.{end}" for name in LIBRARIES for end in "ch"],
             include_dirs=[numpy.get_include()],
             optional=True,
         )

@@ -4,12 +4,14 @@ python benchmarks/accuracy.py [OPTIONS] [POINTS] [SEED] [double|single] [FUNCTIO
 
 --derivatives  of the functions with all derivatives that there are
 --around       and around the worst points, and around the worst of these
+--musl         with musl's mathematical functions (Debian: musl-tools), not those of this machine
 """
 
 import sys
 
 from symhaptic.bench.error import climb, measure
 from symhaptic.bench.exact import EXACT
+from symhaptic.bench.exported import GCC, MUSL
 from symhaptic.export import request
 from symhaptic.export.precision import PRECISIONS
 from symhaptic.forms.derivatives import differentiable, with_derivatives
@@ -22,11 +24,13 @@ def main():
     asked = [PRECISIONS[word] for word in words if word in PRECISIONS] or list(PRECISIONS.values())
     names = [word for word in words if word not in PRECISIONS]
     search = climb if "--around" in sys.argv else measure
+    compiler = MUSL if "--musl" in sys.argv else GCC
     for precision in asked:
         for form in request.chosen(names or list(EXACT)):
             if "--derivatives" in sys.argv:
                 form = with_derivatives(form, differentiable(form))
-            for name, (error, point) in search(form, count, seed, precision).items():
+            found = search(form, count, seed, precision, compiler)
+            for name, (error, point) in found.items():
                 print(f"{precision.name} {form.name:26} {name:7} {error:7.2f}  at {point}",
                       flush=True)  # fmt: skip
 

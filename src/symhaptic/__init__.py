@@ -21,8 +21,9 @@ if TYPE_CHECKING:
         max_passive_stiffness,
         passivity_boundary,
         passivity_margin,
+        passivity_margin_at,
     )
-    from symhaptic.numeric.plant import discretize
+    from symhaptic.numeric.plant import discretize, discretize_fractional
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.numeric.tracing.extremes import max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
@@ -51,6 +52,7 @@ _HOME = {
     "characteristic_polynomial": "symhaptic.numeric.stability",
     "delay_margin": "symhaptic.numeric.tracing.margin",
     "discretize": "symhaptic.numeric.plant",
+    "discretize_fractional": "symhaptic.numeric.plant",
     "enclose": "symhaptic.proof.enclose",
     "enclose_maximum": "symhaptic.proof.enclose",
     "formula": "symhaptic.book.formulas",
@@ -63,6 +65,7 @@ _HOME = {
     "max_stable_stiffness": "symhaptic.numeric.tracing.extremes",
     "passivity_boundary": "symhaptic.numeric.passivity",
     "passivity_margin": "symhaptic.numeric.passivity",
+    "passivity_margin_at": "symhaptic.numeric.passivity",
     "prove": "symhaptic.proof.prove",
     "recheck": "symhaptic.proof.recheck",
     "robust_region": "symhaptic.numeric.tracing.robust",
@@ -84,6 +87,7 @@ __all__ = [
     "characteristic_polynomial",
     "delay_margin",
     "discretize",
+    "discretize_fractional",
     "enclose",
     "enclose_maximum",
     "formula",
@@ -96,6 +100,7 @@ __all__ = [
     "max_stable_stiffness",
     "passivity_boundary",
     "passivity_margin",
+    "passivity_margin_at",
     "prove",
     "recheck",
     "robust_region",

@@ -12,11 +12,17 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from symhaptic.bench import error, libm
+from symhaptic.bench import error, exported, implicit, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
 from symhaptic.export import device, double_word, module, request, whole_turns
-from symhaptic.export.accuracy import DERIVATIVES, MEASURED, MEASURED_ON
+from symhaptic.export.accuracy import (
+    DERIVATIVES,
+    MEASURED,
+    MEASURED_ON,
+    MEASURED_WITH_MUSL,
+    MUSL,
+)
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.vectors import sized
 from symhaptic.forms.derivatives import differentiable, with_derivatives
@@ -45,7 +51,7 @@ def cases(*tables):
         ("records", "precision", "name"),
         [(table, precision, name) for table in tables for precision in table
          for name in table[precision]],
-        ids=lambda x: "derivatives" if x is DERIVATIVES else
+        ids=lambda x: "derivatives" if x is DERIVATIVES else "musl" if x is MEASURED_WITH_MUSL else
             "results" if x is MEASURED else getattr(x, "name", x),
     )  # fmt: skip
 
@@ -124,6 +130,57 @@ def test_the_recorded_error_is_found_where_it_was(records, precision, name, comp
     assert found == pytest.approx(record.error, abs=0.006)
 
 
+needs_musl = pytest.mark.skipif(
+    shutil.which(exported.MUSL) is None or libm.musl() != MUSL,
+    reason=f"no {exported.MUSL} with {MUSL} here: its functions are not measured",
+)
+
+
+@needs_musl
+@cases(MEASURED_WITH_MUSL)
+def test_with_musl_no_error_is_larger_than_the_recorded_one(records, precision, name, tmp_path):
+    """Hard cases first; and the record is found at its own arguments."""
+    (form,) = request.chosen([name])
+    run = error.compiled(form, tmp_path, precision, exported.MUSL)
+    record = records[precision][name]
+    some = [a[:SOME] for a in columns(form, np.random.default_rng(2), SOME, precision)]
+    for off, point in error.compare(form, some, run(some), precision).values():
+        assert round(off, 2) <= record.error, point
+    there = [np.array([x], dtype=precision.kind) for x in record.at]
+    found = error.compare(form, there, run(there), precision)[record.result][0]
+    assert found == pytest.approx(record.error, abs=0.006)
+
+
+@needs_musl
+def test_another_library_is_really_another(tmp_path):
+    """Some sines differ in their last places, and so does what is made of them."""
+    (form,) = request.chosen(["passivity_margin_at"])
+    found = []
+    for compiler in (exported.GCC, exported.MUSL):
+        folder = tmp_path / compiler
+        folder.mkdir()
+        arrays = columns(form, np.random.default_rng(2), COUNT, DOUBLE)
+        found.append(error.compiled(form, folder, compiler=compiler)(arrays))
+    same = np.isclose(*found, rtol=1e-9, atol=1e-9, equal_nan=True)
+    assert same.mean() > 0.9
+    assert not np.array_equal(*found, equal_nan=True)
+
+
+@needs_gcc
+@pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
+@pytest.mark.parametrize("name", sorted(set(EXACT) - {"characteristic_polynomial"}))
+def test_the_ufuncs_are_the_c_that_is_measured(name, precision, compiled):
+    """Bit by bit, so that the records are theirs; what needs one delay has no ufunc."""
+    ufuncs = pytest.importorskip(
+        "symhaptic.kernels._compiled", reason="the install found no compiler", exc_type=ImportError
+    )
+    form, run = compiled(name, precision, False)
+    arrays = columns(form, np.random.default_rng(2), COUNT, precision)
+    found = np.stack(np.atleast_2d(getattr(ufuncs, name)(*arrays)))
+    assert found.dtype == precision.kind
+    assert np.array_equal(found, run(arrays), equal_nan=True)
+
+
 def test_what_has_derivatives_is_measured_but_for_two_in_single_precision():
     """Of the boundary they lose digits to underflow, of the margin floats do not tell the angle."""
     some = {name for name in EXACT if differentiable(*request.chosen([name]))}
@@ -134,12 +191,12 @@ def test_what_has_derivatives_is_measured_but_for_two_in_single_precision():
 @pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
 def test_every_function_of_numbers_is_measured(precision):
     measured = set(MEASURED[precision])
-    assert measured == set(EXACT)
+    assert measured == set(EXACT) == set(MEASURED_WITH_MUSL[precision])
     names = {form.name for form in request.chosen([])}
     assert names - measured == {"is_stable", "unstable_roots", "stability_conditions"}
 
 
-@cases(MEASURED)
+@cases(MEASURED, MEASURED_WITH_MUSL)
 def test_what_is_recorded_is_within_its_goal(records, precision, name):
     """Beta with a stiff spring once was not: n1 and n0 near whole turns."""
     assert records[precision][name].error <= GOALS[name]
@@ -164,6 +221,18 @@ def test_an_angle_next_to_pi_hangs_on_the_slope_there():
         moved = float(angles[1] - angles[0])
         assert moved == pytest.approx(float(lean * (slopes[1] - slopes[0])), rel=1e-2)
         assert abs(moved) > 1e-8
+
+
+@pytest.mark.parametrize("d", [0.2221359375853755, 0.15, 0.1])
+def test_no_angle_needs_more_than_the_exact_worst_one(d):
+    """Next to the delay of 2/9 the worst angle leaves pi, where the slope vanishes anyway."""
+    alpha, beta = 0.0005847863209369106, 0.058535222074622924
+    with flint.ctx.workprec(300):
+        need, angle = implicit.largest_required_damping(alpha, beta, d)
+        for theta in np.linspace(2.9, math.pi, 50):
+            there = implicit.required_damping_at(arb(alpha), arb(beta), 0, arb(d), arb(theta))
+            assert not there > need
+    assert float(angle) == pytest.approx(3.0879 if d > 0.2 else math.pi, abs=1e-3)
 
 
 @needs_gcc

@@ -6,6 +6,7 @@ Needs of the repository nothing beside this file, so that wheels are tested by i
 import os
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -137,6 +138,87 @@ def test_public_functions_take_names_and_shapes_as_ever():
         symhaptic.linear_limit(1.0, 1.0)
     assert np.isnan(symhaptic.linear_limit(np.nan, 1.0, 1.0))
     assert symhaptic.linear_limit(np.zeros((0, 2)), 1.0, 1.0).shape == (0, 2)
+
+
+BEYOND = [np.nan, np.inf, -np.inf, 1e71, -1e71]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_loop_tells_of_one_argument_that_is_out_of_range(name):
+    """Anywhere, also in the middle of a part that is left out or not next to each other."""
+    ufunc, given = getattr(ufuncs, name), columns(name)
+    ufuncs.outside()
+    ufunc(*given)
+    assert not ufuncs.outside()
+    for i in range(len(given)):
+        for value in BEYOND:
+            wrong = [g.copy() for g in given]
+            wrong[i][377] = value
+            ufunc(*wrong)
+            assert ufuncs.outside()
+            assert not ufuncs.outside()  # told once
+            ufunc(*(w[::-1] for w in wrong))
+            assert ufuncs.outside()
+            ufunc(*(w[:377] for w in wrong))
+            assert not ufuncs.outside()
+
+
+def test_each_thread_is_told_of_its_own_arguments():
+    ufuncs.outside()
+    told = []
+
+    def elsewhere():
+        ufuncs.linear_limit(np.nan, 1.0, 1.0)
+        told.append(ufuncs.outside())
+
+    thread = threading.Thread(target=elsewhere)
+    thread.start()
+    thread.join()
+    assert told == [True]
+    assert not ufuncs.outside()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_call_with_numbers_is_that_with_arrays(name):
+    """The same bits, of the same types; None where it is not for them."""
+    ufunc, one = getattr(ufuncs, name), getattr(ufuncs, f"one_{name}")
+    given = columns(name)
+    together = rows(ufunc(*given))
+    for i, values in enumerate(zip(*(g.tolist() for g in given), strict=True)):
+        found = one(*values)
+        if found is None:
+            assert not np.isfinite(together[:, i].astype(float)).all()
+            continue
+        kinds = {type(f) for f in (found if isinstance(found, tuple) else (found,))}
+        assert kinds == {np.bool_ if together.dtype == bool else np.float64}
+        assert np.array_equal(np.ravel(found), together[:, i])
+    for i in range(len(values)):
+        for wrong in (*BEYOND, "1", None, 1j, True, 2**53 + 1, 10**400, np.ones(1), np.float32(1)):
+            assert one(*values[:i], wrong, *values[i + 1 :]) is None
+    assert one(*values[1:]) is None
+    assert one(*values, 1.0) is None
+
+
+@pytest.mark.parametrize("scale", [1e71, 1e80, 1e300])
+@pytest.mark.parametrize("shape", [(), (4,)])
+def test_a_wall_that_is_too_large_is_no_wall_of_size_one(scale, shape):
+    """What is scaled before it is looked at passes every question."""
+    given = [np.full(shape, v) if shape else v for v in (scale, scale, 0.0, 0.5)]
+    with pytest.raises(ValueError, match=r"alpha: .* is not allowed; numbers up to 1e"):
+        symhaptic.passivity_margin(*given)
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.5, 1.0, 1.5])
+@pytest.mark.parametrize("wall", [(1.0, 0.3), (0.3, -1.0), (1e-3, 1.0)])
+def test_squares_of_a_tiny_wall_do_not_vanish(wall, delay):
+    """The needed damping is homogeneous, in C and in Python, in both precisions."""
+    for scales, kind in (((2.0**-900, 2.0**-500), np.float64), ((2.0**-110, 2.0**-60), np.float32)):
+        for kernel in (ufuncs.passivity_margin, haptic.passivity_margin):
+            wide = [np.array([v], dtype=kind) for v in (*wall, 0.0, delay)]
+            need = kernel(*wide)[0]
+            for scale in scales:
+                small = [wide[0] * kind(scale), wide[1] * kind(scale), *wide[2:]]
+                assert kernel(*small)[0] == need * kind(scale)
 
 
 @pytest.mark.parametrize("scale", [2.0**-900, 2.0**-500, 2.0**200])

@@ -12,6 +12,7 @@ from symhaptic import (
     characteristic_polynomial,
     delay_margin,
     discretize,
+    discretize_fractional,
     is_passive,
     is_stable,
     linear_limit,
@@ -19,6 +20,7 @@ from symhaptic import (
     max_stable_stiffness,
     passivity_boundary,
     passivity_margin,
+    passivity_margin_at,
     stability_boundary,
     stable_region,
     unstable_roots,
@@ -29,6 +31,7 @@ ARRAYS = {
     max_stable_stiffness: (3, float), delay_margin: (4, float), is_passive: (4, bool),
     passivity_margin: (4, float), passivity_boundary: (3, float),
     max_passive_stiffness: (2, float), linear_limit: (3, float), discretize: (2, float),
+    passivity_margin_at: (5, float), discretize_fractional: (3, float),
 }  # fmt: skip
 each = pytest.mark.parametrize("function", ARRAYS, ids=lambda f: f.__name__)
 
@@ -186,3 +189,51 @@ def test_formulas_as_functions_keep_labels_and_units():
     assert stiffest(1000 * unit("mm/m"), 0.0)[0].magnitude == pytest.approx(2)
     with pytest.raises(ValueError, match="a number without dimension is"):
         stiffest(1.0, 1 * unit.ms)
+
+
+def test_labels_of_an_argument_do_not_describe_a_result():
+    """A stiffness has a unit and a name of its own; an answer has neither."""
+    xarray = library("xarray")
+    axis = xarray.DataArray([0.1, 0.2], dims="K", attrs={"units": "N/m", "long_name": "stiffness"})
+    assert linear_limit(axis, 0.1, 1).attrs == {}
+    assert is_stable(axis.variable, 0.1, 0.1, 0.1, 1).attrs == {}
+
+
+def test_series_of_what_is_no_real_number_are_refused():
+    """Dates are not counted in nanoseconds, and an imaginary part is not cut off."""
+    pandas = library("pandas")
+    for values in (pandas.to_datetime(["2020-01-01"]), pandas.to_timedelta([1]), [1j], ["1.0"]):
+        with pytest.raises(ValueError, match=r"^beta: .* is not allowed; real numbers are$"):
+            linear_limit(pandas.Series(values), 0.1, 1)
+    for values in ([True], pandas.array([1, None], dtype="Int64")):
+        assert len(linear_limit(pandas.Series(values), 0.1, 1)) == len(values)
+
+
+def test_other_kinds_of_these_libraries_are_refused_on_one_line():
+    xarray, pint = library("xarray"), library("pint")
+    units = pint.UnitRegistry()
+    for value in (xarray.DataTree(xarray.Dataset({"K": 0.1})), units.dimensionless):
+        with pytest.raises(ValueError, match=r"^alpha: .* is not allowed; .* are$"):
+            is_stable(value, 0.1, 0.1, 0.1, 1)
+
+
+def test_a_number_of_pint_may_stand_beside_labels():
+    """The result has the labels; a number without dimension needs no unit."""
+    xarray, pandas, pint = library("xarray"), library("pandas"), library("pint")
+    tenth = pint.UnitRegistry().Quantity(100.0, "mm/m")
+    axis = xarray.DataArray([0.1, 0.2], dims="beta", coords={"beta": [1, 2]})
+    assert linear_limit(axis, tenth, 1).identical(linear_limit(axis, 0.1, 1))
+    series = pandas.Series([0.1, 0.2], index=["a", "b"])
+    pandas.testing.assert_series_equal(linear_limit(series, tenth, 1), linear_limit(series, 0.1, 1))
+
+
+def test_a_word_is_no_array():
+    with pytest.raises(ValueError, match=r"^sheet: array.* is not allowed; 'exact' or 'principal'"):
+        is_stable(0.1, 0.1, 0.1, 0.1, 0.5, sheet=np.ones(2))
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_no_float_holds_is_infinite():
+    beyond = np.array(["1e400"], dtype=np.longdouble)
+    with pytest.raises(ValueError, match="beta: inf is not allowed; finite numbers are"):
+        linear_limit(beyond, 0.1, 1)

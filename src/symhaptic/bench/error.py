@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
-import subprocess
 import tempfile
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +13,9 @@ from flint import arb
 
 from symhaptic.bench.exact import EXACT, bits
 from symhaptic.bench.exact_slopes import slopes
+from symhaptic.bench.exported import GCC, compiled
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
-from symhaptic.export import request
 from symhaptic.export.module import library
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.targets import TARGETS
@@ -26,45 +23,6 @@ from symhaptic.forms.stable import Form
 
 Worst = dict[str, tuple[float, tuple[float, ...]]]
 """For each result its largest error and the arguments there."""
-
-
-def compiled(
-    form: Form, folder: Path, precision: Precision = DOUBLE
-) -> Callable[[list[Array]], Array]:
-    """The exported C function on arrays, in a loop that is compiled with it."""
-    language = TARGETS["c"].at(precision)
-    made, files = request.built(language, [form], vectors=False)
-    for name, text in files.items():
-        (folder / name).write_text(text)
-    routine = made.public[0]
-    many = len(routine.results)
-    inner = ", ".join(f"x{i}[k]" for i in range(len(form.arguments)))
-    outs = ", ".join(f"y{i} + k" for i in range(many))
-    call = (
-        f"y0[k] = haptic_{form.name}({inner})" if many == 1
-        else f"haptic_{form.name}({inner}, {outs})"
-    )  # fmt: skip
-    args = [f"const {language.real} *x{i}" for i in range(len(form.arguments))]
-    args += [f"{language.real} *y{i}" for i in range(many)]
-    (folder / "loop.c").write_text(
-        f'#include "haptic.h"\nvoid all(long n, {", ".join(args)}) {{\n'
-        f"  for (long k = 0; k < n; ++k) {call};\n}}\n"
-    )
-    library = folder / f"{form.name}.so"
-    subprocess.run(
-        ["gcc", "-std=c99", "-O2", "-shared", "-fPIC", "-o", library, folder / "loop.c",
-         folder / "haptic.c", "-lm"],
-        check=True,
-    )  # fmt: skip
-    function = ctypes.CDLL(str(library)).all
-
-    def run(arrays: list[Array]) -> Array:
-        found = np.empty((many, arrays[0].size), dtype=precision.kind)
-        pointers = [ctypes.c_void_p(a.ctypes.data) for a in (*arrays, *found)]
-        function(ctypes.c_long(arrays[0].size), *pointers)
-        return found
-
-    return run
 
 
 def functions(form: Form) -> Any:
@@ -87,14 +45,16 @@ def exactly(form: Form, point: list[float]) -> list[Any]:
     return found
 
 
-def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE) -> Worst:
+def measure(
+    form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE, compiler: str = GCC
+) -> Worst:
     """The worst error of each result, with its arguments.
 
     NaN counts as infinitely wrong, but where the curve ends one last place of theta ahead.
     """
     arrays = columns(form, np.random.default_rng(seed), count, precision)
     with tempfile.TemporaryDirectory() as place:
-        found = compiled(form, Path(place), precision)(arrays)
+        found = compiled(form, Path(place), precision, compiler)(arrays)
     if precision is SINGLE:
         worst = suspects(form, arrays, found)
         arrays, found = [np.ascontiguousarray(a[worst]) for a in arrays], found[:, worst]
@@ -102,14 +62,19 @@ def measure(form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE
 
 
 def climb(
-    form: Form, count: int, seed: int = 1, precision: Precision = DOUBLE, rounds: int = 4
+    form: Form,
+    count: int,
+    seed: int = 1,
+    precision: Precision = DOUBLE,
+    compiler: str = GCC,
+    rounds: int = 4,
 ) -> Worst:
     """The same, and what is found around the worst points, and around the worst of these."""
     rng = np.random.default_rng(seed)
     arrays = columns(form, rng, count, precision)
     worst: Worst = {name: (0.0, ()) for name, _ in form.results}
     with tempfile.TemporaryDirectory() as place:
-        run = compiled(form, Path(place), precision)
+        run = compiled(form, Path(place), precision, compiler)
         for _ in range(rounds + 1):
             off = errors(form, arrays, run(arrays), precision)
             _keep(worst, arrays, off)

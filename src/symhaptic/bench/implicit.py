@@ -108,7 +108,21 @@ def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, 
         ends = map(float, (before, grid[best], grid[best + 1]))
         angle = stationary(required_damping(*wall, _Balls), *ends)
         tried += [angle] if angle.is_finite() else []
+    elif grid[best] == math.pi:
+        angle = _before_pi(required_damping(*wall, _Balls), float(grid[-2]))
+        tried += [angle] if angle.is_finite() else []
     return max(((required_damping_at(*wall, t), t) for t in tried), key=lambda pair: pair[0].mid())
+
+
+def _before_pi(f: Callable[[Any], Any], low: float) -> Any:
+    """Where the slope changes its sign behind the last angle but pi, where it vanishes."""
+
+    def slope(at: Any) -> Any:
+        found = -2 * series(f, at, 3)[2] if at == end else series(f, at, 2)[1] / (end - at)
+        return arb(found.mid())
+
+    end = arb(math.pi)
+    return crossing(slope, arb(low), end)
 
 
 def required_damping_at(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:

@@ -14,8 +14,8 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from symhaptic.bench.error import compiled
 from symhaptic.bench.exact import device
+from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import function
 from symhaptic.bench.timing import seconds

@@ -16,8 +16,9 @@ import numpy as np
 from flint import arb
 
 import symhaptic
-from symhaptic.bench.error import compiled, functions
+from symhaptic.bench.error import functions
 from symhaptic.bench.exact import EXACT
+from symhaptic.bench.exported import compiled
 from symhaptic.bench.points import Array
 from symhaptic.bench.printed import expressions, function, swings
 from symhaptic.forms.stable import Form

@@ -36,10 +36,10 @@ def files() -> dict[str, str]:
     """The files of the folder, by name: for arrays of all libraries, and in C for NumPy's."""
     every = forms()
     _, made = request.built(TARGETS["numpy"], every, vectors=False)
-    double, in_c = request.built(TARGETS["c"], every, vectors=False)
-    in_single = TARGETS["c"].at(SINGLE)
+    in_double, in_single = TARGETS["c"], TARGETS["c"].at(SINGLE)
+    double, in_c = request.built(in_double, every, vectors=False)
     single, more = request.built(in_single, every, name="haptic_single", vectors=False)
-    made |= in_c | more | ufuncs(double, single)
+    made |= in_c | more | ufuncs(double, single, in_double, in_single)
     made = {"__init__.py": _ABOUT} | made
     return {
         name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text

@@ -59,6 +59,11 @@ class Precision:
         )
 
     @property
+    def vanishing(self) -> sp.Rational:
+        """A power of two below which squares lose digits; its inverse square lifts all above."""
+        return sp.Rational(1, 2 ** (400 if self.bits == 53 else 40))
+
+    @property
     def split(self) -> sp.Integer:
         """Veltkamp's factor: halves of a float whose products are exact."""
         return sp.Integer(2 ** ((self.bits + 1) // 2) + 1)

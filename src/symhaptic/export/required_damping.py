@@ -115,13 +115,19 @@ def _neediest(do: Steps, slope: Callable[..., Expr], precision: Precision, close
     return crossing(do, lambda _, at: slope(*wall, l, at), sp.S.Zero, end, close)
 
 
-def largest_required_damping() -> Routine:
-    """The damping that the wall needs, infinite if it pulls."""
+def largest_required_damping(precision: Precision = DOUBLE) -> Routine:
+    """The damping that the wall needs, infinite if it pulls.
+
+    Of a wall whose squares would vanish it is that of a larger one, by a power of two.
+    """
     do = Steps()
     whole = do("whole", floor(d))
     part = do("part", d - whole)
-    psi = do("psi", sp.Function("WorstAngle")(alpha, beta, whole, part))
-    found = sp.Function("DampingAt")(alpha, beta, whole, part, psi)
+    tiny = sp.Abs(alpha) + sp.Abs(beta) < precision.vanishing
+    lift = do("lift", choose(tiny, 1 / precision.vanishing**2, sp.S.One))
+    wall = do("stiffness", lift * alpha), do("damping", lift * beta)
+    psi = do("psi", sp.Function("WorstAngle")(*wall, whole, part))
+    found = sp.Function("DampingAt")(*wall, whole, part, psi) / lift
     return do.routine("LargestRequiredDamping",
                       "the damping that the wall needs at its worst angle",
                       (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
@@ -267,7 +273,9 @@ def some_part() -> Routine:
 
 ROUTINES = (
     straight, between, passive_slope, whole_part, fractional_part, some_part, damping_at, rising,
-    steepness, largest_required_damping, touching, pushed, lead, rated, whole_damping_at,
+    steepness, touching, pushed, lead, rated, whole_damping_at,
     whole_steepness, largest_whole_required_damping, turning,
 )  # fmt: skip
-PRECISE = (worst_angle, worst_whole_angle, critical_angle, turn, passive_angle)
+PRECISE = (
+    worst_angle, worst_whole_angle, critical_angle, turn, passive_angle, largest_required_damping,
+)  # fmt: skip

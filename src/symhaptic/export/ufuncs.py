@@ -2,51 +2,98 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from symhaptic.export.module import Library
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import describe
+from symhaptic.export.target import Target, describe
+from symhaptic.export.wrapping import wrapped
 
 MODULE = "_compiled"
 
 
-def ufuncs(double: Library, single: Library) -> dict[str, str]:
-    """MODULE.c, whose ufuncs call both libraries, and MODULE.pyi."""
-    loops = [
-        _loop(name, kind, routine)
-        for one, two in zip(double.public, single.public, strict=True)
-        for name, kind, routine in ((double.name, "double", one), (single.name, "float", two))
-    ]
+def ufuncs(
+    double: Library, single: Library, in_double: Target, in_single: Target
+) -> dict[str, str]:
+    """MODULE.c, two files of loops that call a library each, which is inside, and MODULE.pyi."""
     entries = [
         _entry(routine, describe(form))
         for form, routine in zip(double.forms, double.public, strict=True)
     ]
-    text = _MODULE % {
+    both = (double, in_double), (single, in_single)
+    calls = ["\n".join(wrapped(_call(double, in_double, r).split("\n"))) for r in double.public]
+    declared = [f"Loop {_name(library, r)};" for library, _ in both for r in library.public]
+    numbers = {
         "module": MODULE,
         "double": double.name,
         "single": single.name,
-        "loops": "\n".join(loops),
+        "loops": "\n".join(declared),
         "entries": "\n".join(entries),
+        "calls": "\n".join(calls),
+        "methods": "\n".join(f"    ONE({routine.name})," for routine in double.public),
     }
-    names = "\n".join(f"{routine.name}: ufunc" for routine in double.public)
-    return {f"{MODULE}.c": text, f"{MODULE}.pyi": f"from numpy import ufunc\n\n{names}\n"}
+    made = {f"{MODULE}.c": _MODULE % numbers}
+    for library, language in both:
+        loops = [_loop(library, language, routine) for routine in library.public]
+        text = _LOOPS % {"name": library.name, "loops": "\n".join(loops)}
+        made[f"{library.name}_loops.c"] = "\n".join(wrapped(text.split("\n")))
+    typed = [
+        "from typing import Any\n\nfrom numpy import ufunc\n",
+        *(f"{routine.name}: ufunc" for routine in double.public),
+        "\ndef outside() -> bool: ...",
+        *(f"def one_{routine.name}(*numbers: Any) -> Any: ..." for routine in double.public),
+    ]
+    return made | {f"{MODULE}.pyi": "\n".join([*typed, ""])}
 
 
-def _loop(library: str, kind: str, routine: Routine) -> str:
-    """One ufunc's inner loop in one precision: a call an element."""
-    given, count = len(routine.arguments), len(routine.results)
-    call = ", ".join(f"*({kind} *)(at[{i}])" for i in range(given))
-    own = f"{library}_{routine.name}"
-    places = [f"at[{given + i}]" for i in range(count)]
+def _name(library: Library, routine: Routine) -> str:
+    return f"{library.name}_{routine.name}_loop"
+
+
+def _loop(library: Library, language: Target, routine: Routine) -> str:
+    """One ufunc's inner loop in one precision: a call an element, and whether all is in range."""
+    kind, given, count = language.real, len(routine.arguments), len(routine.results)
+    names = [language.rename(symbol.name) for symbol in routine.arguments]
+    x, y = [f"x{i}" for i in range(given)], [f"y{i}" for i in range(count)]
+    work = [f"const {kind} {n} = *({kind} const *){at};" for n, at in zip(names, x, strict=True)]
+    call = f"{library.name}_{routine.name}({', '.join(names)}"
     if count > 1:
-        into = "".join(f", &found[{i}]" for i in range(count))
-        work = [f"{kind} found[{count}];", f"{own}({call}{into});"]
-        work += [f"*({kind} *){place} = found[{i}];" for i, place in enumerate(places)]
+        work += [f"{call}, {', '.join(f'({kind} *){at}' for at in y)});"]
     else:
-        work = [f"*({'npy_bool' if routine.truth else kind} *){places[0]} = {own}({call});"]
+        work += [f"*({'npy_bool' if routine.truth else kind} *){y[0]} = {call});"]
+    within = language.printing().doprint(sp.And(*routine.within))
+    work += [f"within &= {within};"]
+    places = [*x, *y]
     return _LOOP % {
-        "name": f"{own}_loop",
-        "all": given + count,
+        "name": _name(library, routine),
+        "places": ", ".join(f"*{at} = at[{i}]" for i, at in enumerate(places)),
+        "steps": ", ".join(f"s{i} = steps[{i}]" for i in range(len(places))),
         "work": "\n".join(f"        {line}" for line in work),
+        "on": " ".join(f"{at} += s{i};" for i, at in enumerate(places)),
+    }
+
+
+def _call(library: Library, language: Target, routine: Routine) -> str:
+    """A call with numbers of Python's: what the ufunc gives, or None, if all is finite."""
+    given, count = len(routine.arguments), len(routine.results)
+    names = [language.rename(symbol.name) for symbol in routine.arguments]
+    call = f"{library.name}_{routine.name}({', '.join(names)}"
+    if count > 1:
+        work = f"double y[{count}];\n    {call}, {', '.join(f'&y[{i}]' for i in range(count))});"
+    else:
+        work = f"{'const int' if routine.truth else 'const double'} y = {call});"
+    if routine.truth:
+        end = "return truth(y);"
+    else:
+        end = f"return numbers({'y' if count > 1 else '&y'}, {count});"
+    known = ", ".join(f"{n} = x[{i}]" for i, n in enumerate(names))
+    return _CALL % {
+        "name": routine.name,
+        "given": given,
+        "known": known,
+        "within": language.printing().doprint(sp.And(*routine.within)),
+        "work": work,
+        "end": end,
     }
 
 
@@ -66,35 +113,93 @@ def _quoted(line: str) -> str:
     return line.replace("\\", "\\\\").replace('"', '\\"')
 
 
-_LOOP = """static void %(name)s(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[%(all)s];
-    npy_intp i, k;
+_LOOP = """void %(name)s(
+    char **at, npy_intp const *sizes, npy_intp const *steps, void *data) {
+    char %(places)s;
+    const npy_intp %(steps)s;
+    npy_intp left;
+    int within = 1;
     (void)data;
-    for (k = 0; k < %(all)s; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
+    for (left = sizes[0]; left > 0; --left) {
 %(work)s
-        for (k = 0; k < %(all)s; ++k) at[k] += strides[k];
+        %(on)s
     }
+    if (!within) strayed = 1;
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
 }
 """
 
-_MODULE = """#define PY_SSIZE_T_CLEAN
+_CALL = """static PyObject *one_%(name)s(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[%(given)s];
+    (void)module;
+    if (count != %(given)s || !given(args, x, count)) Py_RETURN_NONE;
+    const double %(known)s;
+    %(work)s
+    if (!(%(within)s)) Py_RETURN_NONE;
+    %(end)s
+}
+"""
+
+_SHARED = """/* Of each thread its own: whether an argument of its calls was out of range. */
+#ifdef _MSC_VER
+#define OWN __declspec(thread)
+#else
+#define OWN _Thread_local
+#endif
+"""
+
+_LOOPS = (
+    """#include <Python.h>
+
+#include <fenv.h>
+#include <math.h>
+#include <numpy/npy_common.h>
+
+"""
+    + _SHARED
+    + """
+#ifdef __GNUC__ /* what is not seen from outside can become a part of its loop */
+#pragma GCC visibility push(hidden)
+#endif
+
+#include "%(name)s.c"
+
+extern OWN int strayed;
+
+%(loops)s"""
+)
+
+_MODULE = (
+    """#define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#include <math.h>
 #include <numpy/arrayobject.h>
+#include <numpy/arrayscalars.h>
 #include <numpy/ufuncobject.h>
 
-#include <fenv.h>
-
 #include "%(double)s.h"
-#include "%(single)s.h"
+
+"""
+    + _SHARED
+    + """
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+
+OWN int strayed = 0;
+
+typedef void Loop(char **, npy_intp const *, npy_intp const *, void *);
+%(loops)s
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #define MOST 8
 
-%(loops)s
 typedef struct {
     const char *name;
     int given, found, truth;
@@ -138,11 +243,74 @@ static int loaded(PyObject *module) {
     return filled(module);
 }
 
+static PyObject *outside(PyObject *module, PyObject *none) {
+    const int found = strayed;
+    (void)module;
+    (void)none;
+    strayed = 0;
+    return PyBool_FromLong(found);
+}
+
+/* Whether all are numbers of Python's, whole ones that a double has; then they are in x. */
+static int given(PyObject *const *args, double *x, Py_ssize_t count) {
+    Py_ssize_t i;
+    for (i = 0; i < count; ++i) {
+        if (PyFloat_CheckExact(args[i]) || PyArray_IsScalar(args[i], Double))
+            x[i] = PyFloat_AS_DOUBLE(args[i]);
+        else if (PyLong_CheckExact(args[i])) {
+            int over = 0;
+            const long long whole = PyLong_AsLongLongAndOverflow(args[i], &over);
+            if (over || whole > (1LL << 53) || whole < -(1LL << 53)) return 0;
+            x[i] = (double)whole;
+        }
+        else return 0;
+    }
+    return 1;
+}
+
+static PyObject *number(double value) {
+    PyObject *made = PyArrayScalar_New(Double);
+    if (made != NULL) PyArrayScalar_ASSIGN(made, Double, value);
+    return made;
+}
+
+static PyObject *truth(int value) {
+    if (value) PyArrayScalar_RETURN_TRUE;
+    PyArrayScalar_RETURN_FALSE;
+}
+
+/* One of NumPy's numbers or a tuple of them; None if one is NaN or infinite. */
+static PyObject *numbers(double const *y, int count) {
+    PyObject *all;
+    int i;
+    for (i = 0; i < count; ++i) if (!isfinite(y[i])) Py_RETURN_NONE;
+    if (count == 1) return number(y[0]);
+    all = PyTuple_New(count);
+    for (i = 0; all != NULL && i < count; ++i) {
+        PyObject *made = number(y[i]);
+        if (made == NULL) Py_CLEAR(all);
+        else PyTuple_SET_ITEM(all, i, made);
+    }
+    return all;
+}
+
+%(calls)s
+#define ONE(name) \\
+    {"one_" #name, (PyCFunction)(void (*)(void))one_##name, METH_FASTCALL, \\
+     "The same of numbers; None where one is not, is out of range, or something is not finite."}
+
+static PyMethodDef functions[] = {
+%(methods)s
+    {"outside", outside, METH_NOARGS,
+     "Whether an argument was NaN or out of range since this thread last asked."},
+    {NULL, NULL, 0, NULL}};
+
 static PyModuleDef_Slot slots[] = {{Py_mod_exec, loaded}, {0, NULL}};
 
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "%(module)s", "The stable forms as ufuncs.", 0, NULL, slots,
+    PyModuleDef_HEAD_INIT, "%(module)s", "The stable forms as ufuncs.", 0, functions, slots,
     NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit_%(module)s(void) { return PyModuleDef_Init(&definition); }
 """
+)

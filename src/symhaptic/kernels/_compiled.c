@@ -3,351 +3,55 @@
 #include <Python.h>
 
 #define NPY_NO_DEPRECATED_API NPY_1_22_API_VERSION
+#include <math.h>
 #include <numpy/arrayobject.h>
+#include <numpy/arrayscalars.h>
 #include <numpy/ufuncobject.h>
 
-#include <fenv.h>
-
 #include "haptic.h"
-#include "haptic_single.h"
+
+/* Of each thread its own: whether an argument of its calls was out of range. */
+#ifdef _MSC_VER
+#define OWN __declspec(thread)
+#else
+#define OWN _Thread_local
+#endif
+
+#ifdef __GNUC__
+#pragma GCC visibility push(hidden)
+#endif
+
+OWN int strayed = 0;
+
+typedef void Loop(char **, npy_intp const *, npy_intp const *, void *);
+Loop haptic_discretize_loop;
+Loop haptic_discretize_fractional_loop;
+Loop haptic_is_stable_loop;
+Loop haptic_unstable_roots_loop;
+Loop haptic_stability_boundary_loop;
+Loop haptic_max_stable_stiffness_loop;
+Loop haptic_passivity_margin_at_loop;
+Loop haptic_passivity_margin_loop;
+Loop haptic_passivity_boundary_loop;
+Loop haptic_max_passive_stiffness_loop;
+Loop haptic_linear_limit_loop;
+Loop haptic_single_discretize_loop;
+Loop haptic_single_discretize_fractional_loop;
+Loop haptic_single_is_stable_loop;
+Loop haptic_single_unstable_roots_loop;
+Loop haptic_single_stability_boundary_loop;
+Loop haptic_single_max_stable_stiffness_loop;
+Loop haptic_single_passivity_margin_at_loop;
+Loop haptic_single_passivity_margin_loop;
+Loop haptic_single_passivity_boundary_loop;
+Loop haptic_single_max_passive_stiffness_loop;
+Loop haptic_single_linear_limit_loop;
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #define MOST 8
-
-static void haptic_discretize_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[4];
-        haptic_discretize(*(double *)(at[0]), *(double *)(at[1]), &found[0], &found[1], &found[2], &found[3]);
-        *(double *)at[2] = found[0];
-        *(double *)at[3] = found[1];
-        *(double *)at[4] = found[2];
-        *(double *)at[5] = found[3];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_discretize_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[4];
-        haptic_single_discretize(*(float *)(at[0]), *(float *)(at[1]), &found[0], &found[1], &found[2], &found[3]);
-        *(float *)at[2] = found[0];
-        *(float *)at[3] = found[1];
-        *(float *)at[4] = found[2];
-        *(float *)at[5] = found[3];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_discretize_fractional_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[8];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 8; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[5];
-        haptic_discretize_fractional(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
-        *(double *)at[3] = found[0];
-        *(double *)at[4] = found[1];
-        *(double *)at[5] = found[2];
-        *(double *)at[6] = found[3];
-        *(double *)at[7] = found[4];
-        for (k = 0; k < 8; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_discretize_fractional_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[8];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 8; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[5];
-        haptic_single_discretize_fractional(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), &found[0], &found[1], &found[2], &found[3], &found[4]);
-        *(float *)at[3] = found[0];
-        *(float *)at[4] = found[1];
-        *(float *)at[5] = found[2];
-        *(float *)at[6] = found[3];
-        *(float *)at[7] = found[4];
-        for (k = 0; k < 8; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_is_stable_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(npy_bool *)at[5] = haptic_is_stable(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), *(double *)(at[3]), *(double *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_is_stable_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(npy_bool *)at[5] = haptic_single_is_stable(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), *(float *)(at[3]), *(float *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_unstable_roots_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(double *)at[5] = haptic_unstable_roots(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), *(double *)(at[3]), *(double *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_unstable_roots_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(float *)at[5] = haptic_single_unstable_roots(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), *(float *)(at[3]), *(float *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_stability_boundary_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[2];
-        haptic_stability_boundary(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), *(double *)(at[3]), &found[0], &found[1]);
-        *(double *)at[4] = found[0];
-        *(double *)at[5] = found[1];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_stability_boundary_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[2];
-        haptic_single_stability_boundary(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), *(float *)(at[3]), &found[0], &found[1]);
-        *(float *)at[4] = found[0];
-        *(float *)at[5] = found[1];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_max_stable_stiffness_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[3];
-        haptic_max_stable_stiffness(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), &found[0], &found[1], &found[2]);
-        *(double *)at[3] = found[0];
-        *(double *)at[4] = found[1];
-        *(double *)at[5] = found[2];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_max_stable_stiffness_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[3];
-        haptic_single_max_stable_stiffness(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), &found[0], &found[1], &found[2]);
-        *(float *)at[3] = found[0];
-        *(float *)at[4] = found[1];
-        *(float *)at[5] = found[2];
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_passivity_margin_at_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(double *)at[5] = haptic_passivity_margin_at(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), *(double *)(at[3]), *(double *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_passivity_margin_at_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[6];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 6; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(float *)at[5] = haptic_single_passivity_margin_at(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), *(float *)(at[3]), *(float *)(at[4]));
-        for (k = 0; k < 6; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_passivity_margin_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(double *)at[4] = haptic_passivity_margin(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), *(double *)(at[3]));
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_passivity_margin_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(float *)at[4] = haptic_single_passivity_margin(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), *(float *)(at[3]));
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_passivity_boundary_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[2];
-        haptic_passivity_boundary(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]), &found[0], &found[1]);
-        *(double *)at[3] = found[0];
-        *(double *)at[4] = found[1];
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_passivity_boundary_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[2];
-        haptic_single_passivity_boundary(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]), &found[0], &found[1]);
-        *(float *)at[3] = found[0];
-        *(float *)at[4] = found[1];
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_max_passive_stiffness_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        double found[3];
-        haptic_max_passive_stiffness(*(double *)(at[0]), *(double *)(at[1]), &found[0], &found[1], &found[2]);
-        *(double *)at[2] = found[0];
-        *(double *)at[3] = found[1];
-        *(double *)at[4] = found[2];
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_max_passive_stiffness_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[5];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 5; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        float found[3];
-        haptic_single_max_passive_stiffness(*(float *)(at[0]), *(float *)(at[1]), &found[0], &found[1], &found[2]);
-        *(float *)at[2] = found[0];
-        *(float *)at[3] = found[1];
-        *(float *)at[4] = found[2];
-        for (k = 0; k < 5; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_linear_limit_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[4];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 4; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(double *)at[3] = haptic_linear_limit(*(double *)(at[0]), *(double *)(at[1]), *(double *)(at[2]));
-        for (k = 0; k < 4; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
-
-static void haptic_single_linear_limit_loop(
-    char **args, npy_intp const *sizes, npy_intp const *strides, void *data) {
-    char *at[4];
-    npy_intp i, k;
-    (void)data;
-    for (k = 0; k < 4; ++k) at[k] = args[k];
-    for (i = 0; i < sizes[0]; ++i) {
-        *(float *)at[3] = haptic_single_linear_limit(*(float *)(at[0]), *(float *)(at[1]), *(float *)(at[2]));
-        for (k = 0; k < 4; ++k) at[k] += strides[k];
-    }
-    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
-}
 
 typedef struct {
     const char *name;
@@ -496,10 +200,220 @@ static int loaded(PyObject *module) {
     return filled(module);
 }
 
+static PyObject *outside(PyObject *module, PyObject *none) {
+    const int found = strayed;
+    (void)module;
+    (void)none;
+    strayed = 0;
+    return PyBool_FromLong(found);
+}
+
+/* Whether all are numbers of Python's, whole ones that a double has; then they are in x. */
+static int given(PyObject *const *args, double *x, Py_ssize_t count) {
+    Py_ssize_t i;
+    for (i = 0; i < count; ++i) {
+        if (PyFloat_CheckExact(args[i]) || PyArray_IsScalar(args[i], Double))
+            x[i] = PyFloat_AS_DOUBLE(args[i]);
+        else if (PyLong_CheckExact(args[i])) {
+            int over = 0;
+            const long long whole = PyLong_AsLongLongAndOverflow(args[i], &over);
+            if (over || whole > (1LL << 53) || whole < -(1LL << 53)) return 0;
+            x[i] = (double)whole;
+        }
+        else return 0;
+    }
+    return 1;
+}
+
+static PyObject *number(double value) {
+    PyObject *made = PyArrayScalar_New(Double);
+    if (made != NULL) PyArrayScalar_ASSIGN(made, Double, value);
+    return made;
+}
+
+static PyObject *truth(int value) {
+    if (value) PyArrayScalar_RETURN_TRUE;
+    PyArrayScalar_RETURN_FALSE;
+}
+
+/* One of NumPy's numbers or a tuple of them; None if one is NaN or infinite. */
+static PyObject *numbers(double const *y, int count) {
+    PyObject *all;
+    int i;
+    for (i = 0; i < count; ++i) if (!isfinite(y[i])) Py_RETURN_NONE;
+    if (count == 1) return number(y[0]);
+    all = PyTuple_New(count);
+    for (i = 0; all != NULL && i < count; ++i) {
+        PyObject *made = number(y[i]);
+        if (made == NULL) Py_CLEAR(all);
+        else PyTuple_SET_ITEM(all, i, made);
+    }
+    return all;
+}
+
+static PyObject *one_discretize(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[2];
+    (void)module;
+    if (count != 2 || !given(args, x, count)) Py_RETURN_NONE;
+    const double gamma = x[0], delta = x[1];
+    double y[4];
+    haptic_discretize(gamma, delta, &y[0], &y[1], &y[2], &y[3]);
+    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) Py_RETURN_NONE;
+    return numbers(y, 4);
+}
+
+static PyObject *one_discretize_fractional(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[3];
+    (void)module;
+    if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
+    const double gamma = x[0], delta = x[1], epsilon = x[2];
+    double y[5];
+    haptic_discretize_fractional(gamma, delta, epsilon, &y[0], &y[1], &y[2], &y[3], &y[4]);
+    if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
+        (gamma <= 1e+70) && (gamma >= 0.0))) Py_RETURN_NONE;
+    return numbers(y, 5);
+}
+
+static PyObject *one_is_stable(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[5];
+    (void)module;
+    if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
+    const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
+    const int y = haptic_is_stable(alpha, beta, gamma, delta, d);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) &&
+        (gamma >= 0.0))) Py_RETURN_NONE;
+    return truth(y);
+}
+
+static PyObject *one_unstable_roots(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[5];
+    (void)module;
+    if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
+    const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
+    const double y = haptic_unstable_roots(alpha, beta, gamma, delta, d);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) &&
+        (gamma >= 0.0))) Py_RETURN_NONE;
+    return numbers(&y, 1);
+}
+
+static PyObject *one_stability_boundary(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[4];
+    (void)module;
+    if (count != 4 || !given(args, x, count)) Py_RETURN_NONE;
+    const double theta = x[0], gamma = x[1], delta = x[2], d = x[3];
+    double y[2];
+    haptic_stability_boundary(theta, gamma, delta, d, &y[0], &y[1]);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+        (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    return numbers(y, 2);
+}
+
+static PyObject *one_max_stable_stiffness(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[3];
+    (void)module;
+    if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
+    const double gamma = x[0], delta = x[1], d = x[2];
+    double y[3];
+    haptic_max_stable_stiffness(gamma, delta, d, &y[0], &y[1], &y[2]);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+        (gamma >= 0.0))) Py_RETURN_NONE;
+    return numbers(y, 3);
+}
+
+static PyObject *one_passivity_margin_at(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[5];
+    (void)module;
+    if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
+    const double theta = x[0], alpha = x[1], beta = x[2], delta = x[3], d = x[4];
+    const double y = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
+        (theta > 0.0))) Py_RETURN_NONE;
+    return numbers(&y, 1);
+}
+
+static PyObject *one_passivity_margin(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[4];
+    (void)module;
+    if (count != 4 || !given(args, x, count)) Py_RETURN_NONE;
+    const double alpha = x[0], beta = x[1], delta = x[2], d = x[3];
+    const double y = haptic_passivity_margin(alpha, beta, delta, d);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    return numbers(&y, 1);
+}
+
+static PyObject *one_passivity_boundary(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[3];
+    (void)module;
+    if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
+    const double theta = x[0], delta = x[1], d = x[2];
+    double y[2];
+    haptic_passivity_boundary(theta, delta, d, &y[0], &y[1]);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    return numbers(y, 2);
+}
+
+static PyObject *one_max_passive_stiffness(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[2];
+    (void)module;
+    if (count != 2 || !given(args, x, count)) Py_RETURN_NONE;
+    const double delta = x[0], d = x[1];
+    double y[3];
+    haptic_max_passive_stiffness(delta, d, &y[0], &y[1], &y[2]);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) Py_RETURN_NONE;
+    return numbers(y, 3);
+}
+
+static PyObject *one_linear_limit(
+    PyObject *module, PyObject *const *args, Py_ssize_t count) {
+    double x[3];
+    (void)module;
+    if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
+    const double beta = x[0], delta = x[1], d = x[2];
+    const double y = haptic_linear_limit(beta, delta, d);
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    return numbers(&y, 1);
+}
+
+#define ONE(name) \
+    {"one_" #name, (PyCFunction)(void (*)(void))one_##name, METH_FASTCALL, \
+     "The same of numbers; None where one is not, is out of range, or something is not finite."}
+
+static PyMethodDef functions[] = {
+    ONE(discretize),
+    ONE(discretize_fractional),
+    ONE(is_stable),
+    ONE(unstable_roots),
+    ONE(stability_boundary),
+    ONE(max_stable_stiffness),
+    ONE(passivity_margin_at),
+    ONE(passivity_margin),
+    ONE(passivity_boundary),
+    ONE(max_passive_stiffness),
+    ONE(linear_limit),
+    {"outside", outside, METH_NOARGS,
+     "Whether an argument was NaN or out of range since this thread last asked."},
+    {NULL, NULL, 0, NULL}};
+
 static PyModuleDef_Slot slots[] = {{Py_mod_exec, loaded}, {0, NULL}};
 
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "_compiled", "The stable forms as ufuncs.", 0, NULL, slots,
+    PyModuleDef_HEAD_INIT, "_compiled", "The stable forms as ufuncs.", 0, functions, slots,
     NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__compiled(void) { return PyModuleDef_Init(&definition); }

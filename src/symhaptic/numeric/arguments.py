@@ -24,13 +24,17 @@ LARGEST = 1e70
 LONGEST = 1e15
 """Delays beyond have no fractions of a period in float64."""
 
+_BELOW_PI = {True: math.pi, False: float(np.nextafter(np.float32(np.pi), np.float32(0)))}
+"""The last float before pi, in double precision and in single: ``math.pi`` is less than pi."""
+
 
 def real(name: str, values: ArrayLike | Fraction) -> Array:
     """The argument as a float64 array; text, dates and complex numbers are no numbers here."""
     try:
         array = np.asarray(values)
         if array.dtype.kind in "biuf" or (array.dtype == object and all(map(_is_real, array.flat))):
-            return np.asarray(array, dtype=np.float64)
+            with np.errstate(over="ignore"):  # what no float64 holds is infinite
+                return np.asarray(array, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         pass
     refuse_all(name, values)
@@ -97,7 +101,12 @@ def _periods(name: str, array: Any, xp: Any) -> None:
 
 
 def _angle(name: str, array: Any, xp: Any) -> None:
-    refuse(name, array, (array <= 0) | (array >= math.pi), f"numbers 0 < {name} < pi are")
+    last = _BELOW_PI[float(xp.finfo(array.dtype).max) > LARGEST]
+    refuse(name, array, (array <= 0) | (array > last), f"numbers 0 < {name} < pi are")
+
+
+def _fraction(name: str, array: Any, xp: Any) -> None:
+    refuse(name, array, (array < 0) | (array >= 1), f"numbers 0 <= {name} < 1 are")
 
 
 _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
@@ -109,6 +118,7 @@ _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
     "gamma": _nonnegative,
     "delta": _nonnegative,
     "delay": _periods,
+    "epsilon": _fraction,
     "theta": _angle,
     "omega": _angle,
 }
@@ -129,7 +139,7 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
 
 def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """The argument, which must be one of a few words."""
-    if value not in allowed:
+    if not isinstance(value, str) or value not in allowed:
         words = " or ".join(map(repr, allowed))
         raise ValueError(f"{name}: {_shown(value)} is not allowed; {words} is")
     return value

@@ -121,7 +121,7 @@ def end(x: Device, steps: Array) -> tuple[Array, Array]:
         return 2 * both - line, line - both
 
 
-@at_once("stability_boundary")
+@at_once("stability_boundary", finite=True)
 @kept(alpha=float, beta=float)
 def stability_boundary(
     theta: ArrayLike,

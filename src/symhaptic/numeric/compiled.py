@@ -15,8 +15,6 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from symhaptic.numeric.arguments import LARGEST, LONGEST
-
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -27,10 +25,7 @@ _DOUBLE = np.dtype(np.float64)
 _WHOLE = 2**53
 """Whole numbers up to here are floats."""
 
-_LOW = {"alpha": -LARGEST, "beta": -LARGEST}
-_FINITE = (-sys.float_info.max, sys.float_info.max)
-
-_HIGH = {"delay": LONGEST}
+_LARGEST = sys.float_info.max
 
 
 def _module() -> ModuleType | None:
@@ -81,36 +76,39 @@ def of(kernel: Callable[..., Any]) -> Callable[..., Any]:
 def at_once(
     name: str,
     into: Callable[..., Any] | None = None,
+    finite: bool = False,
     work: Callable[..., Any] | None = None,
 ) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Let floats and float64 arrays go to a ufunc without a detour.
 
     Or to ``work``, which is given the ufunc before them; ``into`` is the tuple of the results.
-    One look at the result tells whether all was in range: elsewhere a number is NaN.  A truth
-    value does not tell, nor does what ``work`` makes; there one look at each argument does.  What
-    is not surely in range, and all else, goes to the function itself, which says what is wrong.
+    The ufunc's loop asks of each argument whether it is in range, which costs next to nothing
+    there, and tells whether all were.  If not, where the first result has to be ``finite`` and is
+    not, and for all other arguments, the function itself is called, which says what is wrong.
     """
 
     def around(function: Callable[P, R]) -> Callable[P, R]:
         ufunc = getattr(MODULE, name, None)
-        if ufunc is None:
+        if MODULE is None or ufunc is None:
             return function
+        outside: Callable[[], bool] = MODULE.outside
+        one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
         names = [n for n in signature(function).parameters if n != "sheet"]
-        bounds = [(_LOW.get(n, 0.0), _HIGH.get(n, LARGEST)) for n in names]
-        look = work is not None or ufunc.types[0].endswith("?")
         kernel = ufunc if work is None else partial(work, ufunc)
 
         @wraps(function)
         def called(*args: P.args, **named: P.kwargs) -> R:
+            if not named and (found := one(*args)) is not None:
+                return cast(R, found if into is None else into(*found))
             given = _numbers(names, args, named)
-            if given is None or (look and not all(map(_within, given, bounds))):
+            if given is None:
                 return function(*args, **named)
             try:
                 found = kernel(*given)
             except ValueError:  # shapes that do not broadcast
                 return function(*args, **named)
             several = type(found) is tuple
-            if not look and not _within(found[0] if several else found, _FINITE):
+            if outside() or (finite and not _finite(found[0] if several else found)):
                 return function(*args, **named)
             if not several:
                 return cast(R, found)
@@ -119,6 +117,10 @@ def at_once(
         return called
 
     return around
+
+
+def _nothing(*numbers: Any) -> None:
+    """No short way."""
 
 
 def _numbers(names: list[str], args: Sequence[Any], named: Mapping[str, Any]) -> Any:
@@ -141,9 +143,8 @@ def _numbers(names: list[str], args: Sequence[Any], named: Mapping[str, Any]) ->
     return found
 
 
-def _within(value: Any, bounds: tuple[float, float]) -> bool:
+def _finite(value: Any) -> bool:
     """Whether all numbers are; NaN is not."""
-    low, high = bounds
     if type(value) is np.ndarray:
-        return bool(value.min() >= low and value.max() <= high)
-    return bool(low <= value <= high)
+        return bool(value.min() >= -_LARGEST and value.max() <= _LARGEST)
+    return bool(-_LARGEST <= value <= _LARGEST)

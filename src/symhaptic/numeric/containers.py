@@ -15,6 +15,7 @@ from typing import Any, NoReturn, ParamSpec, TypeVar, cast
 import numpy as np
 
 from symhaptic.notation.quantities import dimensionless, shown
+from symhaptic.numeric.arguments import real
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -124,6 +125,11 @@ def _with_units(
     work: Callable[..., Any], numbers: Mapping[str, Any], kinds: Mapping[str, type]
 ) -> Any:
     """Pint's numbers must have no dimension; 100 mm/m is 0.1.  So have real results."""
+    import pint
+
+    for name, value in numbers.items():
+        if _library(value) == "pint" and not isinstance(value, pint.Quantity):
+            _refuse(name, value, "of Pint only quantities are")
     first = next(v for v in numbers.values() if _library(v) == "pint")
     plain = (
         dimensionless(name, value) if _library(value) == "pint" else value
@@ -131,7 +137,9 @@ def _with_units(
     )
 
     def quantity(name: str, found: Any) -> Any:
-        return first._REGISTRY.Quantity(found, "") if kinds[name] is float else found
+        labelled = _library(found) in ("xarray", "pandas")  # which no quantity can hold
+        wrapped = kinds[name] is float and not labelled
+        return first._REGISTRY.Quantity(found, "") if wrapped else found
 
     return _each(quantity, work(*plain), kinds)
 
@@ -150,6 +158,9 @@ def _by_dimension(
     import xarray
 
     _alone(numbers, "xarray")
+    for name, value in numbers.items():
+        if isinstance(value, xarray.DataTree):
+            _refuse(name, type(value), "of xarray DataArray, Dataset and Variable are")
     try:
         found = xarray.apply_ufunc(
             work,
@@ -158,6 +169,7 @@ def _by_dimension(
             dask="parallelized",
             output_dtypes=list(kinds.values()),
             join="exact",
+            keep_attrs=False,
         )
     except xarray.AlignmentError as wrong:
         text = " ".join(str(wrong).split())
@@ -208,11 +220,12 @@ def _by_index(
 
 
 def _numbers(name: str, labelled: Any) -> Any:
-    """The numbers of a Series or frame; what is missing is NaN."""
+    """The numbers of a Series or frame; what is missing is NaN, and dates are no numbers."""
     try:
-        return labelled.to_numpy(dtype=float, na_value=np.nan)
+        values = labelled.to_numpy(na_value=np.nan)
     except (TypeError, ValueError):
         return _refuse(name, labelled, "real numbers are")
+    return real(name, values)
 
 
 def _masked(work: Callable[..., Any], numbers: Mapping[str, Any]) -> Any:

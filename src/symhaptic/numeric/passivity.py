@@ -26,17 +26,13 @@ from symhaptic.numeric.given import Given
 SHEETS = ("exact", "principal")
 
 
-def _margin(kernel: Any, alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
-    """The margin by its kernel, which gets walls of size one: squares of a tiny one vanish."""
-    size = abs(alpha) + abs(beta)
-    scale = size + (size == 0)
-    return delta + scale * kernel(alpha / scale, beta / scale, 0.0, delay)
-
-
 def _stiffest(kernel: Any, delta: Any, delay: Any) -> tuple[Any, Any, Any]:
-    """The stiffest passive wall by its kernel, for a damping of 1; not a difference at 0."""
-    alpha, beta, theta = kernel(1.0, delay)
-    return delta * alpha, delta * (beta * (delay > 0)), theta + 0 * delta
+    """The stiffest passive wall by its kernel; without delay its damping is 0, no difference."""
+    alpha, beta, theta = kernel(delta, delay)
+    none = delay == 0
+    if none.any() if isinstance(none, np.ndarray) else none:
+        beta = np.where(none, 0.0, beta)[()]
+    return alpha, beta, theta
 
 
 def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
@@ -49,7 +45,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
     return xp.where(alpha < 0, math.inf, scale * need)
 
 
-@at_once("passivity_margin", work=_margin)
+@at_once("passivity_margin")
 @kept(margin=float)
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
@@ -73,11 +69,57 @@ def passivity_margin(
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
 
     if sheet == "exact" and is_numpy_array(given.values[0]):
-        return given(partial(_margin, given.kernel(haptic.passivity_margin)))  # type: ignore[no-any-return]
+        return given(haptic.passivity_margin)  # type: ignore[no-any-return]
 
     def margin(xp: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
         steps = dy if sheet == "principal" else xp.floor(dy)
         return dl - _needed(xp, al, be, steps, dy - steps)
+
+    return given.each(margin)  # type: ignore[no-any-return]
+
+
+def _at_whole(kernel: Any, theta: Any, alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
+    """The margin by its kernel, which knows whole delays alone; NaN if there are others."""
+    whole = (delay == np.floor(delay)).all() if isinstance(delay, np.ndarray) else delay % 1 == 0
+    return kernel(theta, alpha, beta, delta, delay) if whole else math.nan
+
+
+@at_once("passivity_margin_at", finite=True, work=_at_whole)
+@kept(margin=float)
+def passivity_margin_at(
+    theta: ArrayLike,
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike,
+    sheet: str = "exact",
+) -> Array:
+    r"""Physical damping minus the damping that the wall needs at the angle ``theta`` = omega T.
+
+    For 0 < ``theta`` < pi, the wall ``alpha``, ``beta``, the damping ``delta`` >= 0 and ``delay``
+    >= 0 periods, whole or fractional; arrays broadcast.  For whole delays and with
+    ``sheet="principal"``
+
+        delta - alpha sin((delay + 1/2) theta)/(2 sin(theta/2)) + beta cos((delay + 1) theta),
+
+    (5) of the paper.  Its smallest value is :func:`passivity_margin` where alpha >= 0.  Behind a
+    fraction of a period it is what a motion needs whose phase within the period is the worst one;
+    chapter s6d_fractional_passivity.
+
+    Raises :class:`ValueError` for an angle outside (0, pi), an infinite wall, a negative or
+    infinite ``delta`` or ``delay``; NaN gives NaN.
+
+    >>> [round(float(x), 6) for x in passivity_margin_at(1.0, 1.0, 0.5, 1.0, [0, 0.5, 1])]
+    [0.770151, 0.138338, -0.248376]
+    """
+    arguments.one_of("sheet", sheet, SHEETS)
+    given = Given(theta=theta, alpha=alpha, beta=beta, delta=delta, delay=delay)
+    if sheet == "principal" or given.whole(given.values[4]):
+        return given(haptic.passivity_margin_at)  # type: ignore[no-any-return]
+
+    def margin(xp: Any, th: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
+        steps = xp.floor(dy)
+        return dl - haptic.damping_at(xp, al, be, steps, dy - steps, th / 2)
 
     return given.each(margin)  # type: ignore[no-any-return]
 
@@ -108,6 +150,7 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
     return haptic.rated(xp, lead, wall[0]), haptic.rated(xp, lead, wall[1])
 
 
+@at_once("passivity_boundary")
 @kept(alpha=float, beta=float)
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
@@ -132,14 +175,12 @@ def passivity_boundary(
     arguments.one_of("sheet", sheet, SHEETS)
 
     def walls(xp: Any, theta: Any, damping: Any, late: Any) -> tuple[Any, Any]:
-        if sheet == "principal":
-            unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
-        else:
-            unit = given.kernel(haptic.passivity_boundary)(theta, 1.0, late)
+        unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
         return damping * unit[0], damping * unit[1]
 
     given = Given(omega=omega, delta=delta, delay=delay)
-    return given(partial(walls, given.xp))  # type: ignore[no-any-return]
+    exact = sheet == "exact"
+    return given(haptic.passivity_boundary if exact else partial(walls, given.xp))  # type: ignore[no-any-return]
 
 
 @at_once("max_passive_stiffness", into=Extremum, work=_stiffest)
@@ -162,11 +203,12 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
     def stiffest(xp: Any, damping: Any, late: Any) -> tuple[Any, Any, Any]:
         if sheet == "principal":
             theta = math.pi / (2 * (late + 1))
-            alpha, beta = haptic.elementwise(xp, partial(_printed, xp), theta, late)
+            unit = haptic.elementwise(xp, partial(_printed, xp), theta, late)
+            alpha, beta = (damping * one for one in unit)
         else:
-            alpha, beta, theta = given.kernel(haptic.max_passive_stiffness)(1.0, late)
+            alpha, beta, theta = given.kernel(haptic.max_passive_stiffness)(damping, late)
         beta = xp.where(late == 0, xp.zeros_like(beta), beta)  # exactly, not a difference
-        return damping * alpha, damping * beta, theta + 0 * damping
+        return alpha, beta, theta + 0 * damping
 
     given = Given(delta=delta, delay=delay)
     return Extremum(*given(partial(stiffest, given.xp)))

@@ -140,3 +140,25 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     """
     n1, n0, a, e = Given(gamma=gamma, delta=delta)(haptic.discretize)
     return n1, n0, a, e
+
+
+@at_once("discretize_fractional")
+@kept(m2=float, m1=float, m0=float, a=float, e=float)
+def discretize_fractional(
+    gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike
+) -> tuple[Array, Array, Array, Array, Array]:
+    """The same of a device behind ``epsilon`` periods of delay, 0 <= epsilon < 1: m2, m1, m0, a, e.
+
+    P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m, by the modified z-transform:
+    the hold's old value still acts for a part of each period.  Arrays broadcast.  Derived in
+    chapter s6a_fractional_plant.
+
+    Raises :class:`ValueError` for a negative or infinite ``gamma`` or ``delta`` and a fraction
+    that is none; NaN gives NaN.
+
+    >>> [float(x) for x in discretize_fractional(0, 0, 0.5)]
+    [0.125, 0.75, 0.125, 2.0, 1.0]
+    """
+    given = Given(gamma=gamma, delta=delta, epsilon=epsilon)
+    m2, m1, m0, a, e = given(haptic.discretize_fractional)
+    return m2, m1, m0, a, e

@@ -159,6 +159,12 @@ def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) 
     return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
 
+def _whole(kernel: Any, *numbers: Any) -> Any:
+    """The count as integers; without an axis a number."""
+    return kernel(*numbers).astype(np.int64)
+
+
+@at_once("unstable_roots", work=_whole)
 @kept(unstable_roots=int)
 def unstable_roots(
     alpha: ArrayLike,

@@ -113,6 +113,9 @@ QUANTITIES: dict[str, Quantity] = {
     "passivity_margin": Quantity(
         "numeric.passivity", (Result("passivity_margin", _MARGIN),), "fractional-passivity"
     ),
+    "passivity_margin_at": Quantity(
+        "numeric.passivity", (Result("passivity_margin", _MARGIN),), "eq5"
+    ),
     "passivity_boundary": Quantity("numeric.passivity", _EDGE, "eq27"),
     "max_passive_stiffness": Quantity("numeric.passivity", _SAFEST, "eq11"),
     "linear_limit": Quantity("numeric.linear", (_EDGE[0],), "eq25"),

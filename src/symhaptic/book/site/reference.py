@@ -24,9 +24,10 @@ GROUPS = {
         *("grid_boundary", "linear_limit"),
     ),
     "Passive walls": (
-        *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_boundary"),
+        *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_margin_at"),
+        *("passivity_boundary",),
     ),
-    "The sampled device": ("discretize",),
+    "The sampled device": ("discretize", "discretize_fractional"),
     "Formulas and proofs": (
         *("formula", "lambdify", "prove", "enclose", "enclose_maximum", "recheck"),
         *("Formula", "Verdict"),

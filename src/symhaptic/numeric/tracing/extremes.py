@@ -36,7 +36,7 @@ _FARTHEST = 1e60
 """Where no force reaches the device, the boundary is at infinity."""
 
 
-@at_once("max_stable_stiffness", into=Extremum)
+@at_once("max_stable_stiffness", into=Extremum, finite=True)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
