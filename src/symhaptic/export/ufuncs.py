@@ -62,7 +62,11 @@ def _loop(library: Library, language: Target, routine: Routine) -> str:
     else:
         work += [f"*({'npy_bool' if routine.truth else kind} *){y[0]} = {call});"]
     within = language.printing().doprint(sp.And(*routine.within))
-    work += [f"within &= {within};"]
+    if routine.truth or routine.outside is not sp.nan:
+        work += [f"within &= {within};"]
+    else:  # NaN tells that it may be outside
+        first = f"*({kind} *){y[0]}"
+        work += [f"if ({first} != {first} && !({within})) within = 0;"]
     places = [*x, *y]
     return _LOOP % {
         "name": _name(library, routine),

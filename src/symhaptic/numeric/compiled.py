@@ -94,12 +94,13 @@ def at_once(
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
         names = [n for n in signature(function).parameters if n != "sheet"]
+        plain = into is None and not finite
         kernel = ufunc if work is None else partial(work, ufunc)
 
         @wraps(function)
         def called(*args: P.args, **named: P.kwargs) -> R:
-            if not named and (found := one(*args)) is not None and known(found):
-                return cast(R, made(found))
+            if not named and (found := one(*args)) is not None and (plain or known(found)):
+                return cast(R, found if plain else made(found))
             given = _numbers(names, args, named)
             if given is None:
                 return function(*args, **named)
