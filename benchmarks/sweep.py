@@ -169,23 +169,23 @@ def overhead(blocks=2000):
     return each
 
 
-def large(cores, points=1e12):
+def large(cores):
     """What a cluster would take, calculated from one block and one scheduler measured here."""
     _, work, _ = in_a_process(10**7, 1.0, 1)
     each, block = work / 1e7, 2**22
     handed = overhead()
-    computed = points * each / cores
-    scheduled = points / block * handed
-    print(f"calculated for {points:.0e} walls on {cores} such cores: {computed / 3600:.1f} h, and "
-          f"{scheduled / 60:.0f} min of one scheduler beside it; up to "
-          f"{block * each / handed:.0f} cores a scheduler keeps up")  # fmt: skip
+    for points in (1e9, 1e12):
+        computed, scheduled = points * each / cores, points / block * handed
+        print(f"calculated for {points:.0e} walls on {cores} such cores: {computed:.0f} s, and "
+              f"{scheduled:.0f} s of one scheduler beside it", flush=True)  # fmt: skip
+    print(f"one scheduler keeps up with {block * each / handed:.0f} such cores")
 
 
 if __name__ == "__main__":
     most = int(sys.argv[1]) if len(sys.argv) > 1 else 10**7
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
     growth(most)
-    hands(min(most, 4 * 10**7))
+    hands(min(most, 10**8))
     resumed(min(most, 4 * 10**7))
     large(CORES)
     print(f"load {os.getloadavg()[0]:.1f}")

@@ -62,7 +62,11 @@ def _loop(library: Library, language: Target, routine: Routine) -> str:
     else:
         work += [f"*({'npy_bool' if routine.truth else kind} *){y[0]} = {call});"]
     within = language.printing().doprint(sp.And(*routine.within))
-    work += [f"within &= {within};"]
+    if routine.truth or routine.outside is not sp.nan:
+        work += [f"within &= {within};"]
+    else:  # NaN tells that it may be outside
+        first = f"*({kind} *){y[0]}"
+        work += [f"if ({first} != {first} && !({within})) within = 0;"]
     places = [*x, *y]
     return _LOOP % {
         "name": _name(library, routine),
@@ -74,7 +78,7 @@ def _loop(library: Library, language: Target, routine: Routine) -> str:
 
 
 def _call(library: Library, language: Target, routine: Routine) -> str:
-    """A call with numbers of Python's: what the ufunc gives, or None, if all is finite."""
+    """A call with numbers of Python's: what the ufunc gives, or None."""
     given, count = len(routine.arguments), len(routine.results)
     names = [language.rename(symbol.name) for symbol in routine.arguments]
     call = f"{library.name}_{routine.name}({', '.join(names)}"
@@ -279,11 +283,11 @@ static PyObject *truth(int value) {
     PyArrayScalar_RETURN_FALSE;
 }
 
-/* One of NumPy's numbers or a tuple of them; None if one is NaN or infinite. */
+/* One of NumPy's numbers or a tuple of them; None if one is NaN. */
 static PyObject *numbers(double const *y, int count) {
     PyObject *all;
     int i;
-    for (i = 0; i < count; ++i) if (!isfinite(y[i])) Py_RETURN_NONE;
+    for (i = 0; i < count; ++i) if (isnan(y[i])) Py_RETURN_NONE;
     if (count == 1) return number(y[0]);
     all = PyTuple_New(count);
     for (i = 0; all != NULL && i < count; ++i) {
@@ -297,7 +301,7 @@ static PyObject *numbers(double const *y, int count) {
 %(calls)s
 #define ONE(name) \\
     {"one_" #name, (PyCFunction)(void (*)(void))one_##name, METH_FASTCALL, \\
-     "The same of numbers; None where one is not, is out of range, or something is not finite."}
+     "The same of numbers; None where one is none or is out of range, or a result is NaN."}
 
 static PyMethodDef functions[] = {
 %(methods)s

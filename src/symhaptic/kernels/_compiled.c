@@ -236,11 +236,11 @@ static PyObject *truth(int value) {
     PyArrayScalar_RETURN_FALSE;
 }
 
-/* One of NumPy's numbers or a tuple of them; None if one is NaN or infinite. */
+/* One of NumPy's numbers or a tuple of them; None if one is NaN. */
 static PyObject *numbers(double const *y, int count) {
     PyObject *all;
     int i;
-    for (i = 0; i < count; ++i) if (!isfinite(y[i])) Py_RETURN_NONE;
+    for (i = 0; i < count; ++i) if (isnan(y[i])) Py_RETURN_NONE;
     if (count == 1) return number(y[0]);
     all = PyTuple_New(count);
     for (i = 0; all != NULL && i < count; ++i) {
@@ -392,7 +392,7 @@ static PyObject *one_linear_limit(
 
 #define ONE(name) \
     {"one_" #name, (PyCFunction)(void (*)(void))one_##name, METH_FASTCALL, \
-     "The same of numbers; None where one is not, is out of range, or something is not finite."}
+     "The same of numbers; None where one is none or is out of range, or a result is NaN."}
 
 static PyMethodDef functions[] = {
     ONE(discretize),

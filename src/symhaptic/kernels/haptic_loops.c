@@ -32,7 +32,8 @@ void haptic_discretize_loop(
         const double gamma = *(double const *)x0;
         const double delta = *(double const *)x1;
         haptic_discretize(gamma, delta, (double *)y0, (double *)y1, (double *)y2, (double *)y3);
-        within &= (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -54,8 +55,9 @@ void haptic_discretize_fractional_loop(
         const double epsilon = *(double const *)x2;
         haptic_discretize_fractional(gamma, delta, epsilon, (double *)y0, (double *)y1,
             (double *)y2, (double *)y3, (double *)y4);
-        within &= (delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
+            (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -122,8 +124,10 @@ void haptic_stability_boundary_loop(
         const double delta = *(double const *)x2;
         const double d = *(double const *)x3;
         haptic_stability_boundary(theta, gamma, delta, d, (double *)y0, (double *)y1);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+            (gamma <= 1e+70) && (gamma >= 0.0) && (theta <= 3.141592653589793) &&
+            (theta > 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
     if (!within) strayed = 1;
@@ -143,8 +147,9 @@ void haptic_max_stable_stiffness_loop(
         const double delta = *(double const *)x1;
         const double d = *(double const *)x2;
         haptic_max_stable_stiffness(gamma, delta, d, (double *)y0, (double *)y1, (double *)y2);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+            (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;
@@ -166,9 +171,10 @@ void haptic_passivity_margin_at_loop(
         const double delta = *(double const *)x3;
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
             (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-            (theta > 0.0);
+            (theta > 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -188,8 +194,9 @@ void haptic_passivity_margin_loop(
         const double delta = *(double const *)x2;
         const double d = *(double const *)x3;
         *(double *)y0 = haptic_passivity_margin(alpha, beta, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4;
     }
     if (!within) strayed = 1;
@@ -208,8 +215,9 @@ void haptic_passivity_boundary_loop(
         const double delta = *(double const *)x1;
         const double d = *(double const *)x2;
         haptic_passivity_boundary(theta, delta, d, (double *)y0, (double *)y1);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (theta <= 3.141592653589793) && (theta > 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+            (theta <= 3.141592653589793) && (theta > 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4;
     }
     if (!within) strayed = 1;
@@ -227,7 +235,8 @@ void haptic_max_passive_stiffness_loop(
         const double delta = *(double const *)x0;
         const double d = *(double const *)x1;
         haptic_max_passive_stiffness(delta, d, (double *)y0, (double *)y1, (double *)y2);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4;
     }
     if (!within) strayed = 1;
@@ -246,8 +255,9 @@ void haptic_linear_limit_loop(
         const double delta = *(double const *)x1;
         const double d = *(double const *)x2;
         *(double *)y0 = haptic_linear_limit(beta, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(beta) <= 1e+70);
+        if (*(double *)y0 != *(double *)y0 &&
+            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
+            (fabs(beta) <= 1e+70))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3;
     }
     if (!within) strayed = 1;

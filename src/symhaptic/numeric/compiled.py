@@ -81,7 +81,7 @@ def at_once(
 ) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Let floats and float64 arrays go to a ufunc without a detour.
 
-    Or to ``work``, which is given the ufunc before them; ``into`` is the tuple of the results.
+    Or to ``work``, which is given the ufunc before them; ``into`` is made of the results.
     The ufunc's loop asks of each argument whether it is in range, which costs next to nothing
     there, and tells whether all were.  If not, where the first result has to be ``finite`` and is
     not, and for all other arguments, the function itself is called, which says what is wrong.
@@ -94,12 +94,13 @@ def at_once(
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
         names = [n for n in signature(function).parameters if n != "sheet"]
+        plain = into is None and not finite
         kernel = ufunc if work is None else partial(work, ufunc)
 
         @wraps(function)
         def called(*args: P.args, **named: P.kwargs) -> R:
-            if not named and (found := one(*args)) is not None:
-                return cast(R, found if into is None else into(*found))
+            if not named and (found := one(*args)) is not None and (plain or known(found)):
+                return cast(R, found if plain else made(found))
             given = _numbers(names, args, named)
             if given is None:
                 return function(*args, **named)
@@ -107,12 +108,17 @@ def at_once(
                 found = kernel(*given)
             except ValueError:  # shapes that do not broadcast
                 return function(*args, **named)
-            several = type(found) is tuple
-            if outside() or (finite and not _finite(found[0] if several else found)):
+            if outside() or not known(found):
                 return function(*args, **named)
-            if not several:
-                return cast(R, found)
-            return cast(R, found if into is None else into(*found))
+            return cast(R, made(found))
+
+        def known(found: Any) -> bool:
+            return not finite or _finite(found[0] if type(found) is tuple else found)
+
+        def made(found: Any) -> Any:
+            if into is None:
+                return found
+            return into(*found) if type(found) is tuple else into(found)
 
         return called
 

@@ -11,6 +11,7 @@ number in the brackets.  Chapter s4d_roots_counted derives this.
 
 from __future__ import annotations
 
+from operator import methodcaller
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -159,12 +160,7 @@ def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) 
     return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
 
-def _whole(kernel: Any, *numbers: Any) -> Any:
-    """The count as integers; without an axis a number."""
-    return kernel(*numbers).astype(np.int64)
-
-
-@at_once("unstable_roots", work=_whole)
+@at_once("unstable_roots", into=methodcaller("astype", np.int64))
 @kept(unstable_roots=int)
 def unstable_roots(
     alpha: ArrayLike,
