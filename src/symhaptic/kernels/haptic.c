@@ -1165,7 +1165,11 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
 static inline double largest_required_damping(double alpha, double beta, double d) {
     if (alpha < 0.0) { return INFINITY; }
     const double whole = floor(d), part = d - whole;
-    return damping_at(alpha, beta, whole, part, worst_angle(alpha, beta, whole, part));
+    const double lift = (fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
+        6.668014432879854e+240 : 1.0);
+    const double stiffness = alpha*lift, damping = beta*lift;
+    return damping_at(stiffness, damping, whole, part,
+        worst_angle(stiffness, damping, whole, part))/lift;
 }
 
 // early + share (late - early)

@@ -1943,10 +1943,17 @@ def worst_angle(xp, alpha, beta, l, epsilon):
 
 def largest_required_damping(xp, alpha, beta, d):
     """the damping that the wall needs at its worst angle"""
+    number, number2 = (9.094947017729282e-13,
+        1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
+        6.668014432879854e+240)
     def no(alpha, beta, d):
         whole = xp.floor(d)
         part = d - whole
-        return damping_at(xp, alpha, beta, whole, part, worst_angle(xp, alpha, beta, whole, part))
+        lift = xp.where(xp.abs(alpha) + xp.abs(beta) < number, xp.full_like(alpha, number2), 1.0)
+        stiffness = alpha*lift
+        damping = beta*lift
+        return damping_at(xp, stiffness, damping, whole, part,
+            worst_angle(xp, stiffness, damping, whole, part))/lift
 
     return select(xp, alpha < 0.0, lambda alpha: xp.inf, (alpha,), no, (alpha, beta, d))
 

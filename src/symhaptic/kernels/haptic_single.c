@@ -1178,7 +1178,10 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
 static inline float largest_required_damping(float alpha, float beta, float d) {
     if (alpha < 0.0f) { return INFINITY; }
     const float whole = floorf(d), part = d - whole;
-    return damping_at(alpha, beta, whole, part, worst_angle(alpha, beta, whole, part));
+    const float lift = (fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f);
+    const float stiffness = alpha*lift, damping = beta*lift;
+    return damping_at(stiffness, damping, whole, part,
+        worst_angle(stiffness, damping, whole, part))/lift;
 }
 
 // early + share (late - early)
