@@ -22,7 +22,7 @@ SIZES = {
     "stability_boundary": 7248,
     "max_stable_stiffness": 15208,
     "passivity_margin_at": 660,
-    "passivity_margin": 2416,
+    "passivity_margin": 2484,
     "passivity_boundary": 3204,
     "max_passive_stiffness": 3688,
     "linear_limit": 100,
