@@ -32,7 +32,7 @@ def derive(page):
     page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
     page.step(
-        "The slope factors",
+        "Two chords are the factors of the slope",
         diff(rising, psi),
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",

@@ -28,7 +28,7 @@ GAINS = half_late(Rational(17, 10))
 def derive(page):
     angle = pi / (2 * (d + 1))
     page.step(
-        "The curve has this height",
+        "The tip of the envelope has the stiffness of (11)",
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
         name=r"\frac{KT}{b}",

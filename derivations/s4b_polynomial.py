@@ -41,7 +41,7 @@ def derive(page):
         name=r"\tfrac{T^2}{m}H(z)z^{-d}",
     )
     page.step(
-        "The loop closes as",
+        "The closed loop is a quotient with one denominator",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
         name=r"\tfrac{m}{T^2}G_x(z)",

@@ -69,8 +69,18 @@ def largest(page):
     )
     page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
     hard, viscous = RATIOS[EXCLUDED]
-    page.step("This stiffness is beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
-    page.step("This damping is beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
+    page.step(
+        "The stiffness of the row that is left out is beyond (23)",
+        hard * PERIOD**2,
+        Rational(1, 150),
+        name=gamma,
+    )
+    page.step(
+        "The damping of the row that is left out is beyond (23)",
+        viscous * PERIOD,
+        Rational(1, 20),
+        name=delta,
+    )
     return spring, up
 
 

@@ -116,7 +116,7 @@ def periods(page):
         positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]),
     )
     page.enclosed(
-        "They cover periods up to, in milliseconds",
+        "The ranges cover periods up to these, in milliseconds",
         [
             ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
             ("T_{\\delta}", 20 / DAMPING),

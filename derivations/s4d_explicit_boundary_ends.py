@@ -53,13 +53,34 @@ def start(page):
     page.limit(
         "The boundary starts on the left bound", stiffness, theta, S.Zero, -gamma, name=alpha
     )
-    page.limit("Its damping there is", damping, theta, S.Zero, -s_1 - d * gamma, name=beta)
+    page.limit(
+        "The boundary starts from the damping $-s_1-d\\gamma$",
+        damping,
+        theta,
+        S.Zero,
+        -s_1 - d * gamma,
+        name=beta,
+    )
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
     across, name = (stiffness + gamma) / theta**2, r"\frac{\alpha+\gamma}{\theta^2}"
-    page.limit("From there it goes to the right by", across, theta, S.Zero, right, name=name)
+    page.limit(
+        "From its start the boundary goes to the right in the second order",
+        across,
+        theta,
+        S.Zero,
+        right,
+        name=name,
+    )
     across, name = (damping + s_1 + d * gamma) / theta**2, r"\frac{\beta+s_1+d\gamma}{\theta^2}"
-    page.limit("From there it goes up by", across, theta, S.Zero, up, name=name)
+    page.limit(
+        "From its start the boundary goes up in the second order",
+        across,
+        theta,
+        S.Zero,
+        up,
+        name=name,
+    )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
         "At the start the boundary has the slope",
@@ -127,7 +148,8 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) it is", [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))]
+        "At the corner of (23) the difference is enclosed",
+        [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))],
     )
 
 
@@ -138,9 +160,11 @@ def nyquist(page):
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
     page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
-    page.limit("It ends with the damping", damping, theta, pi, end, name=r"(-1)^d\beta")
     page.limit(
-        "It ends on the line of a root at $-1$",
+        "At $\\theta\\to\\pi$ the damping is finite", damping, theta, pi, end, name=r"(-1)^d\beta"
+    )
+    page.limit(
+        "At $\\theta\\to\\pi$ the boundary ends on the line of a root at $-1$",
         stiffness + 2 * damping,
         theta,
         pi,

@@ -30,7 +30,7 @@ def derive(page):
         page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
     )
     page.show(
-        "The boundary's damping is",
+        "With $\\tau$ stiffness and twice the damping are a sine",
         alpha + 2 * beta,
         4 * tau * sin(ANGLE),
         page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),

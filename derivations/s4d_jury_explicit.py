@@ -30,7 +30,12 @@ def derive(page):
     top = (1 - n_0 * beta) * (RISE * beta + 1 - e + gamma * n_0)
     below = n_0 * (1 + n_1 * beta)
     split = top - below * (alpha + gamma)
-    page.step("The minor is", minor.subs(spring), split, name=r"\Delta_2")
+    page.step(
+        "With any spring the minor is linear in the stiffness",
+        minor.subs(spring),
+        split,
+        name=r"\Delta_2",
+    )
     page.show(
         "With any spring the minor vanishes at this stiffness",
         alpha + gamma,

@@ -47,7 +47,7 @@ def derive(page):
     )
     margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
     page.step(
-        "Here the product is negative",
+        "At this wall the product is negative",
         margin,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
         because="negative for every $x$: no damping makes the line a border of the region",

@@ -90,7 +90,7 @@ def stiffness(page):
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
-        "The largest stiffness is",
+        "The largest stiffness has a closed form",
         largest,
         (TOTAL - best) ** 2 / (N_0 * N_1**2),
         name=r"\alpha_{\max}",

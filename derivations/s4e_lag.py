@@ -95,7 +95,7 @@ def neglected(page):
         "to first order in $s$, and leave out"
     )
     page.limit(
-        "The lag errs in the second order by",
+        "The lag errs in the second order",
         (lag.held() - 1 / (1 + lag.DELAY * s)) / s**2,
         s,
         S.Zero,
@@ -103,7 +103,7 @@ def neglected(page):
         name=r"\frac1{s^2}\Bigl(H_0-\frac1{1+t_es}\Bigr)",
     )
     page.limit(
-        "The derivative errs by",
+        "The derivative errs in the second order by half a period",
         ((1 - exp(-s * T)) / T - s) / s**2,
         s,
         S.Zero,

@@ -32,7 +32,7 @@ ONES = {m: S.One, T: S.One, t_d: HALF}
 def derive(page):
     whole, kept = lag.margin(Plant()), b + B - K * t_e
     page.step(
-        "The dropped term is",
+        "The dropped term has the factor $bt_e/m$",
         whole - kept,
         b * t_e / m * ((b + B - K * t_e) + (K + k) * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)-(b+B-Kt_e)",

@@ -117,7 +117,7 @@ def periods(page):
         name=r"\frac{1/2-\nu}{\delta}",
     )
     page.limit(
-        "The sum of the numerator",
+        "The sum of the numerator tends to 1",
         (2 * exp(-delta / 2) * up / spring).subs(brief, simultaneous=True),
         h,
         S.Zero,

@@ -51,8 +51,8 @@ def test_what_hold_and_difference_are_beside_lag_and_derivative():
 
     only(
         agrees,
-        shown(LAG, "The lag errs in the second order by"),
-        shown(LAG, "The derivative errs by"),
+        shown(LAG, "The lag errs in the second order"),
+        shown(LAG, "The derivative errs in the second order by half a period"),
     )
 
 

@@ -258,7 +258,7 @@ def test_what_the_ratio_tends_to_and_where_it_is_stiffest():
 
             assert abs(mpmath.diff(slow, phi)) < 1e-25
 
-    only(agrees, shown(FREE, "The delay"))
+    only(agrees, shown(FREE, "The delay $d=1/u-1$ belongs to the angle $\\varphi$"))
 
 
 @guards("s5b_weaker_damping")
