@@ -47,7 +47,7 @@ def derive(page):
         name="U",
     )
     page.step(
-        "It rises to $N\\psi=\\pi/2$ and falls after",
+        "The envelope's stiffness rises to $N\\psi=\\pi/2$ and falls after",
         diff(curve, psi),
         2 * N**2 * sin(psi) ** 2 * cos(N * psi) * rising / divisor**2,
         name=r"\partial U/\partial\psi",

@@ -54,7 +54,7 @@ def derive(page):
         name=r"K|_{\theta=\pi/(d+1)}",
     )
     page.step(
-        "It ends there with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
+        "The border ends with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
     )
     bottom = page.limit(
         "At low frequencies the border is this line",

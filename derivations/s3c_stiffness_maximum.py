@@ -36,7 +36,7 @@ def derive(page):
     )
     angle = pi / (2 * (d + 1))
     page.step(
-        "That coefficient vanishes first at $\\theta=\\pi/(2(d+1))$",
+        "The coefficient of $B$ vanishes first at $\\theta=\\pi/(2(d+1))$",
         cos((d + 1) * angle),
         S.Zero,
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
@@ -46,7 +46,7 @@ def derive(page):
     left = b - need.subs(theta, angle)
     largest = -left.subs(K, 0) / diff(left, K)
     stiffness = page.step(
-        "There only the stiffness counts, and its limit is",
+        "At that angle only the stiffness counts, and has a limit",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,

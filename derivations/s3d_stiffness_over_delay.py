@@ -49,14 +49,14 @@ def larger(page):
     wall = {K: Rational("1.17"), B: Rational("0.32")}
     square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
     page.show(
-        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is",
+        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic in $x$",
         "D/b^2",
         square,
         page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
         because="with $x=\\cos^2\\frac\\theta2$",
     )
     return page.positive(
-        "It is passive",
+        "The wall beyond Fig. 5 is passive",
         box.positive(square, {x: (0, 1)}),
         on=r"0\le x\le1",
         name="D/b^2",

@@ -35,7 +35,7 @@ def derive(page):
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "The wall in these numbers is",
+        "In these numbers the wall has no unit",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
         name=r"\tfrac{T^2}{m}H(z)z^{-d}",

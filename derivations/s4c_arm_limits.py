@@ -62,7 +62,7 @@ def largest(page):
         "the last digits would allow"
     )
     page.step(
-        "The stiffest arm that the printed digits allow has",
+        "The stiffest arm that the printed digits allow has a ratio of 758",
         Rational("568.5") / Rational("0.75"),
         S(758),
         name=r"\frac{568.5}{0.75}",

@@ -31,7 +31,7 @@ def start(page):
     given = {gamma: (delta**2 - c**2) / 4}
     static = (1 - device.a + device.e).xreplace(given)
     page.show(
-        "The arm's stiffness in poles is",
+        "The spring is the denominator's value at 1",
         "1-a+e",
         gamma * TOTAL,
         page.same("static", static, (gamma * (device.n1 + device.n0)).xreplace(given)),
@@ -98,7 +98,7 @@ def without_spring(page, slope):
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
     page.step("Without a spring the damping is $\\delta$", FIRST.subs(numbers), delta, name=s_1)
-    page.step("Without a spring its mass is", SECOND.subs(numbers), S.One, name=s_2)
+    page.step("Without a spring the mass $s_2$ is 1", SECOND.subs(numbers), S.One, name=s_2)
     excess = 1 / tanh(delta / 2) - 2 / delta
     page.step(
         "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
@@ -132,7 +132,7 @@ def gap(page):
     below = FIRST.subs(numbers) - delta - gamma / 2
     weighed = below * gamma * (device.n1 + device.n0)
     page.show(
-        "Below that line the start lies by",
+        "The start lies below that line by a difference of order $\\delta\\gamma^2$",
         r"s_1-\delta-\tfrac12\gamma",
         exp(-delta / 2) / (gamma * TOTAL) * waves,
         page.same("gap", weighed.xreplace(given), (exp(-delta / 2) * waves).xreplace(given)),
@@ -140,7 +140,7 @@ def gap(page):
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.show(
-        "For short periods, $\\delta$ of order $T$ and $\\gamma$ of order $T^2$, that is",
+        "For short periods the difference is $\\delta\\gamma^2/720$ to lowest order",
         r"\lim_{T\to0}\frac{720}{\delta\gamma^2}\bigl(s_1-\delta-\tfrac12\gamma\bigr)",
         S.One,
         page.limits(720 * scaled / (h**7 * delta * gamma**3).xreplace(given), h, S.Zero, S.One),

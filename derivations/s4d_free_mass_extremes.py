@@ -129,7 +129,7 @@ def whole_delays(page, stiffness, bend):
         because="$\\alpha_{\\max}(d)/4$ is the smallest positive root of $\\mu_d$",
     )
     page.enclosed(
-        "The largest stable stiffness of a free mass is",
+        "The largest stable stiffnesses of a free mass are enclosed",
         [
             (rf"\alpha_{{\max}}({delay})", value(4 * rho, {rho: number}))
             for delay, number in enumerate(found)

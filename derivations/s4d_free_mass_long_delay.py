@@ -22,7 +22,7 @@ def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
     scaled = page.step(
-        "With $\\varphi$ for the angle the stiffness is",
+        "With $\\varphi$ for the angle the stiffness has a factor near 1",
         stiffness / h**2,
         LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
         name=r"(d+1)^2\alpha",
@@ -77,7 +77,7 @@ def expansion(page, scaled, angle):
     page.limits((scaled - LONG - h**2 * next_one) / h**4, h, S.Zero, after)
     there = {sin(phi): 2 * cos(phi) / phi}
     bent = page.step(
-        "At $\\varphi_*$, where $\\sin\\varphi_*=2\\cos\\varphi_*/\\varphi_*$, the curvature is",
+        "At $\\varphi_*$, with $\\tan\\varphi_*=2/\\varphi_*$, the curvature is negative",
         diff(LONG, phi, 2).subs(there),
         -(6 + phi**2) * cos(phi),
         name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",

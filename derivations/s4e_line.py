@@ -69,7 +69,7 @@ def derive(page):
     )
     crossing = flat * delta / rise
     page.step(
-        "In short periods the boundary crosses the line at",
+        "In short periods the boundary crosses the line at one stiffness",
         crossing,
         flat / (d + 1) * delta / (2 * d + 1) / (2 * d + 3),
         name=r"\alpha_\times",

@@ -166,7 +166,10 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
         at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
         assert abs(value(formula, **at, **oracle.named(gamma, delta)) - gap) < 1e-30
 
-    only(agrees_with_the_gap, shown(ENDS, "Below that line the start lies by"))
+    only(
+        agrees_with_the_gap,
+        shown(ENDS, r"The start lies below that line by a difference of order $\delta\gamma^2$"),
+    )
     small = mpmath.mpf("1e-6")  # the next terms are smaller by this
     gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
     gap = 720 * (gap - small - small**2 / 2) / small**5

@@ -177,7 +177,7 @@ def test_the_product_of_the_roots_bounds_the_damping():
             found = -np.prod(np.linalg.eigvals(oracle.loops(0.2, beta, 0, delta, 0))).real
             assert number(product, beta=beta, **numbers) == pytest.approx(found, rel=1e-13)
 
-    only(agrees, shown(DAMPED, "The product of the three roots, its sign changed, is"))
+    only(agrees, shown(DAMPED, r"The product of the three roots is $n_0\beta$"))
     for delta in (0.02, 0.5):
         limit = 1 / float(oracle.numbers(0, delta)[1])
         assert not any(oracle.stable(a, 1.001 * limit, 0, delta, 0) for a in np.geomspace(1e-6, 1))

@@ -149,13 +149,18 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"B": beta * m / T, "b": delta * m / T, "m": m, "T": T}
             assert number(largest, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees_in_units, shown(EXPLICIT, "In physical units it is"))
+    only(
+        agrees_in_units,
+        shown(
+            EXPLICIT, "In physical units the largest stiffness depends on mass, damping and period"
+        ),
+    )
 
     def agrees_free(still):
         for beta in (0.3, 0.8, 1.7):
             assert number(still, beta=beta) == pytest.approx(most(beta, 0, 0, 0), rel=1e-10)
 
-    only(agrees_free, shown(EXPLICIT, "Without damping it tends to"))
+    only(agrees_free, shown(EXPLICIT, "Without damping the solution tends to a limit"))
 
 
 @guards("s4d_jury_implicit")

@@ -36,7 +36,7 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(UNDELAYED, "So the largest stable stiffness without delay is"))
+    only(agrees, shown(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
     ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
