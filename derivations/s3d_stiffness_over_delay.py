@@ -49,7 +49,7 @@ def larger(page):
     wall = {K: Rational("1.17"), B: Rational("0.32")}
     square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
     page.show(
-        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic in $x$",
+        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic",
         "D/b^2",
         square,
         page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),

@@ -43,8 +43,8 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others():
         for d in (1, 0, 2, 5):
             stable_between(stiffness, both, d)
 
-    titles = ["With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is"]
-    titles.append("The boundary's damping is")
+    titles = [r"With $\tau=\tan\frac\theta2$ the boundary's stiffness is a cosine"]
+    titles.append(r"With $\tau$ stiffness and twice the damping are a sine")
     only(agrees, *(shown(MASS, title) for title in titles), by=0.2)
     for d in (0, 1, 2, 5):
         assert not any(oracle.stable(-1e-3, beta, 0, 0, d) for beta in np.linspace(-2, 2, 21))
@@ -67,7 +67,7 @@ def test_how_the_two_roots_near_one_move():
 
 @guards("s4d_free_mass_extremes")
 def test_the_largest_stiffness_by_a_search_with_eigenvalues():
-    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
+    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
     for d in (0, 1, 2, 4, 8):
         low, high = 0.02, 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
         found, _ = stiffest(0, 0, d, low, high, top=2.0)
@@ -84,7 +84,7 @@ def test_minimal_polynomials_have_these_roots():
         for b in page(EXTREMES).blocks
         if b.title == "The largest stiffnesses are algebraic, with these minimal polynomials"
     )
-    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
+    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
     for (_, _, polynomial), alpha in zip(polynomials.lines, printed, strict=True):
         # alpha is cut after 24 digits; the slopes are of the size of the coefficients
         size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
@@ -107,8 +107,8 @@ def test_the_largest_damping_of_a_free_mass():
 @guards("s4d_free_mass_long_delay")
 def test_long_delays():
     """The largest (d+1)^2 alpha: at h = 0 and for small h by Newton's method on its slope."""
-    angle, largest = decimals(LONG, "In numbers the peak is at")
-    second, third = decimals(LONG, "In numbers the next terms are")
+    angle, largest = decimals(LONG, "Angle and height of the peak are enclosed")
+    second, third = decimals(LONG, "The factors of the next terms are enclosed")
 
     def top(h):
         """Largest 4 tan(h phi/2)^2 cos(phi)/h^2 over phi, from a wall with that root."""
@@ -145,8 +145,8 @@ def test_long_delays():
 
 @guards("s4d_free_mass_long_delay")
 def test_a_long_delay_by_eigenvalues():
-    _, largest = map(float, decimals(LONG, "In numbers the peak is at"))
-    second, third = map(float, decimals(LONG, "In numbers the next terms are"))
+    _, largest = map(float, decimals(LONG, "Angle and height of the peak are enclosed"))
+    second, third = map(float, decimals(LONG, "The factors of the next terms are enclosed"))
     d = 30
     h = 1 / (d + 1)
     found, _ = stiffest(0, 0, d, 0.02, 0.05, top=0.01)
