@@ -49,14 +49,14 @@ def derive(page):
     )
     lag = 1 / (1 + I * omega)
     page.step(
-        "One lag",
+        "One lag is passive",
         real_part(lag),
         1 / (1 + omega**2),
         name=r"\Re\frac{1}{1+j\omega}",
         because="positive: the lag is passive",
     )
     page.step(
-        "Two lags in a chain",
+        "Two lags in a chain are not passive",
         real_part(lag**2),
         (1 - omega**2) / (1 + omega**2) ** 2,
         name=r"\Re\frac{1}{(1+j\omega)^2}",

@@ -55,7 +55,7 @@ def derive(page):
         paper="7",
     )
     nice_damping = page.step(
-        "They meet at this damping",
+        "Two neighbouring lines meet at this damping",
         damping,
         2 * b * (d * sin((d + 1) * theta) - (d + 1) * sin(d * theta)) / shared,
         name=B,
@@ -64,7 +64,7 @@ def derive(page):
     on_curve = {K: nice_stiffness, B: nice_damping}
     page.step("The point lies on the line", line.subs(on_curve), S.Zero, name=r"F\big|_{(K,B)}")
     page.step(
-        "It lies on the neighbour too",
+        "The envelope lies on the neighbouring line, too",
         diff(line, theta).subs(on_curve),
         S.Zero,
         name=r"\partial F/\partial\theta\,\big|_{(K,B)}",

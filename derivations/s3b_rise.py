@@ -32,7 +32,7 @@ def derive(page):
     page.lemma("The chord after the angle is positive", chord_after())
     rising = bend().conclusion.right
     page.step(
-        "The slope factors",
+        "Two chords are the factors of the slope",
         diff(rising, psi),
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
@@ -47,7 +47,7 @@ def derive(page):
         name="U",
     )
     page.step(
-        "It rises to $N\\psi=\\pi/2$ and falls after",
+        "The envelope's stiffness rises to $N\\psi=\\pi/2$ and falls after",
         diff(curve, psi),
         2 * N**2 * sin(psi) ** 2 * cos(N * psi) * rising / divisor**2,
         name=r"\partial U/\partial\psi",

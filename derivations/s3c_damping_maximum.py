@@ -54,7 +54,7 @@ def derive(page):
         name=r"K|_{\theta=\pi/(d+1)}",
     )
     page.step(
-        "It ends there with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
+        "The border ends with the damping of the device", damping, b, name=r"B|_{\theta=\pi/(d+1)}"
     )
     bottom = page.limit(
         "At low frequencies the border is this line",
@@ -65,7 +65,10 @@ def derive(page):
         name="F",
     )
     page.step(
-        "It meets $K=0$ at $B=-b$", bottom.subs({K: 0, B: -b}), S.Zero, name=r"F|_{K=0,\,B=-b}"
+        "The line of low frequencies meets $K=0$ at $B=-b$",
+        bottom.subs({K: 0, B: -b}),
+        S.Zero,
+        name=r"F|_{K=0,\,B=-b}",
     )
     page.say(
         "For $K\\ge0$ the first line gives $B\\le b-KT/2\\le b$, so the damping is largest at "

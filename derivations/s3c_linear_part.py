@@ -48,7 +48,7 @@ def derive(page):
         name=K,
     )
     end_damping = page.limit(
-        "It ends on it with this damping",
+        "The envelope ends on the line with the damping $bd/(2d+3)$",
         damping,
         theta,
         S.Zero,

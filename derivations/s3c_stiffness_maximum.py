@@ -29,14 +29,14 @@ def derive(page):
         "the right side its need."
     )
     page.step(
-        "The damping has this coefficient",
+        "The coefficient of the virtual damping is a cosine",
         diff(need, B),
         -cos((d + 1) * theta),
         name=r"\partial\,\text{need}/\partial B",
     )
     angle = pi / (2 * (d + 1))
     page.step(
-        "It vanishes first at $\\theta=\\pi/(2(d+1))$",
+        "The coefficient of $B$ vanishes first at $\\theta=\\pi/(2(d+1))$",
         cos((d + 1) * angle),
         S.Zero,
         name=r"\cos(d+1)\theta\,|_{\theta=\pi/(2(d+1))}",
@@ -46,7 +46,7 @@ def derive(page):
     left = b - need.subs(theta, angle)
     largest = -left.subs(K, 0) / diff(left, K)
     stiffness = page.step(
-        "There only the stiffness counts, and its limit is",
+        "At that angle only the stiffness counts, and has a limit",
         largest,
         2 * b / T * tan(pi / (4 * (d + 1))),
         name=K,
@@ -56,7 +56,10 @@ def derive(page):
     )
     on_curve = [e.subs(theta, angle) for e in passivity.envelope()]
     page.step(
-        "It lies on the envelope", on_curve[0] - stiffness, S.Zero, name=r"K\big|_{\text{(7)}}-K"
+        "The stiffest passive wall lies on the envelope",
+        on_curve[0] - stiffness,
+        S.Zero,
+        name=r"K\big|_{\text{(7)}}-K",
     )
     damping = page.step(
         "The largest stiffness takes this damping",

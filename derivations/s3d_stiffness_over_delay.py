@@ -28,7 +28,7 @@ GAINS = half_late(Rational(17, 10))
 def derive(page):
     angle = pi / (2 * (d + 1))
     page.step(
-        "The curve has this height",
+        "The tip of the envelope has the stiffness of (11)",
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
         name=r"\frac{KT}{b}",
@@ -49,14 +49,14 @@ def larger(page):
     wall = {K: Rational("1.17"), B: Rational("0.32")}
     square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
     page.show(
-        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is",
+        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic",
         "D/b^2",
         square,
         page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
         because="with $x=\\cos^2\\frac\\theta2$",
     )
     return page.positive(
-        "It is passive",
+        "The wall beyond Fig. 5 is passive",
         box.positive(square, {x: (0, 1)}),
         on=r"0\le x\le1",
         name="D/b^2",

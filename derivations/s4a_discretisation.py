@@ -41,7 +41,7 @@ def derive(page):
     law = plant.state_matrix
     phi, held = plant.transition(t), plant.held(t)
     page.step(
-        "It solves the equation of motion",
+        "Putzer's formula solves the equation of motion",
         (diff(phi, t) - law * phi)[1, 1],
         S.Zero,
         name=r"\bigl(\tfrac{d}{dt}e^{At}-Ae^{At}\bigr)_{22}",
@@ -86,7 +86,7 @@ def derive(page):
     (form,) = read(CORRECTED)
     given = images | {k: stiffness}
     page.show(
-        "The discrete equivalent is",
+        "The discrete equivalent is the printed one with a factor $m/T$",
         "P(z)",
         CORRECTED,
         page.same("written", exact.xreplace(given), form.xreplace(given)),
@@ -117,7 +117,7 @@ def derive(page):
 
 def _delay(page):
     page.say("A delay of $d$ periods multiplies by $e^{-dTs}$, and with $z=e^{Ts}$:")
-    page.define("One period shifts by $z$", z, exp(T * s))
+    page.define("A shift by one period is a factor $z$", z, exp(T * s))
     page.step(
         "On the unit circle the delay only turns",
         on_circle(z ** (-d), omega * T),

@@ -52,7 +52,7 @@ def derive(page):
     )
     free = normalised(Parts(stiffness=False, damping=False))
     page.step(
-        "A force that grows in time, $F_E=t$, moves the mass by",
+        "A force that grows in time, $F_E=t$, moves the mass by a sixth",
         integrate(free.transition(1 - t)[0, 1] * t, (t, 0, 1)),
         Rational(1, 6),
         name="x_1",

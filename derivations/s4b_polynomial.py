@@ -35,13 +35,13 @@ def derive(page):
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "The wall in these numbers is",
+        "In these numbers the wall has no unit",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
         name=r"\tfrac{T^2}{m}H(z)z^{-d}",
     )
     page.step(
-        "The loop closes as",
+        "The closed loop is a quotient with one denominator",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
         name=r"\tfrac{m}{T^2}G_x(z)",

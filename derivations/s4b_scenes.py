@@ -82,7 +82,11 @@ def derive(page):
         ("Damping and delay", Parts(), bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)),
         ("Damping, no delay", Parts(delay=False), bottom * z + top * ((alpha + beta) * z - beta)),
         ("Delay, no virtual damping", Parts(virtual_damping=False), bottom * z**d + alpha * top),
-        ("Neither", Parts(virtual_damping=False, delay=False), bottom + alpha * top),
+        (
+            "Neither damping nor delay",
+            Parts(virtual_damping=False, delay=False),
+            bottom + alpha * top,
+        ),
     ):
         made = plant.sampled(plant.normalised(kept), split=c)
         numbers = {a: made.a, e: made.e, n_1: made.n1, n_0: made.n0}

@@ -32,7 +32,7 @@ def derive(page):
     both = Plant(m_D, b_D, None).characteristic + Plant(m_H, b_H, k_H).characteristic
     mass, damping, stiffness = Poly(both, s).all_coeffs()
     spring = page.step(
-        "In units of mass and period the spring is",
+        "In units of mass and period the spring is a pure number",
         stiffness * T**2 / mass,
         T**2 * k_H / (m_D + m_H),
         name=gamma,
@@ -40,7 +40,11 @@ def derive(page):
         paper="19",
     )
     damper = page.step(
-        "The damper is", damping * T / mass, T * (b_D + b_H) / (m_D + m_H), name=delta, paper="19"
+        "In units of mass and period the damper is a pure number",
+        damping * T / mass,
+        T * (b_D + b_H) / (m_D + m_H),
+        name=delta,
+        paper="19",
     )
     _numbers(page, Eq(gamma, spring), Eq(delta, damper))
     page.say("Leaving the other's mass out enlarges each part. By how much?")

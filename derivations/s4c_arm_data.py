@@ -114,7 +114,7 @@ def converted(page):
         "seconds, with 1 lb $=$ 0.45359237 kg, 1 in $=$ 0.0254 m and $g=$ 9.80665 m/s$^2$."
     )
     page.step(
-        "At 1 Hz critical damping is",
+        "At 1 Hz $b_H=4\\pi m_H$ is critical damping",
         (4 * pi) ** 2 - 4 * (4 * pi**2),
         S.Zero,
         name=r"b_H^2-4k_Hm_H\,\big|_{m_H=1,\ k_H=4\pi^2,\ b_H=4\pi}",
@@ -127,7 +127,7 @@ def converted(page):
         (r"1\,\mathrm{lbf\,s/in}", force, lawrence.damping),
     )
     page.enclosed(
-        "In SI units the limits are",
+        "The limits in SI units are enclosed",
         [(name, value) for name, value, _ in found],
         because="printed as 39.5, 12.6, 17.51, 175.1 and 175.1",
         places=6,

@@ -62,15 +62,25 @@ def largest(page):
         "the last digits would allow"
     )
     page.step(
-        "The stiffest arm that the printed digits allow has",
+        "The stiffest arm that the printed digits allow has a ratio of 758",
         Rational("568.5") / Rational("0.75"),
         S(758),
         name=r"\frac{568.5}{0.75}",
     )
     page.say(f"The row of {EXCLUDED} is left out. At $T=1$ ms, with a device of no mass, it has")
     hard, viscous = RATIOS[EXCLUDED]
-    page.step("This stiffness is beyond (23)", hard * PERIOD**2, Rational(1, 150), name=gamma)
-    page.step("This damping is beyond (23)", viscous * PERIOD, Rational(1, 20), name=delta)
+    page.step(
+        "The stiffness of the row that is left out is beyond (23)",
+        hard * PERIOD**2,
+        Rational(1, 150),
+        name=gamma,
+    )
+    page.step(
+        "The damping of the row that is left out is beyond (23)",
+        viscous * PERIOD,
+        Rational(1, 20),
+        name=delta,
+    )
     return spring, up
 
 

@@ -49,7 +49,7 @@ def derive(page):
     )
     factors = [more / value for more, value in zip(wide, before, strict=True)]
     page.enclosed(
-        "After rounding the ranges are wider by",
+        "Rounding makes the ranges wider",
         [
             (rf"\frac{{{text}}}{{{NAMES[name]}}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
@@ -116,7 +116,7 @@ def periods(page):
         positive(DAMPING * T < 20 * LONGEST, [spare], [DAMPING, short]),
     )
     page.enclosed(
-        "They cover periods up to, in milliseconds",
+        "The ranges cover periods up to these, in milliseconds",
         [
             ("T_{\\gamma}", sqrt(LONGEST / STIFFNESS) * 1000),
             ("T_{\\delta}", 20 / DAMPING),
@@ -129,7 +129,7 @@ def periods(page):
         del others[name]
     limit = max(others.values()) + Rational(DEVICE_RATIO)
     page.show(
-        "Without the row of Tsuji et al. the sum is",
+        "Without the row of Tsuji et al. the sum is smaller",
         "12.6+0.625",
         "13.225",
         page.same("limit", limit, Rational("13.225")),

@@ -31,7 +31,7 @@ def derive(page):
     )
     q = boundary.needed(plant.Sampled(n_1, n_0, a, e))
     page.step(
-        "A root needs this wall",
+        "A root on the circle needs one wall",
         polynomial / (z * top),
         alpha + beta * (1 - 1 / z) - q,
         name=r"\frac{p_1(z)}{zN(z)}",
@@ -43,7 +43,7 @@ def derive(page):
         "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
     )
     page.show(
-        "The boundary has this damping",
+        "At each angle the boundary has one damping",
         beta,
         r"\frac{\Im Q}{\sin\theta}",
         solved,
@@ -51,7 +51,7 @@ def derive(page):
         boxed=True,
     )
     page.show(
-        "It has this stiffness",
+        "At each angle the boundary has one stiffness",
         alpha,
         r"\Re Q-\beta(1-\cos\theta)",
         solved,

@@ -31,7 +31,7 @@ def start(page):
     given = {gamma: (delta**2 - c**2) / 4}
     static = (1 - device.a + device.e).xreplace(given)
     page.show(
-        "The arm's stiffness in poles is",
+        "The spring is the denominator's value at 1",
         "1-a+e",
         gamma * TOTAL,
         page.same("static", static, (gamma * (device.n1 + device.n0)).xreplace(given)),
@@ -53,13 +53,34 @@ def start(page):
     page.limit(
         "The boundary starts on the left bound", stiffness, theta, S.Zero, -gamma, name=alpha
     )
-    page.limit("Its damping there is", damping, theta, S.Zero, -s_1 - d * gamma, name=beta)
+    page.limit(
+        "The boundary starts from the damping $-s_1-d\\gamma$",
+        damping,
+        theta,
+        S.Zero,
+        -s_1 - d * gamma,
+        name=beta,
+    )
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
     across, name = (stiffness + gamma) / theta**2, r"\frac{\alpha+\gamma}{\theta^2}"
-    page.limit("From there it goes to the right by", across, theta, S.Zero, right, name=name)
+    page.limit(
+        "From its start the boundary goes to the right in the second order",
+        across,
+        theta,
+        S.Zero,
+        right,
+        name=name,
+    )
     across, name = (damping + s_1 + d * gamma) / theta**2, r"\frac{\beta+s_1+d\gamma}{\theta^2}"
-    page.limit("From there it goes up by", across, theta, S.Zero, up, name=name)
+    page.limit(
+        "From its start the boundary goes up in the second order",
+        across,
+        theta,
+        S.Zero,
+        up,
+        name=name,
+    )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
         "At the start the boundary has the slope",
@@ -77,7 +98,7 @@ def without_spring(page, slope):
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
     page.step("Without a spring the damping is $\\delta$", FIRST.subs(numbers), delta, name=s_1)
-    page.step("Without a spring its mass is", SECOND.subs(numbers), S.One, name=s_2)
+    page.step("Without a spring the mass $s_2$ is 1", SECOND.subs(numbers), S.One, name=s_2)
     excess = 1 / tanh(delta / 2) - 2 / delta
     page.step(
         "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
@@ -111,7 +132,7 @@ def gap(page):
     below = FIRST.subs(numbers) - delta - gamma / 2
     weighed = below * gamma * (device.n1 + device.n0)
     page.show(
-        "Below that line the start lies by",
+        "The start lies below that line by a difference of order $\\delta\\gamma^2$",
         r"s_1-\delta-\tfrac12\gamma",
         exp(-delta / 2) / (gamma * TOTAL) * waves,
         page.same("gap", weighed.xreplace(given), (exp(-delta / 2) * waves).xreplace(given)),
@@ -119,7 +140,7 @@ def gap(page):
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
     page.show(
-        "For short periods, $\\delta$ of order $T$ and $\\gamma$ of order $T^2$, that is",
+        "For short periods the difference is $\\delta\\gamma^2/720$ to lowest order",
         r"\lim_{T\to0}\frac{720}{\delta\gamma^2}\bigl(s_1-\delta-\tfrac12\gamma\bigr)",
         S.One,
         page.limits(720 * scaled / (h**7 * delta * gamma**3).xreplace(given), h, S.Zero, S.One),
@@ -127,7 +148,8 @@ def gap(page):
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) it is", [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))]
+        "At the corner of (23) the difference is enclosed",
+        [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))],
     )
 
 
@@ -138,9 +160,11 @@ def nyquist(page):
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
     page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
-    page.limit("It ends with the damping", damping, theta, pi, end, name=r"(-1)^d\beta")
     page.limit(
-        "It ends on the line of a root at $-1$",
+        "At $\\theta\\to\\pi$ the damping is finite", damping, theta, pi, end, name=r"(-1)^d\beta"
+    )
+    page.limit(
+        "At $\\theta\\to\\pi$ the boundary ends on the line of a root at $-1$",
         stiffness + 2 * damping,
         theta,
         pi,

@@ -133,10 +133,15 @@ def mass(page):
     value = arm.denominator.subs(z, -n_0 / n_1)
     found = linear.numbers(arm)
     page.show(
-        "The number $s_2$ is",
+        "The number $s_2$ is positive",
         s_2,
         r"\frac{n_1^2\,A(-n_0/n_1)}{(n_1+n_0)^3}",
         page.same("s_2", found[s_2], n_1**2 * value / (n_1 + n_0) ** 3),
         because="positive: the roots of $A$ are not real, or positive",
     )
-    page.step("The number $s_1$ is", found[s_1], (1 - e + gamma * n_0) / (n_1 + n_0), name=s_1)
+    page.step(
+        "The number $s_1$ is a sum over a positive number",
+        found[s_1],
+        (1 - e + gamma * n_0) / (n_1 + n_0),
+        name=s_1,
+    )

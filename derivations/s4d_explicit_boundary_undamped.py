@@ -25,7 +25,7 @@ def derive(page):
     ).xreplace({gamma: Omega**2})
     first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
     page.show(
-        "The boundary has this stiffness",
+        "The boundary of an undamped device has one stiffness at each angle",
         alpha,
         SPRING * first,
         page.same("stiffness", stiffness, spring * first),
@@ -33,7 +33,7 @@ def derive(page):
         because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
     )
     page.show(
-        "It has this damping",
+        "The boundary's damping is given by a sine",
         alpha + 2 * beta,
         SPRING * second,
         page.same("damping", stiffness + 2 * damping, spring * second),
@@ -52,7 +52,7 @@ def begin(page, stiffness, damping):
         "$x=\\cos\\Omega$:"
     )
     page.limit(
-        "It starts from the stiffness",
+        "The boundary starts from the stiffness $-\\gamma$",
         stiffness,
         theta,
         S.Zero,
@@ -60,13 +60,18 @@ def begin(page, stiffness, damping):
         name=r"\alpha/\gamma",
     )
     page.limit(
-        "It starts from the damping", damping, theta, S.Zero, -(d + half), name=r"\beta/\gamma"
+        "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
+        damping,
+        theta,
+        S.Zero,
+        -(d + half),
+        name=r"\beta/\gamma",
     )
     right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
     up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
     name = r"\frac{\alpha+\gamma}{\gamma\theta^2}"
     page.limit(
-        "From there it goes to the right by",
+        "From its start the boundary goes to the right in the second order",
         (stiffness + 1) / theta**2,
         theta,
         S.Zero,
@@ -75,7 +80,7 @@ def begin(page, stiffness, damping):
     )
     page.limits((damping + d + half) / theta**2, theta, S.Zero, up)
     page.step(
-        "At the start it has the slope",
+        "At its start the boundary is flatter than the line",
         up / right,
         d + half - (d + 1) * (2 * d + 1) * (2 * d + 3) / (12 * right),
         name=r"\frac{d\beta}{d\alpha}",
@@ -93,7 +98,7 @@ def end(page):
     )
     per_gamma = (x - cos(theta)) / (1 - x)
     page.limit(
-        "It approaches this line",
+        "Stiffness and twice the damping approach a line",
         2 * per_gamma * sin((d + 1) * (pi - theta)) / sin(theta),
         theta,
         pi,
@@ -108,7 +113,7 @@ def end(page):
         name=r"\alpha/\gamma",
     )
     page.step(
-        "Its damping is then",
+        "For $x=-1$ the damping stays finite, too",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
         name=r"(\alpha+2\beta)/\gamma",

@@ -24,13 +24,13 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
     t = tan(theta / 2)
     page.show(
-        "With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is",
+        "With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is a cosine",
         alpha,
         4 * tau**2 * cos(ANGLE),
         page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
     )
     page.show(
-        "The boundary's damping is",
+        "With $\\tau$ stiffness and twice the damping are a sine",
         alpha + 2 * beta,
         4 * tau * sin(ANGLE),
         page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),
@@ -93,7 +93,7 @@ def necessary(page, polynomial, t):
     imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
     turned = on_circle(polynomial) * exp(-I * theta)
     page.show(
-        "Along the upper half of the circle it turns with",
+        "On the upper half of the circle the polynomial has these two parts",
         r"e^{-j\theta}p_1(e^{j\theta})",
         real + I * imaginary,
         page.same("on the circle", turned, (real + I * imaginary).subs(tau, t)),

@@ -23,8 +23,18 @@ def derive(page):
     t = tan(theta / 2)
     stiffness, damping = 4 * t**2 * cos(ANGLE), 2 * t * sin(ANGLE) - 2 * t**2 * cos(ANGLE)
     arc = page.same("boundary", boundary.wall(free), (stiffness, damping))
-    page.show("With $\\tau=\\tan\\frac\\theta2$ the arc is", alpha, 4 * tau**2 * cos(ANGLE), arc)
-    page.show("Its damping is", beta, 2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE), arc)
+    page.show(
+        "With $\\tau=\\tan\\frac\\theta2$ the arc's stiffness is quadratic in $\\tau$",
+        alpha,
+        4 * tau**2 * cos(ANGLE),
+        arc,
+    )
+    page.show(
+        "With $\\tau=\\tan\\frac\\theta2$ the arc's damping is quadratic in $\\tau$",
+        beta,
+        2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE),
+        arc,
+    )
     bend = 2 * cos(ANGLE) - (d + 1) * sin(theta) * sin(ANGLE)
     signs(page, damping, bend)
     page.step(
@@ -41,9 +51,9 @@ def derive(page):
         4 * tau**2 * Symbol("g") / sin(theta),
         page.same("slope", diff(stiffness, theta), 4 * t**2 / sin(theta) * bend),
     )
-    page.step("That function starts from", bend.subs(theta, 0), S(2), name="g")
+    page.step("The bracket $g$ starts from 2", bend.subs(theta, 0), S(2), name="g")
     page.step(
-        "It falls to",
+        "The bracket $g$ is negative where the arc ends",
         -bend.subs(theta, pi / (2 * (d + 1))),
         (d + 1) * sin(pi / (2 * (d + 1))),
         name="-g",
@@ -119,7 +129,7 @@ def whole_delays(page, stiffness, bend):
         because="$\\alpha_{\\max}(d)/4$ is the smallest positive root of $\\mu_d$",
     )
     page.enclosed(
-        "The largest stable stiffness of a free mass is",
+        "The largest stable stiffnesses of a free mass are enclosed",
         [
             (rf"\alpha_{{\max}}({delay})", value(4 * rho, {rho: number}))
             for delay, number in enumerate(found)
@@ -128,7 +138,7 @@ def whole_delays(page, stiffness, bend):
     )
     at = sqrt(2) - 1
     page.step(
-        "Without delay it has a closed form",
+        "Without delay the largest stiffness has a closed form",
         4 * (1 - at) / (1 + at) * at,
         12 - 8 * sqrt(2),
         name=r"\alpha_{\max}(0)",

@@ -22,14 +22,21 @@ def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
     scaled = page.step(
-        "With $\\varphi$ for the angle the stiffness is",
+        "With $\\varphi$ for the angle the stiffness has a factor near 1",
         stiffness / h**2,
         LONG * (tan(h * phi / 2) / (h * phi / 2)) ** 2,
         name=r"(d+1)^2\alpha",
     )
-    page.limit("For long delays it tends to", scaled, h, S.Zero, LONG, name=r"(d+1)^2\alpha")
+    page.limit(
+        "For long delays the stiffness tends to $\\varphi^2\\cos\\varphi$",
+        scaled,
+        h,
+        S.Zero,
+        LONG,
+        name=r"(d+1)^2\alpha",
+    )
     page.step(
-        "The limit has the slope",
+        "The slope of the limit changes its sign once",
         diff(LONG, phi),
         phi * cos(phi) * (2 - phi * tan(phi)),
         name=r"\tfrac{d}{d\varphi}\,\varphi^2\cos\varphi",
@@ -38,7 +45,8 @@ def derive(page):
     angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
     largest = value(LONG, {phi: angle})
     page.enclosed(
-        "In numbers the peak is at", [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)]
+        "Angle and height of the peak are enclosed",
+        [(r"\varphi_*", angle), (r"\varphi_*^2\cos\varphi_*", largest)],
     )
     sides(page)
     page.say(
@@ -49,7 +57,7 @@ def derive(page):
         "and $(d+1)^2\\alpha_{\\max}$ falls all the way, from $12-8\\sqrt2$ without delay."
     )
     factor = (tan(h * pi / 4) / (h * pi / 4)) ** 2
-    page.limit("The two sides meet", factor, h, S.Zero, S.One)
+    page.limit("The ratio of the two sides tends to 1", factor, h, S.Zero, S.One)
     expansion(page, scaled, angle)
 
 
@@ -57,12 +65,19 @@ def expansion(page, scaled, angle):
     """The next two terms in 1/(d+1)."""
     next_one = phi**4 * cos(phi) / 6
     name = r"\bigl((d+1)^2\alpha-\varphi^2\cos\varphi\bigr)/h^2"
-    page.limit("The next term is", (scaled - LONG) / h**2, h, S.Zero, next_one, name=name)
+    page.limit(
+        "The next term is of the order $h^2$",
+        (scaled - LONG) / h**2,
+        h,
+        S.Zero,
+        next_one,
+        name=name,
+    )
     after = 17 * phi**6 * cos(phi) / 720
     page.limits((scaled - LONG - h**2 * next_one) / h**4, h, S.Zero, after)
     there = {sin(phi): 2 * cos(phi) / phi}
     bent = page.step(
-        "At $\\varphi_*$, where $\\sin\\varphi_*=2\\cos\\varphi_*/\\varphi_*$, the curvature is",
+        "At $\\varphi_*$, with $\\tan\\varphi_*=2/\\varphi_*$, the curvature is negative",
         diff(LONG, phi, 2).subs(there),
         -(6 + phi**2) * cos(phi),
         name=r"\tfrac{d^2}{d\varphi^2}\,\varphi^2\cos\varphi",
@@ -74,10 +89,25 @@ def expansion(page, scaled, angle):
         "(1+a_2h^2+a_4h^4+\\ldots)$, where the move of the angle enters $a_4$ only:"
     )
     second, third = phi**2 / 6, phi**4 * (Rational(17, 720) + 1 / (18 * (6 + phi**2)))
-    page.step("The factor of $h^2$ is", next_one / LONG, second, name="a_2", because=AT)
-    page.step("The factor of $h^4$ is", (after - shift) / LONG, third, name="a_4", because=AT)
+    page.step(
+        "At the peak the factor of $h^2$ is $\\varphi_*^2/6$",
+        next_one / LONG,
+        second,
+        name="a_2",
+        because=AT,
+    )
+    page.step(
+        "At the peak the factor of $h^4$ is rational in $\\varphi_*^2$",
+        (after - shift) / LONG,
+        third,
+        name="a_4",
+        because=AT,
+    )
     numbers = (value(term, {phi: angle}) for term in (second, third))
-    page.enclosed("In numbers the next terms are", list(zip(("a_2", "a_4"), numbers, strict=True)))
+    page.enclosed(
+        "The factors of the next terms are enclosed",
+        list(zip(("a_2", "a_4"), numbers, strict=True)),
+    )
 
 
 def sides(page):

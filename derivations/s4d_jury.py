@@ -96,7 +96,13 @@ def bezout(page):
     f, g = symbols("f_0:3"), symbols("g_0:2")
     matrix = Matrix([[f[2] * g[1], f[2] * g[0]], [f[2] * g[0], f[1] * g[0] - f[0] * g[1]]])
     proof = page.same("B", Matrix(jury.bezoutian(f, g)), matrix)
-    page.show("For degree 4 the matrix is", "B", matrix, proof, because="for $F=f_2x^2+f_1x+f_0$")
+    page.show(
+        "For degree 4 the matrix has two rows and two columns",
+        "B",
+        matrix,
+        proof,
+        because="for $F=f_2x^2+f_1x+f_0$",
+    )
     for m in (1, 2, 3):
         f, g = symbols(f"f_0:{m + 1}"), symbols(f"g_0:{m + 1}")
         at = {v: [sum(c * v**i for i, c in enumerate(h)) for h in (f, g)] for v in (x, y)}
@@ -107,7 +113,9 @@ def bezout(page):
         proof = page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
         if m == 2:
             name = r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}"
-            page.show("At $x=y$ the form is", name, F.diff(x) * G - F * G.diff(x), proof)
+            page.show(
+                "At $x=y$ the form is a Wronskian", name, F.diff(x) * G - F * G.diff(x), proof
+            )
 
 
 def half_planes(page):
@@ -133,7 +141,7 @@ def inners(page):
         matrices = [jury.inner(falling, order) for order in range(1 + n % 2, n, 2)]
         proof = page.same("Jury's inners", minors, [m.det() for m in matrices])
     page.show(
-        "For degree 4 Jury's matrix is",
+        "For degree 4 Jury's matrix is a difference",
         "X-Y",
         matrices[-1],
         proof,

@@ -90,7 +90,7 @@ def pairs(page):
     a_0, a_1, a_2 = symbols("a_0:3")
     minor = 1 - a_1 + a_0 * a_2 - a_0**2
     page.same("last minor", jury.criterion([S.One, a_2, a_1, a_0]).expressions[-1], minor)
-    page.show("For degree 3 the last minor is", minor, product, proof)
+    page.show("For degree 3 the last minor is a product over the roots", minor, product, proof)
 
 
 def row(delay):

@@ -30,7 +30,12 @@ def derive(page):
     top = (1 - n_0 * beta) * (RISE * beta + 1 - e + gamma * n_0)
     below = n_0 * (1 + n_1 * beta)
     split = top - below * (alpha + gamma)
-    page.step("The minor is", minor.subs(spring), split, name=r"\Delta_2")
+    page.step(
+        "With any spring the minor is linear in the stiffness",
+        minor.subs(spring),
+        split,
+        name=r"\Delta_2",
+    )
     page.show(
         "With any spring the minor vanishes at this stiffness",
         alpha + gamma,
@@ -49,7 +54,7 @@ def derive(page):
     four = (first, second, third, minor)
     first, second, third, minor = (f.subs(a, 1 + e).subs(e, 1 - delta * RISE) for f in four)
     last = RISE * (beta + delta) * (1 - n_0 * beta) - n_0 * alpha * (1 + n_1 * beta)
-    page.step("Without a spring the minor is", minor, last, name=r"\Delta_2")
+    page.step("Without a spring the minor keeps its shape", minor, last, name=r"\Delta_2")
     signs(page)
     necessary(page, minor, 8 - first - second - third)
     sufficient(page, second, third, minor)
@@ -138,9 +143,21 @@ def formulas(page, minor):
     physical = b * (b + B) * (1 - exp(-b * T / m)) / kept
     physical *= (b**2 * T - kept * B) / (b**2 * T + (b * T - m + m * exp(-b * T / m)) * B)
     largest = explicit.subs({beta: B * T / m, delta: b * T / m}) * m / T**2
-    page.step("In physical units it is", largest, physical, name=K)
+    page.step(
+        "In physical units the largest stiffness depends on mass, damping and period",
+        largest,
+        physical,
+        name=K,
+    )
     still = 2 * beta * (2 - beta) / (2 + beta)
-    page.limit("Without damping it tends to", explicit, delta, S.Zero, still, name=r"\alpha_0")
+    page.limit(
+        "Without damping the solution tends to a limit",
+        explicit,
+        delta,
+        S.Zero,
+        still,
+        name=r"\alpha_0",
+    )
     page.result(
         "A wall of a free mass is stable if and only if",
         (alpha > 0, beta > 0, 2 * beta * (2 - beta) - alpha * (2 + beta) > 0),

@@ -22,7 +22,7 @@ def derive(page):
     minor = jury.criterion(jury.coefficients(1)).expressions[-1]
     low = n_0 * alpha - (n_1 - n_0) * beta
     page.step(
-        "For one period of delay the last minor is",
+        "For one period of delay the last minor is a difference of two products",
         minor,
         (1 + n_0 * beta) ** 2 * (1 - e - n_1 * (alpha + beta) - n_0 * beta)
         - (low + a) * (low - a * n_0 * beta),

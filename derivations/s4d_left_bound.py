@@ -17,7 +17,7 @@ def derive(page):
     alone = plant.sampled(plant.normalised(Parts(stiffness=False)))
     total = device.n1 + device.n0
     page.show(
-        "At $z=1$ the polynomial is",
+        "At $z=1$ the polynomial is a multiple of $\\alpha+\\gamma$",
         "p_1(1)",
         (n_1 + n_0) * (alpha + gamma),
         page.same(
@@ -43,7 +43,7 @@ def derive(page):
         "$\\varphi=2\\pi,4\\pi,\\ldots$, where $p_1(1)=0$ for every wall and none is stable",
     )
     page.step(
-        "Without a spring the sum is",
+        "Without a spring the sum is positive",
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
         name="n_1+n_0",
@@ -57,7 +57,7 @@ def derive(page):
     kept = speed[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
     page.show(
-        "For $d=0$ its roots are",
+        "For $d=0$ the roots are 0, 1 and a speed",
         "p_1(z)",
         z * (z - 1) * (z - x),
         page.same("roots", at_line.xreplace(given), (z * (z - 1) * (z - kept)).xreplace(given)),
@@ -65,7 +65,7 @@ def derive(page):
     )
     place, velocity = speed[0, 1].xreplace(given), speed[1, 1].xreplace(given)
     page.show(
-        "That motion has the energy",
+        "The energy of that motion falls",
         r"\tfrac{d}{dt}(v^2+\gamma x^2)",
         -2 * delta * v**2,
         page.same(
@@ -74,7 +74,7 @@ def derive(page):
         because="so the speed left is less than 1, but for $\\delta=0$ and whole half swings",
     )
     page.show(
-        "At the root 1 the slope is",
+        "At the root 1 the slope is positive",
         r"p_1'(1)",
         1 - x,
         page.same("slope", diff(at_line, z).subs(z, 1).xreplace(given), (1 - kept).xreplace(given)),
@@ -83,7 +83,7 @@ def derive(page):
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 0, alpha: 0})
     page.step(
-        "For a free mass, $d=0$, it is",
+        "For a free mass, $d=0$, the polynomial has the root 1",
         free,
         (z - 1) * (z**2 + (beta / 2 - 1) * z + beta / 2),
         name="p_1(z)",

@@ -47,7 +47,7 @@ def derive(page):
     )
     margin = 1 - (x + Rational(3, 2)) + 2 * x - x**2
     page.step(
-        "Here the product is negative",
+        "At this wall the product is negative",
         margin,
         -((x - Rational(1, 2)) ** 2) - Rational(1, 4),
         because="negative for every $x$: no damping makes the line a border of the region",
@@ -103,7 +103,7 @@ def soft_spring(page):
     line = loop.characteristic(FULL, split=c).subs({d: 1, alpha: -gamma, beta: 0})
     shape = z * (z - 1) * (z**2 + (1 - a) * z + e - kept)
     page.show(
-        "For one period of delay and $\\beta=0$ the polynomial is",
+        "For one period of delay and $\\beta=0$ the polynomial has the roots 0 and 1",
         "p_1(z)",
         shape,
         page.same(
@@ -141,5 +141,5 @@ def soft_spring(page):
     )
     free = loop.characteristic(Parts(False, False)).subs({d: 1, alpha: 0, beta: S.Half})
     cubic = z**3 - z**2 + z / 4 + Rational(1, 4)
-    page.step("For a free mass the polynomial is", free, (z - 1) * cubic, name="p_1(z)")
+    page.step("For a free mass the polynomial has the root 1", free, (z - 1) * cubic, name="p_1(z)")
     page.inside("Its other roots lie inside", cubic)

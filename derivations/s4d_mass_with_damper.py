@@ -76,7 +76,7 @@ def stiffness(page):
     best = sqrt(N_0 * (N_0 + E * N_1))
     largest = boundary.largest_undelayed(ARM)
     page.show(
-        "For the others, with $x=1+n_1\\beta>0$, the minor is",
+        "For the others, with $x=1+n_1\\beta>0$, the minor is a margin less a square",
         r"\tfrac18(b_1b_2-b_0b_3)",
         N_0 * x * (largest - alpha) - TOTAL * (N_0 * x - best) ** 2 / (N_0 * N_1**2),
         page.same(
@@ -90,7 +90,7 @@ def stiffness(page):
     )
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
-        "The largest stiffness is",
+        "The largest stiffness has a closed form",
         largest,
         (TOTAL - best) ** 2 / (N_0 * N_1**2),
         name=r"\alpha_{\max}",
@@ -108,7 +108,7 @@ def stiffness(page):
 def damping(page, polynomial):
     """A bound of beta."""
     page.step(
-        "The product of the three roots, its sign changed, is",
+        "The product of the three roots is $n_0\\beta$",
         polynomial.subs(z, 0),
         -N_0 * beta,
         name="p_1(0)",

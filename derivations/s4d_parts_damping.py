@@ -62,7 +62,7 @@ def derive(page):
     free = {LOSS: 0, TOGETHER: 1, LATE: half, AT_ONE: 0}
     free |= dict(zip(SLOPES, (1, -half, -third, 0), strict=True))
     page.step(
-        "On a free mass the pull is",
+        "On a free mass the pull is a positive product",
         pull.subs(free),
         (6 - y) * (4 - y) * (y**2 - 4 * y + 8) / 96,
         name="G(y)",

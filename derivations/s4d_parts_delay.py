@@ -24,7 +24,7 @@ def derive(page):
         "The explicit boundary $\\alpha(\\theta)$, $\\beta(\\theta)$ starts, for $\\theta\\to0$, "
         "on the line $\\alpha=-\\gamma$. With $1-a+e=\\gamma(n_1+n_0)$:"
     )
-    page.define("The boundary begins at", r"\beta_0", CORNER)
+    page.define("The damping at which the boundary begins", r"\beta_0", CORNER)
     here, later = begins_there(), begins_there(d + 1, gamma)
     page.lemma("The boundary begins at $(-\\gamma,\\beta_0)$ with a delay of $d$ periods", here)
     page.lemma(

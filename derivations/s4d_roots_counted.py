@@ -99,7 +99,7 @@ def derive(page):
     )
     k, turned = symbols("k"), symbols("Phi_0")
     page.step(
-        "The critical delays are",
+        "The critical delays are an arithmetic sequence",
         turned - (d + 2) * theta + (2 * k + 1) * pi,
         (((turned + (2 * k + 1) * pi) / theta - 2) - d) * theta,
         because="zero for $d=(\\Phi_0+(2k+1)\\pi)/\\theta-2$ at $\\theta=\\theta_1,\\theta_2$",

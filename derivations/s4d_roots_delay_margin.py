@@ -29,13 +29,13 @@ def derive(page):
         "with $u+jw=z\\,h'/h$ at $z=e^{j\\theta}$,"
     )
     page.step(
-        "With the delay a root on the circle moves by",
+        "With the delay a root on the circle moves outwards where $w$ is positive",
         real_part(-I * theta / (d + 1 - u - I * w)),
         theta * w / ((d + 1 - u) ** 2 + w**2),
         name=r"\frac{\partial\ln|z|}{\partial d}",
     )
     page.step(
-        "Along the circle the lead of the wall changes by",
+        "Along the circle the lead of the wall changes by $-w$",
         real_part(I * (u + I * w)),
         -w,
         name=r"\frac{\partial\ln|h|}{\partial\theta}",

@@ -31,7 +31,7 @@ def derive(page):
     page.inside("$\\alpha=0.713$, $\\beta=0.825$ is stable", undelayed.subs(STIFF))
     page.inside("$\\alpha=0.001$, $\\beta=2.02$ is stable", undelayed.subs(BRAKED))
     page.enclosed(
-        "For $\\delta=\\frac1{100}$ the largest damping and stiffness are",
+        "For $\\delta=\\frac1{100}$ the largest damping and stiffness are enclosed",
         [
             (r"\alpha_{\max}", value(LARGEST, {delta: AFTER})),
             (r"1/n_0", value(1 / ARM.n0, {delta: AFTER})),

@@ -26,7 +26,7 @@ def derive(page):
     polynomial = loop.named()
     last = polynomial - (z ** (d + 1)) * polynomial.coeff(z ** (d + 1))
     page.step(
-        "The constant coefficient is",
+        "The constant coefficient is $-\\beta n_0$ for every delay",
         last.subs(z, 0),
         -beta * n_0,
         name="p_1(0)",

@@ -36,14 +36,14 @@ def derive(page):
         boxed=True,
     )
     whole = page.step(
-        "For this loop Hurwitz' determinant is",
+        "For this loop Hurwitz' determinant is (24) and a term more",
         lag.margin(Plant()),
         b + B - K * t_e + b * t_e / m * (b + B + k * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)",
     )
     h, heavy = symbols("h"), symbols("m_0")
     kept = page.limit(
-        "For a heavy mass, $m=m_0/h$, it tends to",
+        "For a heavy mass, $m=m_0/h$, the determinant tends to (24)",
         whole.subs(m, heavy / h),
         h,
         S.Zero,
@@ -52,7 +52,7 @@ def derive(page):
         because="this is what (24) keeps",
     )
     linear = page.step(
-        "Solved for the stiffness it is",
+        "Solved for the stiffness (24) is damping over delay",
         K + kept / t_e,
         (b + B) / t_e,
         name=r"K_{\text{lin}}",
@@ -95,7 +95,7 @@ def neglected(page):
         "to first order in $s$, and leave out"
     )
     page.limit(
-        "The lag errs in the second order by",
+        "The lag errs in the second order",
         (lag.held() - 1 / (1 + lag.DELAY * s)) / s**2,
         s,
         S.Zero,
@@ -103,7 +103,7 @@ def neglected(page):
         name=r"\frac1{s^2}\Bigl(H_0-\frac1{1+t_es}\Bigr)",
     )
     page.limit(
-        "The derivative errs by",
+        "The derivative errs in the second order by half a period",
         ((1 - exp(-s * T)) / T - s) / s**2,
         s,
         S.Zero,

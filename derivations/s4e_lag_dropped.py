@@ -32,7 +32,7 @@ ONES = {m: S.One, T: S.One, t_d: HALF}
 def derive(page):
     whole, kept = lag.margin(Plant()), b + B - K * t_e
     page.step(
-        "The dropped term is",
+        "The dropped term has the factor $bt_e/m$",
         whole - kept,
         b * t_e / m * ((b + B - K * t_e) + (K + k) * t_e),
         name=r"\tfrac1m(a_2a_1-a_3a_0)-(b+B-Kt_e)",
@@ -68,7 +68,7 @@ def never(page):
 def stiffness(page, whole):
     """The arm's spring in Routh's condition."""
     page.step(
-        "Solved for the stiffness Routh's condition is",
+        "Solved for the stiffness Routh's condition allows more",
         K + whole / t_e,
         (b + B) / t_e + b / m * (b + B + k * t_e),
         name=r"K_{\text{Routh}}",
@@ -97,14 +97,14 @@ def plane(page, kept, whole):
     scaled |= {t_d: d * T}
     small, large = ((f.subs(t_e, lag.DELAY) * T / m).subs(scaled) for f in (kept, whole))
     line = page.step(
-        "In the parameters of Table I, times $T/m$, (24) is",
+        "In the parameters of Table I, times $T/m$, (24) is linear",
         small,
         beta + delta - alpha * (HALF + d),
         name=r"\tfrac Tm(b+B-Kt_e)",
         paper="25",
     )
     page.step(
-        "In them Routh's condition is",
+        "In these parameters Routh's condition has a term more",
         large,
         line + delta * (d + HALF) * (beta + delta + gamma * (d + HALF)),
         name=r"\tfrac T{m^2}(a_2a_1-a_3a_0)",

@@ -69,7 +69,7 @@ def derive(page):
     )
     crossing = flat * delta / rise
     page.step(
-        "In short periods the boundary crosses the line at",
+        "In short periods the boundary crosses the line at one stiffness",
         crossing,
         flat / (d + 1) * delta / (2 * d + 1) / (2 * d + 3),
         name=r"\alpha_\times",
@@ -117,7 +117,7 @@ def periods(page):
         name=r"\frac{1/2-\nu}{\delta}",
     )
     page.limit(
-        "The sum of the numerator",
+        "The sum of the numerator tends to 1",
         (2 * exp(-delta / 2) * up / spring).subs(brief, simultaneous=True),
         h,
         S.Zero,

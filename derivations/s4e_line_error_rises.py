@@ -35,7 +35,7 @@ def derive(page):
     )
     damped = 1 - TOTAL * s_1 + gamma * n_0
     page.step(
-        "Without delay Jury's largest minor is",
+        "Without delay Jury's largest minor falls with the stiffness",
         minor(0).subs(a, AT_REST).subs(e, damped),
         TOTAL * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * far,
         name=r"\Delta_2",

@@ -41,7 +41,7 @@ def derive(page):
     begins = -short / (6 * (2 * d + 1) * wide)
     page.limits(surplus, theta, S.Zero, -short / 12)
     page.show(
-        "Where there is no gap",
+        "Where there is no gap the error starts from a finite number",
         r"\lim_{\theta\to0}\varepsilon",
         begins,
         page.limits((stiffness + gamma) / theta**2, theta, S.Zero, wide),
@@ -56,7 +56,7 @@ def derive(page):
         name=r"1-2\nu",
     )
     page.step(
-        "Then the error starts with",
+        "Without a spring the error starts from a quotient in $\\delta$",
         begins.subs({gamma: 0, s_1: delta, s_2: 1}),
         -((d + 1) ** 2 * delta + 1 - 2 * nu) / ((2 * d + 1) * (1 + (d + 1) * delta)),
         name=r"\lim_{\theta\to0}\varepsilon|_{\gamma=0}",
@@ -71,7 +71,7 @@ def derive(page):
         page.same("undamped", [shape[nu], shape[s_1].subs(gamma, Omega**2)], [HALF, Omega**2 / 2]),
     )
     page.step(
-        "So the error starts with",
+        "Without damping the error starts from a negative number",
         begins.subs({delta: 0, s_1: gamma / 2, nu: HALF}),
         -(d + 1) * (2 * d + 3) * gamma / (6 * s_2 + 3 * (d + 1) ** 2 * gamma),
         name=r"\lim_{\theta\to0}\varepsilon|_{\delta=0}",

@@ -23,7 +23,7 @@ def derive(page):
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     surplus = sin((d + HALF) * theta) - (2 * d + 1) * sin(theta / 2) * cos(LATE)
     page.step(
-        "The boundary beside the line",
+        "The boundary lies above the line by a surplus",
         (damping - (d + HALF) * stiffness) * cos(theta / 2) ** 2,
         2 * sin(theta / 2) * surplus,
         name=r"\cos^2\tfrac\theta2\;(\beta-(d+\tfrac12)\alpha)",

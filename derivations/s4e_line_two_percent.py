@@ -39,7 +39,7 @@ def derive(page):
         "has"
     )
     page.step(
-        "At $\\alpha=0$ an error of $-2\\,\\%$ is",
+        "At $\\alpha=0$ an error of $-2\\,\\%$ is reached at one damping",
         (error() + LEVEL).subs(alpha, 0) * gamma * (d + HALF),
         beta + delta + LEVEL * (d + HALF) * gamma,
         name=r"(d+\tfrac12)\,\gamma\,(\varepsilon+0.02)",

@@ -28,7 +28,7 @@ def derive(page):
     on_it = minor.subs(beta, alpha / 2 - delta).subs(a, arm[a]).subs(e, arm[e])
     wall = alpha / 2 - delta
     page.step(
-        "The minor on the line",
+        "On the line the minor is a difference of two products",
         on_it,
         total * (1 - n_0 * wall) * ((alpha + gamma) / 2 + linear.GAP)
         - n_0 * (1 + n_1 * wall) * (alpha + gamma),

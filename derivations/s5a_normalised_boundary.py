@@ -34,7 +34,7 @@ def derive(page):
         "coordinates are proportional to $\\delta$."
     )
     page.step(
-        "The line of one frequency",
+        "One frequency gives one line",
         line,
         delta - passivity.dirichlet_form(omega_hat).subs({K: alpha, B: beta, T: 1}),
         name=r"\tfrac{T}{m}F",

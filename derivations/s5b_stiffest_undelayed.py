@@ -86,7 +86,7 @@ def reached(page, minor, second, third):
         page.same("margin", minor.subs(arm).subs(beta, (x - 1) / n_1), margin),
     )
     page.step(
-        "So the largest stable stiffness without delay is",
+        "The largest stable stiffness without delay has a closed form",
         largest,
         (RISE - best) ** 2 / (n_0 * n_1**2) - gamma,
         name=r"\alpha_{\max}(0)",

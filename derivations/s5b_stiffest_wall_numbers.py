@@ -50,7 +50,7 @@ def derive(page):
     corner, plain = (ratio(stiffness, DAMPED, 1) for stiffness in (STIFF, S.Zero))
     beyond = ratio(S.Zero, Rational(202, 10000), 1)
     page.enclosed(
-        "The ratio in numbers",
+        "The ratio of both stiffnesses is enclosed",
         [
             (rf"\frac{{\alpha_{{\max}}}}{{2\delta\tan(\pi/8)}}\Big|_{{{arm}}}", value)
             for arm, value in (

@@ -21,7 +21,7 @@ WITH = symbols("eta_40")
 def derive(page):
     known = {ETA[n]: eta(S.Zero, n) for n in ETA} | {WITH: eta(STIFF, 40)}
     page.enclosed(
-        "Two peaks",
+        "The ratios beside both peaks are enclosed",
         [
             *((rf"\eta({n})|_{{\gamma=0}}", known[ETA[n]]) for n in (121, 122, 123)),
             (r"\eta(40)|_{\gamma=0.001}", known[WITH]),
@@ -52,12 +52,12 @@ def without_spring(page, known):
     slow = (h * phi) ** 2 * cos(phi) + delta * h * phi * sin(phi)
     far = delta * (sin(phi) + phi * cos(phi)) / (phi**2 * sin(phi) - 2 * phi * cos(phi))
     page.step(
-        "Where it is stiffest",
+        "At the delay $1/u-1$ the wall is stiffest",
         slow.diff(phi).subs(h, far),
         S.Zero,
         name=r"\frac{\partial\alpha}{\partial\varphi}",
     )
-    page.define("The delay", "u", far)
+    page.define("The delay $d=1/u-1$ belongs to the angle $\\varphi$", "u", far)
     far, balls = far.subs(delta, DAMPED), Known(given(known) | numbers(S.Zero, DAMPED))
     above = STIFFNESS.subs(t, tan(far * phi / 2)) * peak - 2 * DAMPED * tan(pi * far / 4)
     ends = [Rational(v, 10**4) for v in (10925, 15622, 15778, 19400)]
@@ -68,7 +68,11 @@ def without_spring(page, known):
         page.positive(f"Delays {text}", fact, on, name=name)
     delays = [value(1 / far - 1, {phi: end}) for end in ends]
     names = [rf"d\big|_{{\varphi={end.n(5)}}}" for end in ends]
-    page.enclosed("They reach", list(zip(names, delays, strict=True)), places=4)
+    page.enclosed(
+        "These stretches of $\\varphi$ cover the delays between their ends",
+        list(zip(names, delays, strict=True)),
+        places=4,
+    )
     page.say(
         "For longer delays take $\\varphi=2$, so that $\\tan\\frac\\theta2=u\\kappa$ with "
         "$1\\le\\kappa\\le1.000001$, as $\\tan(x)/x$ rises. Without a spring $\\alpha$ "

@@ -75,7 +75,7 @@ def derive(page):
         for name, damping in ((one, Rational(1, 100)), (two, Rational(1, 50)))
     }
     page.enclosed(
-        "Passive over stable stiffness",
+        "The share of the passive in the stable stiffness is enclosed",
         [(r"\eta|_{\delta=0.01}", known[one]), (r"\eta|_{\delta=0.02}", known[two])],
     )
     page.lemma(

@@ -64,7 +64,7 @@ def example_(page, spring):
         "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
     )
     page.positive(
-        "It rounds to the printed number",
+        "The stiffness rounds to the printed number",
         box.positive(987500 - device, {b: (0, Rational(146, 10))}),
         r"0\le b\le14.6\ \mathrm{Ns/m}",
         name="987\\,500-k",

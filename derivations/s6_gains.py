@@ -71,7 +71,15 @@ def passive(page):
         name=r"Kt_d/b",
     )
     in_h = scaled.subs(d, 1 / h - 1)
-    page.limit("Endlessly fast sampling", in_h, h, S.Zero, pi / 2, name=r"Kt_d/b", because="")
+    page.limit(
+        "With endlessly fast sampling $Kt_d/b$ tends to $\\pi/2$",
+        in_h,
+        h,
+        S.Zero,
+        pi / 2,
+        name=r"Kt_d/b",
+        because="",
+    )
     page.say("with $h=1/(d+1)$. How much is missing at a finite rate?")
     up, end = sign.assume(psi), sign.assume(pi / 2 - psi)
     low = sign.Interval(psi, S.Zero, (end, sign.number(S.One)))

@@ -55,7 +55,7 @@ def derive(page):
         name=r"\tfrac{16}{B}\,(f_1^2-4f_0f_2)\big|_{K=0}",
     )
     tip = page.step(
-        "It is farthest to the right at a zero of another polynomial",
+        "The curve is farthest to the right at a zero of another polynomial",
         -discriminant(expand(double), B) / 2**22,
         K**6 + 24 * K**5 - 16 * K**4 - 2816 * K**3 + 73472 * K**2 + 694272 * K - 913408,
         name=r"-2^{-22}\,\mathrm{disc}_B\,\bigl(16\,(f_1^2-4f_0f_2)\bigr)",

@@ -36,7 +36,7 @@ def derive(page):
         "allows more than is stable:"
     )
     page.step(
-        "With the unit mended the rule allows too much by",
+        "With the unit mended the rule allows too much",
         2 * B / T - B**2 / (2 * m) - right.rhs,
         B**2 * (6 * m - B * T) / (2 * m * (2 * m + B * T)),
         because="positive wherever it allows anything, $BT<4m$",

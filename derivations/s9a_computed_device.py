@@ -91,7 +91,7 @@ def derive(page):
     page.limit("Of a free mass this way is one half", free, delta, S.Zero, S.Half)
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1
     page.limit(
-        "At critical damping it is what the device with a double pole has",
+        "At critical damping $n_1$ is that of the device with a double pole",
         COMPUTED[0].xreplace(GIVEN),
         c,
         S.Zero,

@@ -83,9 +83,10 @@ def stiffest(gamma, delta, d, beta_range, alpha_range):
 def test_largest_stable_stiffness_of_a_free_mass(d):
     expected = float(
         number(
-            shown("s4d_free_mass_extremes", "The largest stable stiffness of a free mass is")[
-                rf"\alpha_{{\max}}({d})"
-            ]
+            shown(
+                "s4d_free_mass_extremes",
+                "The largest stable stiffnesses of a free mass are enclosed",
+            )[rf"\alpha_{{\max}}({d})"]
         )
     )
     span = np.tan(np.pi / (4 * (d + 1)))  # half of the largest damping; the best beta is below it
@@ -241,7 +242,7 @@ def test_gap_between_the_start_and_the_line():
         gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
         _, e, n1, n0 = plant(gamma, delta)
         gap = (1 - e + gamma * n0) / (n1 + n0) - delta - gamma / 2
-        title = "At the corner of (23) it is"
+        title = "At the corner of (23) the difference is enclosed"
         printed = number(*shown("s4d_explicit_boundary_ends", title).values())
         assert abs(gap - printed) < mpmath.mpf("1e-24")  # the last of its decimals
         # leading order: the next terms are smaller by delta^2 and gamma

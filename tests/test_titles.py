@@ -33,6 +33,18 @@ def test_no_title_leans_on_the_step_before(path):
     assert [title for title in titles(path) if LEANS.match(str(title))] == []
 
 
+ENDS_IN = re.compile(
+    r"^(It|They|That) .*|.*\b(is|are|has|have|to|by|at|with|reach)$|^\w+$|^The \w+$"
+)
+
+
+@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
+def test_the_title_of_a_step_says_what_holds(path):
+    """It is no beginning of a sentence that the formula ends, and no bare word."""
+    whole = set(lemmas(path))  # a theorem's title may end so: "if the stiffer one is"
+    assert [t for t in titles(path) if ENDS_IN.match(str(t)) and t not in whole] == []
+
+
 ALONE = re.compile(
     r"(So|It|There(?! is)|Beyond|Up to there)\b|.*\b(as a theorem|too|does not)$"
     r"|.*\b(such a|that) wall\b",

@@ -10,6 +10,7 @@ from symhaptic.book.parts import OWN, PARTS, in_parts, part_of
 from symhaptic.book.rests import rests, said, shown_in
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.tex import tex
+from symhaptic.book.tex.forms import BESIDE, letters
 from symhaptic.book.tex.page import chapter_tex
 from symhaptic.proof.theorems.axioms import AXIOMS
 
@@ -58,10 +59,19 @@ def test_rules_are_named_beside_what_rests_on_them():
 
 def test_no_row_of_the_printed_forms_stands_alone():
     text = chapter_tex(chapter("s3c_stiffness_maximum"), 26)
-    rows = re.findall(r"^\\form\{.*$", text, re.MULTILINE)
+    _, *rows = text.partition(r"\formsend")[0].split("\n\\form{")
     assert len(rows) > 2
     assert rows[0].endswith(r"\together")
     assert rows[-2].endswith(r"\together")
+
+
+def test_long_grounds_stand_below_what_they_show_and_short_ones_beside_it():
+    """In a margin of 32 mm a list of twenty theorems left half a page empty."""
+    text = chapter_tex(chapter("s5a_passive_is_robust"), 71)
+    below = re.findall(r"^\\(?:grounds|numbers)\{(.*)\}", text, re.MULTILINE)
+    assert any(letters(one) > BESIDE for one in below)
+    for beside in re.findall(r"\{proved\}\{proved\}\\\\\\textcolor\{black!60\}\{(.*)\}\}", text):
+        assert letters(beside) <= BESIDE
 
 
 @pytest.mark.parametrize(

@@ -73,8 +73,8 @@ def test_the_mean_power_that_lags_take_from_a_sine():
                 power = [np.cos(omega * t) * answer(count, omega, t) for t in times]
                 assert number(ours, omega=omega) == pytest.approx(2 * np.mean(power), abs=1e-12)
 
-    two = shown(CHAPTER, "Two lags in a chain")
-    only(agrees, shown(CHAPTER, "One lag"), two)
+    two = shown(CHAPTER, "Two lags in a chain are not passive")
+    only(agrees, shown(CHAPTER, "One lag is passive"), two)
     point = counterexample(CHAPTER, "s3-interconnection")
     one, other = (complex(point[f"R_{n}"], point[f"X_{n}"]) for n in (1, 2))
     assert one == other == pytest.approx(1 / (1 + 2j), rel=1e-15)  # of a lag at omega = 2

@@ -164,7 +164,10 @@ def test_each_point_of_the_envelope_is_where_two_lines_meet():
 
     both = (
         shown("s3b_envelope", name)
-        for name in ("Two neighbouring lines meet at this stiffness", "They meet at this damping")
+        for name in (
+            "Two neighbouring lines meet at this stiffness",
+            "Two neighbouring lines meet at this damping",
+        )
     )
     only(agrees, *both)
 

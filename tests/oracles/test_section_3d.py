@@ -62,7 +62,10 @@ def test_the_tip_is_where_two_lines_meet_upright():
             assert abs(value(stiffness, d=d) - K) < 1e-30
             assert abs(value(damping, d=d) - B) < 1e-30
 
-    titles = ("The dash-dotted curve of the tips is (11)", "The tips have this damping")
+    titles = (
+        "The dash-dotted curve of the tips is (11)",
+        "The damping of the tips is that of (11)",
+    )
     only(agrees, *(shown(CHAPTER, title) for title in titles))
 
 
@@ -141,6 +144,6 @@ def test_the_two_counterexamples_half_a_period_late():
         agrees,
         shown(
             "s3d_stiffness_over_delay",
-            "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is",
+            "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic",
         ),
     )

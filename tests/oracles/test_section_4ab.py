@@ -261,7 +261,7 @@ def test_a_force_that_is_not_held_and_one_that_is_half_a_period_late():
             assert number(late, d=d) == pytest.approx(push[0], rel=1e-12)
 
     titles = (
-        "A force that grows in time, $F_E=t$, moves the mass by",
+        "A force that grows in time, $F_E=t$, moves the mass by a sixth",
         "A held force that comes $d$ periods late is not the shifted one",
     )
     only(agrees, *(shown("s4a_instants", title) for title in titles))

@@ -133,10 +133,13 @@ def test_the_boundary_at_small_angles():
                 assert abs(over / value(up, **at) - 1) < 1e-12
                 assert abs(over / across / value(slope, **at) - 1) < 1e-12
 
-    titles = ["The boundary starts on the left bound", "Its damping there is"]
+    titles = [
+        "The boundary starts on the left bound",
+        r"The boundary starts from the damping $-s_1-d\gamma$",
+    ]
     titles += [
-        "From there it goes to the right by",
-        "From there it goes up by",
+        "From its start the boundary goes to the right in the second order",
+        "From its start the boundary goes up in the second order",
         "At the start the boundary has the slope",
     ]
     only(agrees, *(shown(ENDS, title) for title in titles))
@@ -159,14 +162,17 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
     only(agrees, *(shown(ENDS, title) for title in titles))
     gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
     gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
-    (printed,) = decimals(ENDS, "At the corner of (23) it is")
+    (printed,) = decimals(ENDS, "At the corner of (23) the difference is enclosed")
     assert 0 <= gap - printed < 1e-24  # its digits are cut
 
     def agrees_with_the_gap(formula):
         at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
         assert abs(value(formula, **at, **oracle.named(gamma, delta)) - gap) < 1e-30
 
-    only(agrees_with_the_gap, shown(ENDS, "Below that line the start lies by"))
+    only(
+        agrees_with_the_gap,
+        shown(ENDS, r"The start lies below that line by a difference of order $\delta\gamma^2$"),
+    )
     small = mpmath.mpf("1e-6")  # the next terms are smaller by this
     gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
     gap = 720 * (gap - small - small**2 / 2) / small**5
@@ -185,7 +191,10 @@ def test_the_end_at_half_the_sampling_rate():
                 assert abs(beta / ours[0] - 1) < 1e-12
                 assert abs((alpha + 2 * beta) / ours[1] - 1) < 1e-12
 
-    titles = ("It ends with the damping", "It ends on the line of a root at $-1$")
+    titles = (
+        r"At $\theta\to\pi$ the damping is finite",
+        r"At $\theta\to\pi$ the boundary ends on the line of a root at $-1$",
+    )
     only(agrees, *(shown(ENDS, title) for title in titles))
 
 
@@ -202,7 +211,10 @@ def test_the_boundary_without_damping():
             assert abs(value(both, g=g, d=d, theta=theta) - alpha - 2 * beta) < 1e-45
 
     titles = ["One function of the spring decides, with $\\Omega=\\sqrt\\gamma$"]
-    titles += ["The boundary has this stiffness", "It has this damping"]
+    titles += [
+        "The boundary of an undamped device has one stiffness at each angle",
+        "The boundary's damping is given by a sine",
+    ]
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
 
@@ -228,12 +240,12 @@ def test_both_ends_of_the_boundary_without_damping():
                 assert abs(found / value(line, x=x, d=d) - 1) < 1e-12
 
     titles = [
-        "It starts from the stiffness",
-        "It starts from the damping",
-        "From there it goes to the right by",
-        "At the start it has the slope",
+        r"The boundary starts from the stiffness $-\gamma$",
+        r"The boundary starts from the damping $-(d+\frac12)\gamma$",
+        "From its start the boundary goes to the right in the second order",
+        "At its start the boundary is flatter than the line",
     ]
-    titles.append("It approaches this line")
+    titles.append("Stiffness and twice the damping approach a line")
     only(agrees, *(shown(UNDAMPED, title) for title in titles))
 
     def agrees_at_half_swings(stiffness, both):
@@ -243,7 +255,10 @@ def test_both_ends_of_the_boundary_without_damping():
             assert abs(value(stiffness, d=d, theta=theta) - alpha / gamma) < 1e-45
             assert abs(value(both, d=d, theta=theta) - (alpha + 2 * beta) / gamma) < 1e-45
 
-    titles = ("For odd half swings, $x=-1$, it stays finite", "Its damping is then")
+    titles = (
+        "For odd half swings, $x=-1$, it stays finite",
+        "For $x=-1$ the damping stays finite, too",
+    )
     only(agrees_at_half_swings, *(shown(UNDAMPED, title) for title in titles))
 
 
@@ -300,7 +315,11 @@ def test_what_the_signs_are_made_of():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert abs(value(damping, **at) - found) < 1e-30
 
-    only(agrees, shown(SIGNS, "$C$ has the slope"), shown(SIGNS, "The number $s_1$ is"))
+    only(
+        agrees,
+        shown(SIGNS, "$C$ has the slope"),
+        shown(SIGNS, "The number $s_1$ is a sum over a positive number"),
+    )
     for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
         gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
         n1, n0, a, e = oracle.numbers(gamma, delta)

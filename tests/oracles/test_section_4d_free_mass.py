@@ -43,8 +43,8 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others():
         for d in (1, 0, 2, 5):
             stable_between(stiffness, both, d)
 
-    titles = ["With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is"]
-    titles.append("The boundary's damping is")
+    titles = [r"With $\tau=\tan\frac\theta2$ the boundary's stiffness is a cosine"]
+    titles.append(r"With $\tau$ stiffness and twice the damping are a sine")
     only(agrees, *(shown(MASS, title) for title in titles), by=0.2)
     for d in (0, 1, 2, 5):
         assert not any(oracle.stable(-1e-3, beta, 0, 0, d) for beta in np.linspace(-2, 2, 21))
@@ -67,13 +67,13 @@ def test_how_the_two_roots_near_one_move():
 
 @guards("s4d_free_mass_extremes")
 def test_the_largest_stiffness_by_a_search_with_eigenvalues():
-    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
+    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
     for d in (0, 1, 2, 4, 8):
         low, high = 0.02, 0.95 * 2 * np.tan(np.pi / 4 / (d + 1))
         found, _ = stiffest(0, 0, d, low, high, top=2.0)
         # the search ends where beta is 1e-7 off; a simple root crosses: 1e-12 of rounding
         assert found == pytest.approx(float(printed[d]), rel=1e-9)
-    one = shown(EXTREMES, "Without delay it has a closed form")
+    one = shown(EXTREMES, "Without delay the largest stiffness has a closed form")
     assert abs(value(one) - printed[0]) < 1e-23
 
 
@@ -84,7 +84,7 @@ def test_minimal_polynomials_have_these_roots():
         for b in page(EXTREMES).blocks
         if b.title == "The largest stiffnesses are algebraic, with these minimal polynomials"
     )
-    printed = decimals(EXTREMES, "The largest stable stiffness of a free mass is")
+    printed = decimals(EXTREMES, "The largest stable stiffnesses of a free mass are enclosed")
     for (_, _, polynomial), alpha in zip(polynomials.lines, printed, strict=True):
         # alpha is cut after 24 digits; the slopes are of the size of the coefficients
         size = max(abs(int(c)) for c in polynomial.as_poly().all_coeffs())
@@ -107,8 +107,8 @@ def test_the_largest_damping_of_a_free_mass():
 @guards("s4d_free_mass_long_delay")
 def test_long_delays():
     """The largest (d+1)^2 alpha: at h = 0 and for small h by Newton's method on its slope."""
-    angle, largest = decimals(LONG, "In numbers the peak is at")
-    second, third = decimals(LONG, "In numbers the next terms are")
+    angle, largest = decimals(LONG, "Angle and height of the peak are enclosed")
+    second, third = decimals(LONG, "The factors of the next terms are enclosed")
 
     def top(h):
         """Largest 4 tan(h phi/2)^2 cos(phi)/h^2 over phi, from a wall with that root."""
@@ -136,13 +136,17 @@ def test_long_delays():
         assert abs(value(first_factor, phi=found) - second) < 1e-23
         assert abs(value(second_factor, phi=found) - third) < 1e-23
 
-    only(agrees, *(shown(LONG, f"The factor of $h^{n}$ is") for n in (2, 4)))
+    only(
+        agrees,
+        shown(LONG, r"At the peak the factor of $h^2$ is $\varphi_*^2/6$"),
+        shown(LONG, r"At the peak the factor of $h^4$ is rational in $\varphi_*^2$"),
+    )
 
 
 @guards("s4d_free_mass_long_delay")
 def test_a_long_delay_by_eigenvalues():
-    _, largest = map(float, decimals(LONG, "In numbers the peak is at"))
-    second, third = map(float, decimals(LONG, "In numbers the next terms are"))
+    _, largest = map(float, decimals(LONG, "Angle and height of the peak are enclosed"))
+    second, third = map(float, decimals(LONG, "The factors of the next terms are enclosed"))
     d = 30
     h = 1 / (d + 1)
     found, _ = stiffest(0, 0, d, 0.02, 0.05, top=0.01)
@@ -162,7 +166,7 @@ def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
             numbers = oracle.named(0, delta)
             assert number(formula, **numbers) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(DAMPED, "The largest stiffness is"))
+    only(agrees, shown(DAMPED, "The largest stiffness has a closed form"))
 
 
 @guards("s4d_mass_with_damper")
@@ -173,7 +177,7 @@ def test_the_product_of_the_roots_bounds_the_damping():
             found = -np.prod(np.linalg.eigvals(oracle.loops(0.2, beta, 0, delta, 0))).real
             assert number(product, beta=beta, **numbers) == pytest.approx(found, rel=1e-13)
 
-    only(agrees, shown(DAMPED, "The product of the three roots, its sign changed, is"))
+    only(agrees, shown(DAMPED, r"The product of the three roots is $n_0\beta$"))
     for delta in (0.02, 0.5):
         limit = 1 / float(oracle.numbers(0, delta)[1])
         assert not any(oracle.stable(a, 1.001 * limit, 0, delta, 0) for a in np.geomspace(1e-6, 1))

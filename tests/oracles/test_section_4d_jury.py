@@ -103,10 +103,14 @@ def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
             assert number(pairs, **at) == pytest.approx(found.real, abs=1e-6)
             a_2, a_1, a_0 = p[1:]
             minor = page(COUNTED).blocks
-            (minor,) = (b.lines[0][0] for b in minor if b.title == "For degree 3 the last minor is")
+            (minor,) = (
+                b.lines[0][0]
+                for b in minor
+                if b.title == "For degree 3 the last minor is a product over the roots"
+            )
             assert number(minor, a_0=a_0, a_1=a_1, a_2=a_2) == pytest.approx(found.real, abs=1e-6)
 
-    only(agrees, shown(COUNTED, "For degree 3 the last minor is"))
+    only(agrees, shown(COUNTED, "For degree 3 the last minor is a product over the roots"))
     head, *rows = next(b for b in page(COUNTED).blocks if b.kind == "table").rows
     for row in rows:
         d, count, planes = row[:3]
@@ -149,13 +153,18 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"B": beta * m / T, "b": delta * m / T, "m": m, "T": T}
             assert number(largest, **at) == pytest.approx(found, rel=1e-9)
 
-    only(agrees_in_units, shown(EXPLICIT, "In physical units it is"))
+    only(
+        agrees_in_units,
+        shown(
+            EXPLICIT, "In physical units the largest stiffness depends on mass, damping and period"
+        ),
+    )
 
     def agrees_free(still):
         for beta in (0.3, 0.8, 1.7):
             assert number(still, beta=beta) == pytest.approx(most(beta, 0, 0, 0), rel=1e-10)
 
-    only(agrees_free, shown(EXPLICIT, "Without damping it tends to"))
+    only(agrees_free, shown(EXPLICIT, "Without damping the solution tends to a limit"))
 
 
 @guards("s4d_jury_implicit")
@@ -176,7 +185,10 @@ def test_one_period_of_delay():
                 assert number(minor, **at) == pytest.approx(found, abs=1e-12)
             assert abs(found) > 1e-3 > 1e-9 > abs(product(alpha, beta, gamma, delta))
 
-    only(agrees, shown(IMPLICIT, "For one period of delay the last minor is"))
+    only(
+        agrees,
+        shown(IMPLICIT, "For one period of delay the last minor is a difference of two products"),
+    )
     alone = [(0.3, 0.2), (0.05, 0.02), (0.5, 0.1)]
 
     def agrees_alone(minor):

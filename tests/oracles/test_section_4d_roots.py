@@ -149,4 +149,8 @@ def test_how_fast_a_root_leaves():
         # the curvature over 0.04 periods, around the middle
         assert np.log(high / low) / 0.04 == pytest.approx(number(moves, **at), rel=2e-3)
 
-    only(agrees, shown(MARGIN, "With the delay a root on the circle moves by"), by=0.15)
+    only(
+        agrees,
+        shown(MARGIN, "With the delay a root on the circle moves outwards where $w$ is positive"),
+        by=0.15,
+    )

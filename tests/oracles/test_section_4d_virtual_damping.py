@@ -27,7 +27,7 @@ def test_the_constant_coefficient_is_the_product_of_the_eigenvalues():
                 found = np.prod(-roots)
                 assert number(constant, **at) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown(CHAPTER, "The constant coefficient is"))
+    only(agrees, shown(CHAPTER, r"The constant coefficient is $-\beta n_0$ for every delay"))
 
 
 @guards("s4d_virtual_damping")

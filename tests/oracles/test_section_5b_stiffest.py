@@ -36,7 +36,7 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(UNDELAYED, "So the largest stable stiffness without delay is"))
+    only(agrees, shown(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
     ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
@@ -160,7 +160,7 @@ def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
 
 @guards("s5b_stiffest_wall_numbers")
 def test_the_ratio_at_one_period_of_delay_by_a_search():
-    found = decimals(NUMBERS, "The ratio in numbers")
+    found = decimals(NUMBERS, "The ratio of both stiffnesses is enclosed")
     arms = [(1e-3, "0.02"), (0.0, "0.02"), (0.0, "0.0202")]
     for (gamma, delta), ratio in zip(arms, found, strict=True):
         most, _ = stiffest(gamma, float(delta), 1, 0.1, 0.7, top=0.5)
@@ -204,7 +204,7 @@ def test_a_wall_that_is_stable_for_every_delay():
 
 @guards("s5b_stiffest_wall_peak_free")
 def test_the_peaks_of_the_ratio():
-    found = decimals(FREE, "Two peaks")
+    found = decimals(FREE, "The ratios beside both peaks are enclosed")
     cases = (("0", 121), ("0", 122), ("0", 123), ("0.001", 40))
     for (gamma, d), eta in zip(cases, found, strict=True):
         ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
@@ -258,7 +258,7 @@ def test_what_the_ratio_tends_to_and_where_it_is_stiffest():
 
             assert abs(mpmath.diff(slow, phi)) < 1e-25
 
-    only(agrees, shown(FREE, "The delay"))
+    only(agrees, shown(FREE, "The delay $d=1/u-1$ belongs to the angle $\\varphi$"))
 
 
 @guards("s5b_weaker_damping")
@@ -268,7 +268,9 @@ def test_less_damping_makes_the_ratio_larger_for_short_delays_and_smaller_for_lo
         for d, low, high, top in walls:
             light, heavy = (stiffest(gamma, f, d, low, high, top)[0] / f for f in (0.01, 0.02))
             assert light > heavy
-    found = decimals("s5b_weaker_damping", "Passive over stable stiffness")
+    found = decimals(
+        "s5b_weaker_damping", "The share of the passive in the stable stiffness is enclosed"
+    )
     for delta, eta in zip(("0.01", "0.02"), found, strict=True):
         delta = mpmath.mpf(delta)
         assert 0 <= passive(delta, 200) / first_arc(mpmath.mpf(0), delta, 200) - eta < 1e-20

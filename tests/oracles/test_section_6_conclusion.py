@@ -52,7 +52,10 @@ def test_what_faster_sampling_gains_at_the_same_delay():
         K = 1 / energy.need(1.0, 0.0, far, np.array([np.pi / (2 * (far + 1))]))[0]
         assert number(limit) == pytest.approx(K * (far + 1), rel=1e-8)
 
-    titles = ("The largest passive stiffness, (11), with $T=t_d/d$", "Endlessly fast sampling")
+    titles = (
+        "The largest passive stiffness, (11), with $T=t_d/d$",
+        r"With endlessly fast sampling $Kt_d/b$ tends to $\pi/2$",
+    )
     only(agrees, *(shown("s6_gains", title) for title in titles))
     ends = decimals("s6_gains", "The gain of a free mass")
     late = 10**8  # endlessly fast to 1e-16

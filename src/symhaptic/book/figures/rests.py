@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 Edges = Mapping[int, frozenset[int]]
 """For each chapter those whose theorems it applies."""
 
-LETTERS = 25
+LETTERS = 23
 """Of a line of a chapter's title."""
 
 SWEEPS = 12
@@ -56,7 +56,10 @@ def direct(edges: Edges) -> dict[int, frozenset[int]]:
 
 
 def columns(edges: Edges) -> list[list[int]]:
-    """Chapters by the longest way down, in an order in which neighbours are near each other."""
+    """Chapters by the longest way down, in an order in which neighbours are near each other.
+
+    A chapter that none applies is where behind there the fewest are, so that columns are short.
+    """
     depth: dict[int, int] = {}
 
     def deep(node: int) -> int:
@@ -65,8 +68,10 @@ def columns(edges: Edges) -> list[list[int]]:
         return depth[node]
 
     found: list[list[int]] = [[] for _ in range(1 + max(map(deep, edges)))]
-    for node in sorted(edges):
-        found[depth[node]].append(node)
+    used = {n for under in edges.values() for n in under}
+    for node in sorted(edges, key=lambda n: (n not in used, -depth[n], n)):
+        behind = found[depth[node] :]
+        (behind[0] if node in used else min(behind, key=len)).append(node)
     near = {n: {*edges[n], *(m for m in edges if n in edges[m])} for n in edges}
     for _ in range(SWEEPS):
         at = {n: y for column in found for n, y in _heights(column).items()}

@@ -74,6 +74,10 @@ _ENDS = _tags("mi", "mn", "msup", "msub", "mfrac")
 """Behind these a function is set apart."""
 
 
+_FORMS = {**dict.fromkeys("([{", "prefix"), **dict.fromkeys(")]}", "postfix")}
+"""Brackets that have one form only, which a browser knows."""
+
+
 def spaced(html: str) -> str:
     """The thin spaces that TeX puts around the name of a function, its exponent included."""
     root = ElementTree.fromstring(html)
@@ -84,7 +88,11 @@ def spaced(html: str) -> str:
                 row.insert(at + 1, _thin())
             if at and (row[at - 1].tag in _ENDS or row[at - 1].text == ")"):
                 row.insert(at, _thin())
-    return ElementTree.tostring(root, encoding="unicode")
+    for mark in root.iter(f"{{{_MATHML}}}mo"):
+        if mark.get("form") == _FORMS.get(mark.text or ""):
+            mark.attrib.pop("form", None)
+    # a page of HTML knows what math is, and a tenth of the site were these words
+    return ElementTree.tostring(root, encoding="unicode").replace(f' xmlns="{_MATHML}"', "", 1)
 
 
 def _named(part: ElementTree.Element) -> bool:

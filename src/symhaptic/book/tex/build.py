@@ -276,7 +276,7 @@ def _graph(chapters: list[Chapter], folder: Path, say: Callable[[str], None]) ->
         say("figure graph")
         titles = {number: chapter.title for number, chapter in numbered}
         draw = partial(graph, edges=edges, titles=titles)
-        save(draw, folder / "graph.pdf", height=1.32)
+        save(draw, folder / "graph.pdf", height=1.1)
 
 
 def _measured(folder: Path, say: Callable[[str], None]) -> None:

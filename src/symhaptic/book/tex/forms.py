@@ -24,6 +24,19 @@ LONG_CLAIM = 400.0
 """Width of a proposition in em from which on a page may break it: others stay in one piece."""
 
 
+BESIDE = 110
+"""Letters of what a statement rests on up to which it stands in the margin, and not below."""
+
+
+def letters(ground: str) -> int:
+    r"""How many letters are set, of links only what is shown.
+
+    >>> letters(r"a theorem by \byrule{held-answer}{motion}, \byrule{units}{units}")
+    26
+    """
+    return len(re.sub(r"\\byrule\{[^{}]*\}|\\[a-z]+|[{}]", "", ground))
+
+
 def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
     """The table of what is printed, beside the verdict and, where needed, the correction.
 
@@ -34,12 +47,15 @@ def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
         statement, verdict = item.statement, item.verdict
         shown = _beside(printed(statement), verdict, facing=not statement.latex)
         beside = _verdict(verdict)
-        if ground:
+        long = letters(ground) > BESIDE
+        if ground and not long:
             beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
         place = f"\\statementplace{{{statement.id}}}{reference(statement.id)}"
         rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
         if width(verdict.proposition or "") > LONG_CLAIM:
             rows[-1] += f"\n\\claimed{{${running(verdict.proposition or '')}$}}"
+        if long:
+            rows[-1] += f"\n\\grounds{{{ground}}}"
         right = correction(verdict)
         if right:
             rows.append(f"\\form{{}}{{{right}}}{{\\kind{{proved}}{{proved}} as corrected}}")

@@ -15,7 +15,7 @@ from symhaptic.book.record import Block, Record, Settled
 from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
-from symhaptic.book.tex.forms import LONG_CLAIM, answers, printed_forms, sentence
+from symhaptic.book.tex.forms import BESIDE, LONG_CLAIM, answers, letters, printed_forms, sentence
 from symhaptic.book.tex.words import anchor, escaped, prose
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
@@ -128,9 +128,13 @@ def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown])
     if block.theorem is not None:
         method = _by(method, [block.theorem], shown)
     kind = "longclaim" if sum(map(width, (*given, then))) > LONG_CLAIM else kind
-    claim = f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{method}}}"
+    long = letters(method) > BESIDE
+    beside = "" if long else method
+    claim = f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{beside}}}"
     numbers = evidence(block.theorem, shown) if block.theorem is not None else ""
-    return f"{claim}\n\\numbers{{{_sentence(prose(numbers))}}}" if numbers else claim
+    below = [_sentence(method)] if long else []
+    below += [_sentence(prose(numbers))] if numbers else []
+    return "\n".join([claim, *(f"\\numbers{{{text}}}" for text in below)])
 
 
 def _foreign(item: Settled) -> str:

@@ -1,0 +1,167 @@
+"""The usual slips of somebody who writes a formula down as code: each is refused, and named."""
+
+import math
+from math import cos, degrees, pi, radians, sin, sqrt, tan
+
+import numpy as np
+import pytest
+
+from symhaptic.check import callers
+from symhaptic.check.compare import compared
+from symhaptic.check.formulas import CHECKED
+
+
+def stiffest(b, T, d, *, turn=lambda x: x, half=lambda x: x / 2, pi=pi):
+    """(11) of the paper, with what may go wrong in it."""
+    n = pi / (2 * (d + 1))
+    return 2 * b / T * tan(turn(half(n))), b * (sin(turn(n * d)) - d / (d + 1)) / sin(turn(n))
+
+
+def single(b, T, d):
+    """Single precision inside, and a product in double precision behind."""
+    K, B = (np.float32(v) for v in stiffest(b, T, d))
+    return float(K) * 1.0000000001, float(B) * 1.0000000001
+
+
+def frequency(k, b, m):
+    """(28): the frequency of a device that swings."""
+    inside = k / m - (b / m / 2) ** 2
+    return sqrt(inside) if inside >= 0 else math.nan
+
+
+def sampled(b, k, m, T, *, root=sqrt):
+    """(12) as it is right; only of a device that does not swing has it a value."""
+    c = root(b * b - 4 * k * m) * T / m
+    c2, c3, e = (
+        math.exp(-b * T / m / 2 - c / 2),
+        math.exp(-b * T / m / 2 + c / 2),
+        math.exp(-b * T / m),
+    )
+    odd, inside = b * m / T * c * (c3 - c2), b * b - 4 * k * m
+    below = -2 * k * inside
+    return (
+        (odd + inside * (c2 + c3 - 2)) / below,
+        (-odd + inside * (c2 + c3 - 2 * e)) / below,
+        c2 + c3,
+        e,
+    )
+
+
+def defined(function):
+    """NaN where a formula cannot be computed."""
+
+    def f(*arguments):
+        try:
+            return function(*arguments)
+        except (ValueError, ZeroDivisionError):
+            return (math.nan,) * 4
+
+    return f
+
+
+SLIPS = [
+    ("eq11", lambda b, T, d: 2 * b / T * tan(pi / (2 * (d + 1.0000001))), "differs"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d, half=lambda x: x * 0.98)[0], "differs"),
+    ("eq11", lambda b, T, d: 2 * b / T * tan(pi / (8 * (d + 1))), "half the angle in tan"),
+    (
+        "eq11",
+        lambda b, T, d: stiffest(b, T, d, turn=radians),
+        "the angle as degrees in tan, sin and",
+    ),
+    (
+        "eq11",
+        lambda b, T, d: stiffest(b, T, d, turn=degrees),
+        "turned into degrees in tan, sin and",
+    ),
+    ("eq11", lambda b, T, d: stiffest(b, T, d, pi=3.14159), "3.14159 for pi"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d, pi=22 / 7), "22/7 for pi"),
+    ("eq11", lambda b, T, d: stiffest(b, T / 2, d), "T/2 for T"),
+    ("eq11", lambda b, T, d: stiffest(b, 1000 * T, d), "T is taken in milliseconds"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d / T)[0], "d is taken in seconds, not in periods"),
+    ("eq11", lambda T, b, d: stiffest(b, T, d), "arguments are taken in another order"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d - 1), "d - 1 for d"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d)[0] * T, "1/T dropped"),
+    ("eq11", lambda b, T, d: stiffest(b, T, d)[0] * 3, "K is 3 times what is right"),
+    ("eq11", lambda b, T, d: tuple(-v for v in stiffest(b, T, d)), "the sign of all results"),
+    ("linear_limit", lambda y, x, d: max((y + x) / (d + 0.5), 0), "cut off at 0"),
+    ("eq11", lambda b, T, d: tuple(map(float, map(int, stiffest(b, T, d)))), "whole numbers"),
+    ("eq11", single, "single precision, somewhere in between"),
+    (
+        "eq11",
+        lambda b, T, d: (
+            stiffest(b, T, d)[0],
+            b * (sin(pi * d / (2 * (d + 1))) - d // (d + 1)) / sin(pi / (2 * (d + 1))),
+        ),
+        "a division of whole numbers, rounded down",
+    ),
+    (
+        "eq9",
+        lambda b, B, T, d: (b + B) / ((d + 1 // 2) * T) if d else math.nan,
+        "1/2 as a division",
+    ),
+    ("eq6", lambda K, B, T: K * T / 2 + B, "the absolute value left out"),
+    ("eq6", lambda K, B, T: K * T + abs(B), "(6) with 2*"),
+    ("eq5", lambda K, B, T, omega, d: eq5(K, B, T, 2 * pi * omega, d), "omega is taken in Hz"),
+    ("eq24", lambda b, B, t_d, T: (b + B) / (t_d * T + T / 2), "t_d is taken in periods"),
+    ("eq28", lambda k, b, m: frequency(k, b, m) ** 2, "the square root left out"),
+    ("eq28", lambda k, b, m: frequency(k, b, m) / (2 * pi), "are given in Hz"),
+    ("eq28", lambda k, b, m: frequency(k, b, 1000 * m), "m is taken in grams"),
+    ("eq28", lambda k, b, m: sqrt(k / m), "dropped"),
+    ("eq12", defined(sampled), "NaN where the device swings: a real square root of b^2 - 4km"),
+    (
+        "is_passive",
+        lambda alpha, beta, delta, d: passive(2 * alpha, beta, delta, d),
+        "alpha is taken twice",
+    ),
+    (
+        "stability_boundary",
+        lambda theta, *rest: bound(radians(theta), *rest),
+        "theta is taken as degrees",
+    ),
+]
+
+
+def eq5(K, B, T, omega, d):
+    half = omega * T / 2
+    return K * T * sin((2 * d + 1) * half) / (2 * sin(half)) - B * cos(2 * (d + 1) * half)
+
+
+def passive(*wall):
+    from symhaptic import is_passive
+
+    return float(is_passive(*wall))
+
+
+def bound(*at):
+    from symhaptic import stability_boundary
+
+    return tuple(map(float, stability_boundary(*at)))
+
+
+@pytest.mark.parametrize(
+    ("formula", "function", "said"), SLIPS, ids=lambda v: v if isinstance(v, str) else ""
+)
+def test_a_usual_slip_is_refused_and_named(formula, function, said):
+    checked = CHECKED[formula]
+    found = compared(checked, callers.called(function, len(checked.results)), 8, 2000)
+    assert not found.agrees
+    if said == "differs":  # no usual slip: nothing is named
+        assert found.names == ()
+    else:
+        assert said in " ".join(found.names)
+
+
+def test_twice_the_angle_is_named():
+    """tan(angle) where the paper has tan(angle/2): without delay it has no value at all."""
+
+    def mine(b, T, d):
+        return 2 * b / T * tan(pi / (2 * (d + 1)))
+
+    found = compared(CHECKED["eq11"], callers.called(mine, 2), 8, 3000)
+    assert found.names == ("this is (11) with twice the angle in tan",)
+
+
+def test_a_right_function_has_no_slip():
+    found = compared(CHECKED["eq11"], callers.called(stiffest, 2), 8, 2000)
+    assert found.agrees
+    assert found.names == ()
