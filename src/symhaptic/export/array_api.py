@@ -31,7 +31,7 @@ from symhaptic.export.branches import lazy, told
 from symhaptic.export.hoist_plant import hoisted
 from symhaptic.export.module import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Routine, Step, fresh
+from symhaptic.export.routine import Routine, Step, Steps, fresh
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
@@ -92,7 +92,7 @@ class ArrayApi(Target):
         if conditions:
             lines += [*self._conditions(conditions), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
-            lines += [*self._public(form, routine, conditions), "", ""]
+            lines += [*self._public(form, routine, conditions, library), "", ""]
         return {f"{library.name}.py": "\n".join(lines[:-2]) + "\n"}
 
     def _named(self, symbols: Iterable[Symbol]) -> list[str]:
@@ -124,7 +124,9 @@ class ArrayApi(Target):
         apart += _documented(["The same in single precision."])
         return [*apart, *_narrow(other), "", "", *head, *_narrow(body)]
 
-    def _public(self, form: Form, routine: Routine, conditions: Mapping[Boolean, str]) -> list[str]:
+    def _public(
+        self, form: Form, routine: Routine, conditions: Mapping[Boolean, str], library: Library
+    ) -> list[str]:
         about = describe(form, self.precision)
         names = self._named(routine.arguments)
         head = f"def {self.call(routine.name)}({', '.join(names)}):"
@@ -133,6 +135,11 @@ class ArrayApi(Target):
             return [*lines, "    (xp,) = arrays()", *self._body(routine, 1)]
         lines.append(f"    {', '.join(['xp', *names])} = arrays({', '.join(names)})")
         plant, work = hoisted(routine)
+        for other in library.forms:
+            if (made := _in_terms_of(form, other)) is not None:
+                plant, work = None, made
+                counted = f"{self.call(other.name)}({', '.join(names)})"
+                lines.append(f"    {self.rename(made.arguments[-1].name)} = {counted}")
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue
@@ -194,6 +201,24 @@ class ArrayApi(Target):
     def commands(self, name: str) -> list[list[str]]:
         """Run; a warning is an error."""
         return [["python", "-W", "error", "selftest.py"]]
+
+
+def _in_terms_of(form: Form, other: Form) -> Routine | None:
+    """The verdict of a form, made of what another one of the same arguments counts, if it is.
+
+    Outside of its domain that one counts -1, of which the verdict is no.
+    """
+    if not form.truth or other.outside != -1 or form.arguments != other.arguments:
+        return None
+    ((_, own),), ((name, count),) = form.results, other.results
+    counts = [value for value, _ in count.args] if isinstance(count, sp.Piecewise) else [count]
+    made = own.xreplace(dict.fromkeys(counts, Symbol(name)))
+    verdicts = {v for v, _ in made.args} if isinstance(made, sp.Piecewise) else {made}
+    if len(verdicts) > 1:
+        return None
+    (verdict,) = verdicts
+    given = (*(s for s in form.arguments if verdict.has(s)), Symbol(name))
+    return Steps().routine(form.name, form.title, given, verdict)
 
 
 def _narrow(lines: Iterable[str]) -> list[str]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
+from sympy.core.function import AppliedUndef
 from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.export.blocks import (
@@ -75,6 +77,10 @@ class Scope:
         }
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
+        self.handed = _handed(block)
+        """Where each call stands in whose place both of its results are handed on, and nowhere."""
+        self.calls: dict[tuple[Expr, ...], str] = {}
+        """How these calls are written."""
 
     def name(self, symbol: Symbol) -> str:
         """A variable as it is written."""
@@ -112,6 +118,12 @@ class Scope:
             elif isinstance(statement, Several):
                 name, args = self._called(statement.call)
                 self._retired(last.get(i, ()), idle)
+                if i in self.handed:
+                    self.calls[statement.names] = f"*{name}(xp, {args})"
+                    continue
+                if self.block[i + 1 :] == (Return(statement.names),):
+                    lines.append(f"{pad}return {name}(xp, {args})")
+                    break
                 for symbol in statement.names:
                     self._renamed(symbol, idle)
                 names = self.named(statement.names)
@@ -145,7 +157,7 @@ class Scope:
     def _join(self, join: Join, depth: int) -> list[str]:
         """The names with their values, each side computed where it counts."""
         names = ", ".join(self.named(join.names))
-        return [*self._selected(join, depth, f"{'    ' * depth}{names} ="), ""]
+        return self._selected(join, depth, f"{'    ' * depth}{names} =")
 
     def _selected(self, choice: Choice | Join, depth: int, start: str) -> list[str]:
         lines, given = [], []
@@ -155,6 +167,9 @@ class Scope:
             inside = Scope(self.target, block)
             made = self._function(name, inside, wanted, depth)
             side = _short(made)
+            if not side and (call := _mere_call(block)):
+                side = f"lambda *v: {self.target.call(call.func.__name__)}(xp, *v)"
+                wanted = list(call.args)
             lines += ["", *made] * (not side)
             given.append(f"{side or name}, {_listed(self.named(wanted))}")
         end = f"{start} select(xp, {condition}, {given[0]}, {given[1]})"
@@ -232,11 +247,17 @@ class Scope:
                 for error in expr.atoms(TwoProdError):
                     if product := self._product(*error.args):
                         used.add(product)
-            last |= dict.fromkeys(sorted(used & own, key=str), i)
+            last |= dict.fromkeys(sorted(used & own, key=str), self._place(i))
         found: dict[int, list[Symbol]] = {}
         for symbol, i in last.items():
             found.setdefault(i, []).append(symbol)
         return found
+
+    def _place(self, i: int) -> int:
+        """The statement that a statement is written in."""
+        while i in self.handed:
+            i = self.handed[i]
+        return i
 
     # -- what has to be there before an expression --------------------------------------------
 
@@ -280,15 +301,27 @@ class Scope:
 
     def _called(self, expr: Expr) -> tuple[str, str]:
         """The routine, and its arguments, which are all arrays."""
-        like = min(self._symbols(expr), key=str, default=None)
+        like = min(self.named(self._there(expr)), default=None)
         plain = expr.func.__name__ in _OF_NUMBERS
-        args = [
-            f"xp.full_like({like}, {self.printer.doprint(a)})"
-            if a.is_number and not plain
-            else self.printer.doprint(a)
-            for a in expr.args
-        ]
+        args, given = [], list(expr.args)
+        while given:
+            arg = given.pop(0)
+            if call := self.calls.get((arg, *given[:1])):
+                args.append(call)
+                del given[0]
+            elif arg.is_number and not plain:
+                args.append(f"xp.full_like({like}, {self.printer.doprint(arg)})")
+            else:
+                args.append(self.printer.doprint(arg))
         return self.target.call(expr.func.__name__), ", ".join(args)
+
+    def _there(self, expr: Expr) -> set[Symbol]:
+        """The variables of a call, and of calls whose results it is handed."""
+        found: set[Symbol] = set()
+        handed = {n: s.call for i in self.handed for s in [self.block[i]] for n in s.names}
+        for symbol in expr.free_symbols:
+            found |= self._there(handed[symbol]) if symbol in handed else {symbol}
+        return found
 
     def two_prod_error(self, one: Expr, two: Expr) -> str:
         """What a product misses; the product itself may have a name."""
@@ -316,6 +349,29 @@ _OF_NUMBERS = "FastTwoSum", "TwoDiff", "PairSum", "PairDiff", "OnePlus", "OneMin
 """Routines that take numbers beside arrays."""
 
 
+def _handed(block: Block) -> dict[int, int]:
+    """Calls whose two results are arguments side by side of one other call, and nothing else.
+
+    By their places in the block, and that of the statement with the other call.
+    """
+    uses: Counter[Symbol] = Counter()
+    users: dict[tuple[Expr, ...], int] = {}
+    for i, statement in enumerate(block):
+        shown = expressions(statement)
+        for symbol in inputs((statement,)):
+            uses[symbol] += not any(e.has(symbol) for e in shown)
+        for part in (p for expr in shown for p in sp.preorder_traversal(expr)):
+            if part.is_Symbol:
+                uses[part] += 1
+            elif isinstance(part, AppliedUndef):
+                users |= dict.fromkeys(zip(part.args, part.args[1:], strict=False), i)
+    return {
+        i: users[s.names]
+        for i, s in enumerate(block)
+        if isinstance(s, Several) and s.names in users and all(uses[n] == 1 for n in s.names)
+    }
+
+
 _BRIEF = 64
 """Characters of a function that needs no name."""
 
@@ -329,6 +385,16 @@ def _short(lines: list[str]) -> str:
     shown = f"({value})" if _several(value) else value
     text = f"lambda {head[head.index('(') + 1 : -2]}: {shown}"
     return text if len(text) <= _BRIEF else ""
+
+
+def _mere_call(block: Block) -> Expr | None:
+    """The call that a block returns, if it does nothing else and all arguments are variables."""
+    first = block[0]
+    if not isinstance(first, Return) or len(first.results) > 1:
+        return None
+    (call,) = first.results
+    alone = isinstance(call, AppliedUndef) or type(call).__module__.startswith("symhaptic.forms")
+    return call if alone and all(a.is_Symbol for a in call.args) else None
 
 
 def _several(text: str) -> bool:

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy import Expr, tan
 
 from symhaptic.export.pairs import (
+    Pair,
     exact,
     fast_two_sum,
     minus,

@@ -18,31 +18,24 @@ static const double inverse_factorial[] =
     8.896791392450574e-22, 3.868170170630684e-23, 1.6117375710961184e-24, 6.446950284384474e-26,
     2.4795962632247976e-27, 9.183689863795546e-29, 3.279889237069838e-30};
 
-// x + y and what it misses, for |x| >= |y|
-static inline void fast_two_sum(double x, double y, double *total_out, double *lost_out) {
-    const double total = x + y, back = total - x;
-    *total_out = total; *lost_out = -back + y; return;
-}
-
-// x - y and what it misses
-static inline void two_diff(double x, double y, double *total_out, double *lost_out) {
-    const double total = x - y, back = total - x, rest = -back + total, one = -rest + x;
-    const double two = -back - y;
-    *total_out = total; *lost_out = one + two; return;
-}
-
-// w = delta^2/4 - gamma, what it misses, its root and the size of the poles
-static inline void device_motion(double gamma, double delta, double *w_out, double *w_low_out,
-    double *root_out, double *reach_out) {
-    const double half = 0.5*delta, square = (half*half);
-    double total, lost; two_diff(square, gamma, &total, &lost);
-    const double rest = lost + fma(half, half, -(half*half));
-    double total2, lost2; fast_two_sum(total, rest, &total2, &lost2);
-    const double root = sqrt(fabs(total2));
-    *w_out = total2; *w_low_out = lost2; *root_out = root;
-    *reach_out = (total2 < 0.0 ? 0.25*gamma : 0.4444444444444444*half + 0.4444444444444444*root);
-    return;
-}
+typedef struct { double hi, lo; } Pair; // and what its float misses
+typedef struct { Pair fall, mean; } Fading;
+typedef struct { Pair p, q; } Poles;
+typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { double half; Pair w; double root, reach; } Motion;
+typedef struct { Pair even, odd; } Wave;
+typedef struct { double near, risen, sunk, moved; } Turns;
+typedef struct { double envelope; Pair even, wave; double near, risen, sunk, moved; } Swinging;
+typedef struct { double n0, n1, trace; } DeviceN0N1Trace;
+typedef struct { double together, trace; } DeviceTogetherTrace;
+typedef struct { double at_minus_one, together, n_gap, n0, n1; } DeviceAtMinusOneTogetherNGapN0N1;
+typedef struct { double halves, rest; } Angle;
+typedef struct { Pair kick; double n_gap, n0, n1; } DeviceKickKickLowNGapN0N1;
+typedef struct { double apart, m2, m0; } Delayed;
+typedef struct { double low, high; } Roots;
+typedef struct { double ahead, in_phase; } Response;
+typedef struct { double at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
+typedef struct { double cosine, sine; } CosSin;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
@@ -57,63 +50,121 @@ static inline double decay_series(double x) {
         0.001388888888888889) + 0.041666666666666664) + 0.16666666666666666;
 }
 
-// x (y + y_low) and what it misses
-static inline void wide_prod(double x, double y, double y_low, double *total_out,
-    double *lost_out) {
-    *total_out = x*y; *lost_out = x*y_low + fma(x, y, -(x*y)); return;
+// x + y and what it misses, for |x| >= |y|
+static inline Pair fast_two_sum(double x, double y) {
+    const double total = x + y, back = total - x;
+    return (Pair){total, -back + y};
+}
+
+// 1 - x of a pair, for |x| <= 1
+static inline Pair one_minus(Pair x) {
+    const Pair total = fast_two_sum(1.0, -x.hi);
+    return (Pair){total.hi, total.lo - x.lo};
+}
+
+// x y of a float and a pair
+static inline Pair wide_prod(double x, Pair y) {
+    return (Pair){x*y.hi, x*y.lo + fma(x, y.hi, -(x*y.hi))};
+}
+
+// x y of pairs
+static inline Pair pair_prod(Pair x, Pair y) {
+    const Pair prod = wide_prod(x.hi, y);
+    return (Pair){prod.hi, prod.lo + x.lo*y.hi};
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
-static inline void brief_fading(double rate, double low, double *fall_out, double *fall_low_out,
-    double *mean_out, double *mean_low_out) {
-    double total, lost; fast_two_sum(1.0, -0.5*rate, &total, &lost);
-    const double curved = (rate*rate)*decay_series(rate);
-    double total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
-    const double bent = low*(0.125*(rate*rate) - 0.3333333333333333*rate + 0.5);
-    const double mean_low = -bent + lost + lost2;
-    double total3, lost3; wide_prod(rate, total2, mean_low, &total3, &lost3);
-    double total4, lost4; fast_two_sum(1.0, -total3, &total4, &lost4);
-    const double off = lost3 + low*total2;
-    *fall_out = total4; *fall_low_out = lost4 - off; *mean_out = total2;
-    *mean_low_out = mean_low; return;
+static inline Fading brief_fading(Pair rate) {
+    const Pair total = fast_two_sum(1.0, -0.5*rate.hi);
+    const double curved = (rate.hi*rate.hi)*decay_series(rate.hi);
+    const Pair total2 = fast_two_sum(total.hi, curved);
+    const double bent = rate.lo*(0.125*(rate.hi*rate.hi) - 0.3333333333333333*rate.hi + 0.5);
+    const double mean_low = -bent + total.lo + total2.lo;
+    return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
 }
 
-// (x + x_low)/(y + y_low) and what it misses
-static inline void wide_quot(double x, double y, double x_low, double y_low, double *total_out,
-    double *lost_out) {
-    const double total = x/y, left = -total*y + x;
-    const double left2 = left - fma(total, y, -(total*y)), rest = -total*y_low + x_low;
-    const double left3 = left2 + rest;
-    *total_out = total; *lost_out = left3/y; return;
+// x/y of pairs
+static inline Pair pair_quot(Pair x, Pair y) {
+    const double total = x.hi/y.hi, left = -total*y.hi + x.hi;
+    const double left2 = left - fma(total, y.hi, -(total*y.hi));
+    const double rest = -total*y.lo + x.lo, left3 = left2 + rest;
+    return (Pair){total, left3/y.hi};
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
-static inline void fading_pair(double rate, double low, double *fall_out, double *fall_low_out,
-    double *mean_out, double *mean_low_out) {
-    if (rate < 0.75) {
-        double fall, fall_low, mean, mean_low;
-        brief_fading(rate, low, &fall, &fall_low, &mean, &mean_low);
-        *fall_out = fall; *fall_low_out = fall_low; *mean_out = mean;
-        *mean_low_out = mean_low; return;
+static inline Fading fading_pair(Pair rate) {
+    if (rate.hi < 0.75) {
+        const Fading fading = brief_fading(rate);
+        return fading;
     }
-    const double sunk = exp(-rate);
-    double total, lost; fast_two_sum(1.0, -sunk, &total, &lost);
-    const double sunk_low = -low*sunk;
-    double total2, lost2; wide_quot(total, rate, lost - sunk_low, low, &total2, &lost2);
-    *fall_out = sunk; *fall_low_out = sunk_low; *mean_out = total2;
-    *mean_low_out = lost2; return;
+    const double sunk = exp(-rate.hi), sunk_low = -rate.lo*sunk;
+    return (Fading){{sunk, sunk_low}, pair_quot(one_minus((Pair){sunk, sunk_low}), rate)};
 }
 
-// number + delta one - gamma two and what it misses, of pairs
-static inline void plant_n0_term(double gamma, double delta, double one, double one_low,
-    double two, double two_low, double number, double *total_out, double *low_out) {
-    double total, lost; wide_prod(delta, one, one_low, &total, &lost);
-    double total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
-    double total3, lost3; two_diff(total, total2, &total3, &lost3);
-    double total4, lost4; two_diff(total3, -number, &total4, &lost4);
-    const double rest = lost - lost2, both = lost3 + lost4;
-    *total_out = total4; *low_out = both + rest; return;
+// what the root of |square + square_low| misses
+static inline double root_miss(Pair square, double root) {
+    const double sign_low = (square.hi < 0.0 ? -square.lo : square.lo);
+    const double left = -(root*root) + fabs(square.hi);
+    const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
+    const double whole = (root == 0.0 ? 1.0 : root);
+    return 0.5*left3/whole;
 }
+
+// the poles p = half + root and q = gamma/p
+static inline Poles real_poles(Motion motion, double gamma) {
+    const Pair total = fast_two_sum(motion.half, motion.root);
+    const double p_low = total.lo + root_miss(motion.w, motion.root);
+    const double whole = (total.hi == 0.0 ? 1.0 : total.hi);
+    return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0}, (Pair){whole, p_low})};
+}
+
+// of a creeping device the pole p, exp and mean of the other one and of their distance
+static inline Creeping creeping_device(Motion motion, double gamma) {
+    const Poles poles = real_poles(motion, gamma);
+    const Fading fading = fading_pair(poles.q);
+    const double root_low = root_miss(motion.w, motion.root);
+    const Fading fading2 = fading_pair((Pair){2.0*motion.root, 2.0*root_low});
+    return (Creeping){poles.p, fading.fall, fading.mean, fading2.fall, fading2.mean};
+}
+
+// x - y and what it misses
+static inline Pair two_diff(double x, double y) {
+    const double total = x - y, back = total - x, rest = -back + total, one = -rest + x;
+    const double two = -back - y;
+    return (Pair){total, one + two};
+}
+
+// x y and what it misses
+static inline Pair two_prod(double x, double y) { return (Pair){x*y, fma(x, y, -(x*y))}; }
+
+// half = delta/2, w = half^2 - gamma, its root and the size of the poles
+static inline Motion device_motion(double gamma, double delta) {
+    const double half = 0.5*delta;
+    const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
+    const double rest = diff.lo + prod.lo;
+    const Pair total = fast_two_sum(diff.hi, rest);
+    const double root = sqrt(fabs(total.hi));
+    return (Motion){half, total, root, (total.hi < 0.0 ? 0.25*gamma : 0.4444444444444444*half +
+        0.4444444444444444*root)};
+}
+
+// x - y of pairs
+static inline Pair pair_diff(Pair x, Pair y) {
+    const Pair diff = two_diff(x.hi, y.hi);
+    const double lost = diff.lo + x.lo;
+    return (Pair){diff.hi, lost - y.lo};
+}
+
+// x^2 of a pair
+static inline Pair pair_square(Pair x) { return wide_prod(x.hi, (Pair){x.hi, 2.0*x.lo}); }
+
+// number + delta one - gamma two and what it misses, of pairs
+static inline Pair plant_n0_term(double gamma, double delta, Pair one, Pair two, double number) {
+    return pair_diff(pair_diff(wide_prod(delta, one), wide_prod(gamma, two)), (Pair){-number, 0.0});
+}
+
+// the float of a pair
+static inline double rounded(Pair x) { return x.hi + x.lo; }
 
 // divided difference of exp at 0, p and q, less 1/2
 static inline double plant_n0_series(double gamma, double delta) {
@@ -122,61 +173,46 @@ static inline double plant_n0_series(double gamma, double delta) {
         const double number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
         two = one; one = next_one;
     }
-    double one2, one_low;
-    plant_n0_term(gamma, delta, one, 0.0, two, 0.0, 0.008333333333333333, &one2, &one_low);
-    double one3, one_low2;
-    plant_n0_term(gamma, delta, one2, one_low, one, 0.0, 0.041666666666666664, &one3, &one_low2);
-    double one4, one_low3;
-    plant_n0_term(gamma, delta, one3, one_low2, one2, one_low, 0.16666666666666666, &one4,
-        &one_low3);
-    double one5, one_low4;
-    plant_n0_term(gamma, delta, one4, one_low3, one3, one_low2, 0.0, &one5, &one_low4);
-    return one5 + one_low4;
+    const Pair one2 = plant_n0_term(gamma, delta, (Pair){one, 0.0}, (Pair){two, 0.0},
+        0.008333333333333333);
+    const Pair one3 = plant_n0_term(gamma, delta, one2, (Pair){one, 0.0}, 0.041666666666666664);
+    return rounded(plant_n0_term(gamma, delta,
+        plant_n0_term(gamma, delta, one3, one2, 0.16666666666666666), one3, 0.0));
 }
 
 // (fall + fall_low) (y + z), rounded once
-static inline double scaled_sum(double fall, double fall_low, double y, double z) {
-    double total, lost; two_diff(y, -z, &total, &lost);
-    double total2, lost2; wide_prod(fall, total, lost, &total2, &lost2);
-    const double low = fall_low*total + lost2;
-    return low + total2;
+static inline double scaled_sum(Pair fall, double y, double z) {
+    return rounded(pair_prod(fall, two_diff(y, -z)));
 }
 
 // n0 of a device with slow poles
-static inline double plant_n0_near(double fade_, double fade_low, double gamma, double delta) {
-    double total, lost; wide_prod(fade_, fade_, 2.0*fade_low, &total, &lost);
-    return scaled_sum(total, lost, plant_n0_series(gamma, delta), 0.5);
+static inline double plant_n0_near(Pair decayed, double gamma, double delta) {
+    return scaled_sum(pair_square(decayed), plant_n0_series(gamma, delta), 0.5);
 }
 
 // n0 of a creeping device
-static inline double plant_n0_creep(double reach, double fade_, double fade_low, double gamma,
-    double delta, double p, double p_low, double slow, double slow_low, double mean,
-    double mean_low, double ratio, double ratio_low, double even, double even_low) {
-    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, delta); }
-    double total, lost; wide_prod(ratio, mean, mean_low, &total, &lost);
-    double total2, lost2; two_diff(even, total, &total2, &lost2);
-    const double pulled_low = lost + mean*ratio_low;
-    const double rest = even_low + lost2 - pulled_low;
-    double total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
-    double total4, lost4; wide_prod(slow, total3, lost3, &total4, &lost4);
-    const double low = lost4 + slow_low*total3;
-    return low + total4;
+static inline double plant_n0_creep(Motion motion, Creeping creeping, Pair decayed, double gamma,
+    double delta) {
+    if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
+    return rounded(pair_prod(creeping.slow,
+        pair_quot(pair_diff(creeping.even, pair_prod(creeping.ratio, creeping.mean)), creeping.p)));
+}
+
+// x + y of pairs
+static inline Pair pair_sum(Pair x, Pair y) {
+    const Pair diff = two_diff(x.hi, -y.hi);
+    const double lost = diff.lo + x.lo;
+    return (Pair){diff.hi, lost + y.lo};
 }
 
 // n0 of a swinging device
-static inline double plant_n0_swing(double reach, double fade_, double fade_low, double half,
-    double envelope, double even, double even_low, double wave, double wave_low, double gamma,
-    double near, double known) {
-    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, 2.0*half); }
-    if (near > 0.0) { return known; }
-    double total, lost; wide_prod(half, wave, wave_low, &total, &lost);
-    double total2, lost2; two_diff(total, even, &total2, &lost2);
-    double total3, lost3; two_diff(total2, -envelope, &total3, &lost3);
-    const double rest = -even_low + lost + lost2 + lost3;
-    double total4, lost4; wide_prod(envelope, total3, rest, &total4, &lost4);
+static inline double plant_n0_swing(Motion motion, Swinging swinging, Pair decayed, double gamma) {
+    if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, 2.0*motion.half); }
+    if (swinging.near > 0.0) { return swinging.sunk; }
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    double total5, lost5; wide_quot(total4, whole, lost4, 0.0, &total5, &lost5);
-    return lost5 + total5;
+    return rounded(pair_quot(wide_prod(swinging.envelope,
+        pair_sum(pair_diff(wide_prod(motion.half, swinging.wave), swinging.even),
+        (Pair){swinging.envelope, 0.0})), (Pair){whole, 0.0}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -190,78 +226,48 @@ static inline double plant_n1_series(double h, double w) {
 }
 
 // n1 of a creeping device
-static inline double plant_n1_creep(double reach, double fade_, double fade_low, double half,
-    double w, double p, double p_low, double slow, double slow_low, double mean, double mean_low,
-    double even, double even_low) {
-    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
-    double total, lost; wide_prod(slow, even, even_low, &total, &lost);
-    double total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const double pulled_low = even*slow_low + lost;
-    const double rest = lost2 + mean_low - pulled_low;
-    double total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
-    return lost3 + total3;
+static inline double plant_n1_creep(Motion motion, Creeping creeping, Pair decayed) {
+    if (motion.reach < 0.5625) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
+    }
+    return rounded(pair_quot(pair_diff(creeping.mean, pair_prod(creeping.slow, creeping.even)),
+        creeping.p));
 }
 
 // n1 of a swinging device
-static inline double plant_n1_swing(double reach, double fade_, double fade_low, double half,
-    double w, double envelope, double even, double even_low, double wave, double wave_low,
-    double gamma, double near, double known) {
-    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
-    if (near > 0.0) { return known; }
-    double total, lost; wide_prod(half, wave, wave_low, &total, &lost);
-    double total2, lost2; two_diff(even, -total, &total2, &lost2);
-    double total3, lost3;
-    wide_prod(envelope, total2, even_low + lost + lost2, &total3, &lost3);
-    double total4, lost4; fast_two_sum(1.0, -total3, &total4, &lost4);
+static inline double plant_n1_swing(Motion motion, Swinging swinging, Pair decayed, double gamma) {
+    if (motion.reach < 0.5625) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
+    }
+    if (swinging.near > 0.0) { return swinging.risen; }
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    double total5, lost5; wide_quot(total4, whole, -lost3 + lost4, 0.0, &total5, &lost5);
-    return lost5 + total5;
+    return rounded(pair_quot(one_minus(wide_prod(swinging.envelope,
+        pair_sum(swinging.even, wide_prod(motion.half, swinging.wave)))), (Pair){whole, 0.0}));
+}
+
+// 1 + x of a pair, for |x| <= 1
+static inline Pair one_plus(Pair x) {
+    const Pair total = fast_two_sum(1.0, x.hi);
+    return (Pair){total.hi, total.lo + x.lo};
 }
 
 // a of a creeping device
-static inline double plant_trace_creep(double slow, double slow_low, double ratio,
-    double ratio_low) {
-    double total, lost; fast_two_sum(1.0, ratio, &total, &lost);
-    double total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
-    const double low = lost2 + slow_low*total;
-    return low + total2;
+static inline double plant_trace_creep(Creeping creeping) {
+    return rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)));
 }
 
 // a of a swinging device
-static inline double plant_trace_swing(double envelope, double even, double even_low) {
-    double total, lost; wide_prod(envelope, even, even_low, &total, &lost);
-    return 2.0*lost + 2.0*total;
-}
-
-// what the root of |square + square_low| misses
-static inline double root_miss(double square, double square_low, double root) {
-    const double sign_low = (square < 0.0 ? -square_low : square_low);
-    const double left = -(root*root) + fabs(square);
-    const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
-    const double whole = (root == 0.0 ? 1.0 : root);
-    return 0.5*left3/whole;
-}
-
-// the poles p = half + root and q = gamma/p and what they miss
-static inline void real_poles(double gamma, double half, double w, double w_low, double root,
-    double *p_out, double *p_low_out, double *q_out, double *q_low_out) {
-    double total, lost; fast_two_sum(half, root, &total, &lost);
-    const double p_low = lost + root_miss(w, w_low, root);
-    const double whole = (total == 0.0 ? 1.0 : total), q = gamma/whole;
-    const double off = gamma - q*whole, off2 = off - fma(whole, q, -(whole*q));
-    const double off3 = off2 - p_low*q;
-    *p_out = whole; *p_low_out = p_low; *q_out = q; *q_low_out = off3/whole; return;
+static inline double plant_trace_swing(Swinging swinging) {
+    return 2.0*rounded(wide_prod(swinging.envelope, swinging.even));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static inline void slow_fade(double reach, double half, double *fade_out, double *low_out) {
-    if (reach < 0.5625) {
-        double fall, fall_low, mean, mean_low;
-        brief_fading(0.5*half, 0.0, &fall, &fall_low, &mean, &mean_low);
-        double total, lost; wide_prod(fall, fall, 2.0*fall_low, &total, &lost);
-        *fade_out = total; *low_out = lost; return;
+static inline Pair slow_fade(Motion motion) {
+    if (motion.reach < 0.5625) {
+        const Fading fading = brief_fading((Pair){0.5*motion.half, 0.0});
+        return pair_square(fading.fall);
     }
-    *fade_out = 0.0; *low_out = 0.0; return;
+    return (Pair){0.0, 0.0};
 }
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
@@ -287,138 +293,90 @@ static inline double sin_series(double w) {
 }
 
 // cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle
-static inline void waving_pair(double square, double square_low, double angle, double *even_out,
-    double *even_low_out, double *odd_out, double *odd_low_out) {
-    if (square > -1.5) {
-        double total, lost; fast_two_sum(1.0, 0.5*square, &total, &lost);
-        const double curved = (square*square)*cos_series(square);
-        double total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
-        const double both = lost + lost2, bent = square*sin_series(square);
-        double total3, lost3; fast_two_sum(1.0, bent, &total3, &lost3);
-        *even_out = total2; *even_low_out = both + 0.5*square_low; *odd_out = total3;
-        *odd_low_out = lost3 + 0.16666666666666666*square_low; return;
+static inline Wave waving_pair(Pair square, double angle) {
+    if (square.hi > -1.5) {
+        const Pair total = fast_two_sum(1.0, 0.5*square.hi);
+        const double curved = (square.hi*square.hi)*cos_series(square.hi);
+        const Pair total2 = fast_two_sum(total.hi, curved);
+        const double both = total.lo + total2.lo;
+        const double bent = square.hi*sin_series(square.hi);
+        return (Wave){{total2.hi, both + 0.5*square.lo},
+            one_plus((Pair){bent, 0.16666666666666666*square.lo})};
     }
-    const double angle_low = root_miss(square, square_low, angle), sine = sin(angle);
+    const double angle_low = root_miss(square, angle), sine = sin(angle);
     const double cosine = cos(angle);
-    double total4, lost4;
-    wide_quot(sine, angle, angle_low*cosine, angle_low, &total4, &lost4);
-    *even_out = cosine; *even_low_out = -angle_low*sine; *odd_out = total4;
-    *odd_low_out = lost4; return;
-}
-
-// x y and what it misses
-static inline void two_prod(double x, double y, double *total_out, double *lost_out) {
-    *total_out = x*y; *lost_out = fma(x, y, -(x*y)); return;
+    return (Wave){{cosine, -angle_low*sine},
+        pair_quot((Pair){sine, angle_low*cosine}, (Pair){angle, angle_low})};
 }
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
-static inline void whole_turns(double half, double square, double square_low, double root,
-    double stiff, double *near_out, double *risen_out, double *sunk_out, double *moved_out) {
+static inline Turns whole_turns(double half, Pair square, double root, double stiff) {
     if ((half < 0.75) && (root < 67108864.0) && (root > 3.0)) {
         const double count = floor(0.5*root/3.141592653589793 + 0.5);
-        double total8, lost8; two_prod(count, 6.283185307179586, &total8, &lost8);
-        double total9, lost9; two_diff(root, -total8, &total9, &lost9);
-        const double missed = root_miss(square, square_low, root);
-        const double turns = (count*count);
-        double total, lost; two_prod(turns, 39.47841760435743, &total, &lost);
-        double total2, lost2; two_prod(turns, 2.5061182034958845e-15, &total2, &lost2);
-        double total3, lost3; two_diff(-square, total, &total3, &lost3);
-        double total4, lost4; two_diff(total3, lost, &total4, &lost4);
-        double total5, lost5; two_diff(total4, total2, &total5, &lost5);
-        double total6, lost6; two_diff(total5, square_low, &total6, &lost6);
+        const Pair prod3 = two_prod(count, 6.283185307179586);
+        const Pair diff6 = two_diff(root, -prod3.hi);
+        const double missed = root_miss(square, root), turns = (count*count);
+        const Pair prod = two_prod(turns, 39.47841760435743);
+        const Pair prod2 = two_prod(turns, 2.5061182034958845e-15);
+        const Pair diff = two_diff(-square.hi, prod.hi);
+        const Pair diff2 = two_diff(diff.hi, prod.lo);
+        const Pair diff3 = two_diff(diff2.hi, prod2.hi);
+        const Pair diff4 = two_diff(diff3.hi, square.lo);
         const double turned_low = 1.4920070805839235e-31*turns;
-        const double low = -lost2 + lost3 + lost4 + lost5 + lost6 - turned_low;
-        double total7, lost7; two_diff(total6, -low, &total7, &lost7);
+        const double low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const double back = 2.4492935982947064e-16*count;
-        const double both_low = back + lost8 + lost9 + missed;
-        const double whole = (total9 == 0.0 ? 1.0 : total9);
-        double total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
-        const double far = (total10*total10);
+        const double both_low = back + diff6.lo + missed + prod3.lo;
+        const double whole = (diff6.hi == 0.0 ? 1.0 : diff6.hi);
+        const Pair quot = pair_quot(two_diff(diff4.hi, -low), (Pair){whole, both_low});
+        const double far = (quot.hi*quot.hi);
         if ((count > 0.0) && (far < 1.5)) {
-            double fall, fall_low, mean, mean_low;
-            brief_fading(half, 0.0, &fall, &fall_low, &mean, &mean_low);
-            double total26, lost26; fast_two_sum(1.0, -fall, &total26, &lost26);
-            double total11, lost11; wide_prod(total10, total10, 2.0*lost10, &total11, &lost11);
-            double total13, lost13;
-            fast_two_sum(1.0, -total11*sin_series(-total11), &total13, &lost13);
-            double total14, lost14; wide_prod(total10, total13, lost13, &total14, &lost14);
-            const double bent = (total11*total11)*cos_series(-total11);
-            double total12, lost12; fast_two_sum(0.5*total11, -bent, &total12, &lost12);
-            const double lift_low = 0.5*lost11*total13 + lost12;
-            double total19, lost19; wide_prod(fall, total12, lift_low, &total19, &lost19);
-            double total29, lost29; wide_prod(fall, total12, lift_low, &total29, &lost29);
-            double total15, lost15;
-            wide_quot(total14, root, lost10*(1.0 - total12) + lost14, missed, &total15, &lost15);
-            double total16, lost16; wide_prod(fall, total15, lost15, &total16, &lost16);
-            double total17, lost17; two_diff(mean, total16, &total17, &lost17);
-            double total21, lost21; two_diff(mean, total15, &total21, &lost21);
-            double total22, lost22;
-            wide_prod(half, total21, -lost15 + lost21 + mean_low, &total22, &lost22);
-            double total23, lost23; two_diff(total12, total22, &total23, &lost23);
+            const Fading fading = brief_fading((Pair){half, 0.0});
+            const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
+            const Pair less = one_minus((Pair){squared.hi*sin_series(-squared.hi), 0.0});
+            const Pair prod4 = wide_prod(quot.hi, less);
+            const double bent = (squared.hi*squared.hi)*cos_series(-squared.hi);
+            const Pair total = fast_two_sum(0.5*squared.hi, -bent);
+            const double lift_low = 0.5*less.hi*squared.lo + total.lo;
+            const Pair prod5 = pair_prod(fading.fall, (Pair){total.hi, lift_low});
+            const Pair quot2 = pair_quot((Pair){prod4.hi, prod4.lo + quot.lo*(1.0 - total.hi)},
+                (Pair){root, missed});
+            const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
+                wide_prod(half, pair_diff(fading.mean, quot2)));
             const double whole2 = (stiff == 0.0 ? 1.0 : stiff);
-            const double low2 = -fall_low*total15 - lost16 + lost17 + mean_low;
-            double total18, lost18; wide_prod(half, total17, low2, &total18, &lost18);
-            double total20, lost20; two_diff(total18, -total19, &total20, &lost20);
-            const double low3 = lift_low - lost22 + lost23;
-            double total24, lost24; two_diff(total23, -low3, &total24, &lost24);
-            double total25, lost25; wide_prod(fall, total24, lost24, &total25, &lost25);
-            const double low4 = -fall_low + lost26;
-            double total27, lost27; fast_two_sum(total26, low4, &total27, &lost27);
-            double total28, lost28; wide_prod(total27, total27, 2.0*lost27, &total28, &lost28);
-            double total30, lost30; two_diff(total28, -2.0*total29, &total30, &lost30);
-            const double low5 = fall_low*total12 + lost18 + lost19 + lost20;
-            double total31, lost31; wide_quot(total20, whole2, low5, 0.0, &total31, &lost31);
-            const double low6 = fall_low*total24 + lost25;
-            double total32, lost32; wide_quot(total25, whole2, low6, 0.0, &total32, &lost32);
-            const double low7 = 2.0*fall_low*total12 + lost28 + 2.0*lost29 + lost30;
-            double total33, lost33; wide_quot(total30, whole2, low7, 0.0, &total33, &lost33);
-            *near_out = 1.0; *risen_out = lost31 + total31;
-            *sunk_out = lost32 + total32; *moved_out = lost33 + total33; return;
+            return (Turns){1.0, rounded(pair_quot(
+                pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
+                prod5), (Pair){whole2, 0.0})), rounded(
+                pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
+                (Pair){whole2, 0.0})), rounded(pair_quot(
+                pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
+                (Pair){2.0*prod5.hi, 2.0*prod5.lo}), (Pair){whole2, 0.0}))};
         }
-        *near_out = 0.0; *risen_out = 0.0; *sunk_out = 0.0; *moved_out = 0.0; return;
+        return (Turns){0.0, 0.0, 0.0, 0.0};
     }
-    *near_out = 0.0; *risen_out = 0.0; *sunk_out = 0.0; *moved_out = 0.0; return;
+    return (Turns){0.0, 0.0, 0.0, 0.0};
+}
+
+// of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns
+static inline Swinging swinging_device(Motion motion, double gamma) {
+    const Wave wave = waving_pair(motion.w, motion.root);
+    const Turns turns = whole_turns(motion.half, motion.w, motion.root, gamma);
+    return (Swinging){exp(-motion.half), wave.even, wave.odd, turns.near, turns.risen, turns.sunk,
+        turns.moved};
 }
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
-static inline void device_n0_n1_trace(double gamma, double delta, double *n0_out, double *n1_out,
-    double *trace_out) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const double envelope = exp(-half);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        *trace_out = plant_trace_swing(envelope, even, even_low); return;
+static inline DeviceN0N1Trace device_n0_n1_trace(double gamma, double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceN0N1Trace){plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma), plant_trace_swing(swinging)};
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
-}
-
-// exp(-p), of the faster pole, and what it misses
-static inline void fast_fall(double slow, double slow_low, double ratio, double ratio_low,
-    double *fast_out, double *low_out) {
-    double total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
-    *fast_out = total; *low_out = lost + ratio*slow_low; return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceN0N1Trace){plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed), plant_trace_creep(creeping)};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -433,122 +391,75 @@ static inline double numerator_at_one_series(double h, double w) {
 }
 
 // n1 + n0 of a creeping device
-static inline double numerator_at_one_creep(double reach, double half, double w, double p,
-    double p_low, double slow, double slow_low, double mean, double mean_low, double ratio,
-    double ratio_low) {
-    if (reach < 1.0) {
-        return 2.0*scaled_sum(exp(-half), 0.0, numerator_at_one_series(half, w), 0.5);
+static inline double numerator_at_one_creep(Motion motion, Creeping creeping) {
+    if (motion.reach < 1.0) {
+        return 2.0*scaled_sum((Pair){exp(-motion.half), 0.0},
+            numerator_at_one_series(motion.half, motion.w.hi), 0.5);
     }
-    double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
-    double total, lost; fast_two_sum(1.0, -fast, &total, &lost);
-    double total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
-    const double moved_low = lost2 + mean_low*total;
-    double total3, lost3; wide_quot(total2, p, moved_low, p_low, &total3, &lost3);
-    return lost3 + total3;
+    return rounded(pair_quot(pair_prod(creeping.mean,
+        one_minus(pair_prod(creeping.slow, creeping.ratio))), creeping.p));
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
-static inline void half_squares(double half, double envelope, double wave, double back,
-    double *total_out, double *low_out) {
-    double total, lost; two_diff(wave, back, &total, &lost);
-    double total2, lost2; two_prod(total, total, &total2, &lost2);
-    const double grown = -0.5*expm1(-half), low = 2.0*lost*total + lost2;
-    double total3, lost3; wide_prod(envelope, total2, low, &total3, &lost3);
-    double total4, lost4; two_diff(total3, -(grown*grown), &total4, &lost4);
-    *total_out = total4; *low_out = lost3 + lost4; return;
+static inline Pair half_squares(double half, double envelope, double wave, double back) {
+    const double grown = -0.5*expm1(-half);
+    return pair_sum(wide_prod(envelope, pair_square(two_diff(wave, back))),
+        (Pair){(grown*grown), 0.0});
 }
 
 // n1 + n0 of a swinging device
-static inline double numerator_at_one_swing(double reach, double half, double w, double w_low,
-    double envelope, double root, double gamma, double near, double known) {
-    if (reach < 1.0) {
-        return 2.0*scaled_sum(envelope, 0.0, numerator_at_one_series(half, w), 0.5);
+static inline double numerator_at_one_swing(Motion motion, Swinging swinging, double gamma) {
+    if (motion.reach < 1.0) {
+        return 2.0*scaled_sum((Pair){swinging.envelope, 0.0},
+            numerator_at_one_series(motion.half, motion.w.hi), 0.5);
     }
-    if (near > 0.0) { return known; }
-    const double angle = 0.5*root, back = -0.5*root_miss(w, w_low, root)*cos(angle);
-    double total, low; half_squares(half, envelope, sin(angle), back, &total, &low);
+    if (swinging.near > 0.0) { return swinging.moved; }
+    const double angle = 0.5*motion.root;
+    const double back = -0.5*root_miss(motion.w, motion.root)*cos(angle);
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    double total2, lost; wide_quot(total, whole, low, 0.0, &total2, &lost);
-    return 4.0*lost + 4.0*total2;
+    return 4.0*rounded(pair_quot(half_squares(motion.half, swinging.envelope, sin(angle), back),
+        (Pair){whole, 0.0}));
 }
 
 // n1 + n0; a, the sum of the sampled device's poles
-static inline void device_together_trace(double gamma, double delta, double *together_out,
-    double *trace_out) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        const double envelope = exp(-half);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *trace_out = plant_trace_swing(envelope, even, even_low); return;
+static inline DeviceTogetherTrace device_together_trace(double gamma, double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceTogetherTrace){numerator_at_one_swing(motion, swinging, gamma),
+            plant_trace_swing(swinging)};
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceTogetherTrace){numerator_at_one_creep(motion, creeping),
+        plant_trace_creep(creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
 static inline double plant_n0(double gamma, double delta) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    if (reach < 0.5625) { return plant_n0_near(fade_, fade_low, gamma, delta); }
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double envelope = exp(-half);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
-            gamma, near, sunk);
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return plant_n0_swing(motion, swinging, decayed, gamma);
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
+    const Creeping creeping = creeping_device(motion, gamma);
+    return plant_n0_creep(motion, creeping, decayed, gamma, delta);
 }
 
 // n1, how far a unit force moves the device in a period
 static inline double plant_n1(double gamma, double delta) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    if (reach < 0.5625) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5); }
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const double envelope = exp(-half);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.reach < 0.5625) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return plant_n1_swing(motion, swinging, decayed, gamma);
+    }
+    const Creeping creeping = creeping_device(motion, gamma);
+    return plant_n1_creep(motion, creeping, decayed);
 }
 
 // (1 - exp(-x))/x
@@ -558,30 +469,21 @@ static inline double decay(double x) {
 }
 
 // 1 + a + e of a creeping device
-static inline double denominator_at_minus_one_creep(double slow, double slow_low, double ratio,
-    double ratio_low) {
-    double total, lost; fast_two_sum(1.0, slow, &total, &lost);
-    double fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
-    double total2, lost2; fast_two_sum(1.0, fast, &total2, &lost2);
-    double total3, lost3; wide_prod(total, total2, fast_low + lost2, &total3, &lost3);
-    const double low = lost3 + total2*(lost + slow_low);
-    return low + total3;
+static inline double denominator_at_minus_one_creep(Creeping creeping) {
+    return rounded(pair_prod(one_plus(creeping.slow),
+        one_plus(pair_prod(creeping.slow, creeping.ratio))));
 }
 
 // 1 + a + e of a swinging device
-static inline double denominator_at_minus_one_swing(double half, double w, double w_low,
-    double envelope, double even, double even_low, double root) {
-    double total3, lost2; wide_prod(2.0*envelope, even, even_low, &total3, &lost2);
-    if (total3 > 0.0) {
-        const double e = exp(-2.0*half);
-        double total2, lost; fast_two_sum(1.0, e, &total2, &lost);
-        double total4, lost3; fast_two_sum(total2, total3, &total4, &lost3);
-        const double rest = lost + lost2 + lost3;
-        return rest + total4;
+static inline double denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
+    const Pair prod = wide_prod(2.0*swinging.envelope, swinging.even);
+    if (prod.hi > 0.0) {
+        const double e = exp(-2.0*motion.half);
+        return rounded(pair_sum(one_plus((Pair){e, 0.0}), prod));
     }
-    const double angle = 0.5*root, back = 0.5*root_miss(w, w_low, root)*sin(angle);
-    double total, low; half_squares(half, envelope, cos(angle), back, &total, &low);
-    return 4.0*low + 4.0*total;
+    const double angle = 0.5*motion.root;
+    const double back = 0.5*root_miss(motion.w, motion.root)*sin(angle);
+    return 4.0*rounded(half_squares(motion.half, swinging.envelope, cos(angle), back));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -596,79 +498,52 @@ static inline double numerator_gap_series(double h, double w) {
 }
 
 // (n1 - n0)/delta of a creeping device
-static inline double numerator_gap_creep(double reach, double half, double w, double delta,
-    double p, double slow, double mean, double mean_low, double ratio, double even,
-    double even_low) {
-    if (reach < 1.0) {
-        return scaled_sum(exp(-half), 0.0, numerator_gap_series(half, w), 0.16666666666666666);
+static inline double numerator_gap_creep(Motion motion, Creeping creeping, double delta) {
+    if (motion.reach < 1.0) {
+        return scaled_sum((Pair){exp(-motion.half), 0.0},
+            numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
     }
-    const double fast = ratio*slow;
-    double total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
-    const double twice = 2.0*slow;
-    double total, lost; wide_prod(twice, even, even_low, &total, &lost);
-    double total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const double top = total2 + total3, rest = -lost + lost3 + mean_low;
-    const double low = lost2 + rest, whole = (delta*p == 0.0 ? 1.0 : delta*p);
+    const double twice = 2.0*creeping.slow.hi;
+    const Pair diff = pair_diff(creeping.mean, wide_prod(twice, creeping.even));
+    const double fast = creeping.ratio.hi*creeping.slow.hi;
+    const Pair prod2 = wide_prod(fast, creeping.mean);
+    const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
+    const double whole = (delta*creeping.p.hi == 0.0 ? 1.0 : delta*creeping.p.hi);
     return (low + top)/whole;
 }
 
 // (n1 - n0)/delta of a swinging device
-static inline double numerator_gap_swing(double reach, double half, double w, double envelope,
-    double wave, double wave_low, double gamma, double delta) {
-    if (reach < 1.0) {
-        return scaled_sum(envelope, 0.0, numerator_gap_series(half, w), 0.16666666666666666);
+static inline double numerator_gap_swing(Motion motion, Swinging swinging, double gamma,
+    double delta) {
+    if (motion.reach < 1.0) {
+        return scaled_sum((Pair){swinging.envelope, 0.0},
+            numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
     }
-    double total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
-    const double mean = decay(delta);
-    double total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    double total3, lost3; wide_quot(total2, whole, -lost + lost2, 0.0, &total3, &lost3);
-    return lost3 + total3;
+    const double mean = decay(delta), whole = (gamma == 0.0 ? 1.0 : gamma);
+    return rounded(pair_quot(pair_diff((Pair){mean, 0.0},
+        wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0}));
 }
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
 // exp(-delta); n1, how far a unit force moves the device in a period
-static inline void device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta,
-    double *at_minus_one_out, double *together_out, double *n_gap_out, double *n0_out,
-    double *n1_out) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const double envelope = exp(-half);
-        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
-            even_low, root);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        return;
+static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
+    double gamma, double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        const Pair decayed = slow_fade(motion);
+        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(motion, swinging),
+            numerator_at_one_swing(motion, swinging, gamma),
+            numerator_gap_swing(motion, swinging, gamma, delta),
+            plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma)};
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    const Pair decayed = slow_fade(motion);
+    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(creeping),
+        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta),
+        plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed)};
 }
 
 // the root of a cubic on a piece where it bends one way
@@ -688,26 +563,23 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
 }
 
 // the angle of x + j y in half turns, and the rest
-static inline void turn_angle(double x, double y, double *halves_out, double *rest_out) {
-    *halves_out = (x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0);
-    *rest_out = atan2((x < 0.0 ? -y : y), fabs(x)); return;
+static inline Angle turn_angle(double x, double y) {
+    return (Angle){(x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0), atan2((x < 0.0 ? -y : y), fabs(x))};
 }
 
 // the nearest whole number of turns in the phase at a crossing
 static inline double phase_turns(double y, double rest, double off, double alpha, double slope,
     double far, double d, double n1, double loss, double together, double apart) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
-    double halves, turned; turn_angle(off*(2.0*loss - 4.0), loss*sine, &halves, &turned);
-    double halves2, turned2;
-    turn_angle(-apart*at + still*together, n1*sine, &halves2, &turned2);
-    double halves3, turned3;
-    turn_angle(alpha*still - at*far, sine*slope, &halves3, &turned3);
+    const Angle angle = turn_angle(off*(2.0*loss - 4.0), loss*sine);
+    const Angle angle2 = turn_angle(-apart*at + still*together, n1*sine);
+    const Angle angle3 = turn_angle(alpha*still - at*far, sine*slope);
     const double half = atan2((at > 2.0 ? sqrt(still) : sqrt(at)),
         (at > 2.0 ? sqrt(at) : sqrt(still)));
     const double late = d + 2.0;
-    const double halves4 = -halves + halves2 + halves3 - (at > 2.0 ? late : 0.0);
-    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - turned + turned2 + turned3)/
-        3.141592653589793;
+    const double halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0 ? late : 0.0);
+    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
+        angle3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = -even + 0.5*halves4;
     return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
 }
@@ -817,80 +689,49 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
 }
 
 // m2 - m1 + m0, M at z = -1 behind a fraction of a period
-static inline double fractional_numerator_gap(double epsilon, double x, double x_low, double y,
-    double y_low, double first, double last, double turned) {
-    double total, lost; fast_two_sum(1.0, -epsilon, &total, &lost);
-    double total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
-    double total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
-    const double both_low = lost3 + x_low*y;
-    double total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
-    double total5, lost5; two_diff(first, 2.0*total4, &total5, &lost5);
-    double total6, lost6; two_diff(total5, last, &total6, &lost6);
-    double total7, lost7; two_diff(total6, -turned, &total7, &lost7);
-    const double low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
-    const double rest3 = -2.0*low + rest2;
-    return rest3 + total7;
+static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, double first,
+    double last, double turned) {
+    const Pair prod3 = pair_prod(wide_prod(epsilon, one_minus((Pair){epsilon, 0.0})),
+        pair_prod(x, y));
+    return rounded(pair_sum(pair_diff(pair_diff((Pair){first, 0.0},
+        (Pair){2.0*prod3.hi, 2.0*prod3.lo}), (Pair){last, 0.0}), (Pair){turned, 0.0}));
 }
 
 // displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
 // n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
 // force moves the device in a period
-static inline void device_kick_kick_low_n_gap_n0_n1(double gamma, double delta, double *kick_out,
-    double *kick_low_out, double *n_gap_out, double *n0_out, double *n1_out) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const double envelope = exp(-half);
-        double total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
-        double total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
-        *kick_out = total3; *kick_low_out = lost3;
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        return;
+static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(double gamma,
+    double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        const Pair prod = wide_prod(swinging.envelope, swinging.wave);
+        const Pair decayed = slow_fade(motion);
+        return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
+            numerator_gap_swing(motion, swinging, gamma, delta),
+            plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma)};
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    double fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    double total, lost; wide_prod(fall, mean2, mean_low2, &total, &lost);
-    const double creep_low = fall_low*mean2 + lost;
-    double total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
-    *kick_out = total4; *kick_low_out = lost4;
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
+    const Pair decayed = slow_fade(motion);
+    return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
+        numerator_gap_creep(motion, creeping, delta),
+        plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed)};
 }
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
-static inline void late_device(double gamma, double delta, double part, double *apart_out,
-    double *m2_out, double *m0_out) {
+static inline Delayed late_device(double gamma, double delta, double part) {
     const double t0 = 1.0 - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
-    double kick_of2, kick_low_of, n_gap, n0_2, n1;
-    device_kick_kick_low_n_gap_n0_n1(t2, t3, &kick_of2, &kick_low_of, &n_gap, &n0_2, &n1);
+    const DeviceKickKickLowNGapN0N1 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
     const double t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
-    double kick_of, kick_low_of2, n_gap_2, n0, n1_2;
-    device_kick_kick_low_n_gap_n0_n1(t5, t6, &kick_of, &kick_low_of2, &n_gap_2, &n0, &n1_2);
-    const double t8 = n0*t4;
-    *apart_out = fractional_numerator_gap(part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
-        t2*t4 - t3*t8*decay(t3));
-    *m2_out = n1*t1; *m0_out = t8*exp(-t3); return;
+    const DeviceKickKickLowNGapN0N1 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
+    const double t8 = device.n0*t4;
+    return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
+        (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
+        (device.kick.hi*t6 + device.n1*t5) + device2.n1*device.n1*t2*t4 - t3*t8*decay(t3)),
+        device2.n1*t1, t8*exp(-t3)};
 }
 
 // 1 where the loop is stable, else 0
@@ -921,13 +762,12 @@ static inline double crossing_turns(double y, double rest, double off, double ce
 }
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
-static inline void quadratic_roots(double c, double b, double a, double root, double *low_out,
-    double *high_out) {
+static inline Roots quadratic_roots(double c, double b, double a, double root) {
     const double q = -0.5*b - 0.5*(b >= 0.0 ? root : -root);
     const double lead_ = (a == 0.0 ? 1.0 : a), own = (q == 0.0 ? 1.0 : q);
     const double one = (a == 0.0 ? -1.0 : q/lead_), two = (q == 0.0 ? -1.0 : c/own);
-    if (b >= 0.0) { *low_out = one; *high_out = two; return; }
-    *low_out = two; *high_out = one; return;
+    if (b >= 0.0) { return (Roots){one, two}; }
+    return (Roots){two, one};
 }
 
 // roots outside the unit circle
@@ -960,12 +800,13 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     double total;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
-        double low, high; quadratic_roots(near0, near1, square, root, &low, &high);
-        double low2, high2; quadratic_roots(own0, own1, own2, root, &low2, &high2);
-        double low3, high3; quadratic_roots(far0, far1, square, root, &low3, &high3);
-        total = -2.0*crossing_turns(high, low3, high2, center, beyond, alpha, slope, wall_far, d,
-            n1, loss, together, apart) + 2.0*crossing_turns(low, high3, low2, center, beyond,
-            alpha, slope, wall_far, d, n1, loss, together, apart);
+        const Roots roots = quadratic_roots(near0, near1, square, root);
+        const Roots roots2 = quadratic_roots(own0, own1, own2, root);
+        const Roots roots3 = quadratic_roots(far0, far1, square, root);
+        total = -2.0*crossing_turns(roots.high, roots3.low, roots2.high, center, beyond, alpha,
+            slope, wall_far, d, n1, loss, together, apart) + 2.0*
+            crossing_turns(roots.low, roots3.high, roots2.low, center, beyond, alpha, slope,
+            wall_far, d, n1, loss, together, apart);
     } else {
         total = 0.0;
     }
@@ -976,73 +817,51 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
 }
 
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
-static inline void ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
-    double together, double apart, double across, double *ahead_out, double *in_phase_out) {
-    const double t = tan(psi), square = (t*t), low = fma(t, t, -(t*t));
-    const double taken = at_minus_one*square;
-    double total, lost; two_diff(at_one, taken, &total, &lost);
-    const double missed = at_minus_one*low + fma(at_minus_one, square, -(at_minus_one*square));
-    const double lost2 = lost - missed;
-    double total2, lost3; fast_two_sum(total, lost2, &total2, &lost3);
-    const double taken2 = apart*square;
-    double total3, lost4; two_diff(together, taken2, &total3, &lost4);
-    const double missed2 = apart*low + fma(apart, square, -(apart*square));
-    const double lost5 = lost4 - missed2;
-    double total4, lost6; fast_two_sum(total3, lost5, &total4, &lost6);
+static inline Response ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
+    double together, double apart, double across) {
+    const double t = tan(psi);
+    const Pair prod = two_prod(t, t);
+    const Pair diff = pair_diff((Pair){at_one, 0.0}, wide_prod(at_minus_one, prod));
+    const Pair total = fast_two_sum(diff.hi, diff.lo);
+    const Pair diff2 = pair_diff((Pair){together, 0.0}, wide_prod(apart, prod));
+    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo);
     const double above_j = 2.0*loss*t, below_j = across*t;
-    const double rest = (below_j*below_j) + 2.0*lost6*total4;
-    const double size = rest + (total4*total4), low2 = above_j*lost6 - below_j*lost3;
-    const double found = above_j*total4 - below_j*total2, found2 = found + low2;
-    const double low22 = lost3*total4 + lost6*total2, rest2 = above_j*below_j + low22;
-    const double found3 = rest2 + total2*total4;
-    *ahead_out = found2/size; *in_phase_out = found3/size; return;
+    const double rest = (below_j*below_j) + 2.0*total2.hi*total2.lo;
+    const double size = rest + (total2.hi*total2.hi);
+    const double low = above_j*total2.lo - below_j*total.lo;
+    const double found = above_j*total2.hi - below_j*total.hi, found2 = found + low;
+    const double low2 = total.hi*total2.lo + total2.hi*total.lo;
+    const double rest2 = above_j*below_j + low2, found3 = rest2 + total.hi*total2.hi;
+    return (Response){found2/size, found3/size};
 }
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta
-static inline void device_at_minus_one_together_n_gap(double gamma, double delta,
-    double *at_minus_one_out, double *together_out, double *n_gap_out) {
-    double w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const double half = 0.5*delta;
-    if (w < 0.0) {
-        double even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        double near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        const double envelope = exp(-half);
-        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
-            even_low, root);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        return;
+static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(double gamma,
+    double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(motion, swinging),
+            numerator_at_one_swing(motion, swinging, gamma),
+            numerator_gap_swing(motion, swinging, gamma, delta)};
     }
-    double p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    double fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const double root_low = root_miss(w, w_low, root);
-    double fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0*root, 2.0*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(creeping),
+        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta)};
 }
 
 // cos((k + 1) x) and sin((k + 1) x)
-static inline void next_wave(double k, double x, double *cosine_out, double *sine_out) {
+static inline CosSin next_wave(double k, double x) {
     const double count = k + 1.0, before = count - 1.0, angle = count*x;
     const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
     const double sine = sin(angle), cosine = cos(angle);
-    *cosine_out = cosine - off*sine; *sine_out = cosine*off + sine; return;
+    return (CosSin){cosine - off*sine, cosine*off + sine};
 }
 
 // cos((k + 1) x)
 static inline double cos_next(double k, double x) {
-    double cosine, sine; next_wave(k, x, &cosine, &sine);
-    return cosine;
+    const CosSin cossin = next_wave(k, x);
+    return cossin.cosine;
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -1059,28 +878,15 @@ static inline double early_slope(double theta, double k4, double k3, double k2, 
 // has the sign of the slope of the boundary's alpha next to pi
 static inline double end_slope(double at_minus_one, double loss, double together, double apart,
     double last) {
-    double total, lost; two_diff(together, 4.0*last, &total, &lost);
-    double total2, lost2; wide_prod(total, total, 2.0*lost, &total2, &lost2);
-    double total3, lost3; two_prod(apart, together, &total3, &lost3);
-    double total4, lost4; two_diff(total3, total2, &total4, &lost4);
-    double total5, lost5; two_diff(total2, 2.0*total3, &total5, &lost5);
-    double total7, lost7; wide_prod(apart, total3, lost3, &total7, &lost7);
-    double total12, lost12; two_diff(2.0*apart, total, &total12, &lost12);
-    double total13, lost13; two_prod(apart, apart, &total13, &lost13);
-    double total14, lost14; wide_prod(total13, total12, -lost + lost12, &total14, &lost14);
-    const double gap_low = -lost2 + lost3 + lost4;
-    double total10, lost10; wide_prod(apart, total4, gap_low, &total10, &lost10);
-    double total11, lost11; wide_prod(loss, total10, lost10, &total11, &lost11);
-    const double lean_low = lost2 - 2.0*lost3 + lost5;
-    double total6, lost6; wide_prod(total, total5, lean_low, &total6, &lost6);
-    double total8, lost8; two_diff(total6, -total7, &total8, &lost8);
-    const double bent_low = lost*total5 + lost6 + lost7 + lost8;
-    double total9, lost9; wide_prod(at_minus_one, total8, bent_low, &total9, &lost9);
-    double total15, lost15; two_diff(4.0*total14, total9, &total15, &lost15);
-    double total16, lost16; two_diff(total15, 2.0*total11, &total16, &lost16);
-    const double three_low = lost13*total12 + lost14;
-    const double low = -2.0*lost11 + lost15 + lost16 - lost9 + 4.0*three_low;
-    return low + total16;
+    const Pair diff = two_diff(together, 4.0*last), squared = pair_square(diff);
+    const Pair prod = two_prod(apart, together);
+    const Pair prod5 = wide_prod(loss, wide_prod(apart, pair_diff(prod, squared)));
+    const Pair prod6 = pair_prod(pair_square((Pair){apart, 0.0}),
+        pair_diff((Pair){2.0*apart, 0.0}, diff));
+    return rounded(pair_diff(pair_diff((Pair){4.0*prod6.hi, 4.0*prod6.lo},
+        wide_prod(at_minus_one, pair_sum(pair_prod(diff,
+        pair_diff(squared, (Pair){2.0*prod.hi, 2.0*prod.lo})), wide_prod(apart, prod)))),
+        (Pair){2.0*prod5.hi, 2.0*prod5.lo}));
 }
 
 // the next point of a search between a and b, where f is fa and fb, after c
@@ -1164,8 +970,8 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
 
 // sin((k + 1) x)
 static inline double sin_next(double k, double x) {
-    double cosine, sine; next_wave(k, x, &cosine, &sine);
-    return sine;
+    const CosSin cossin = next_wave(k, x);
+    return cossin.sine;
 }
 
 // has the sign of the slope of the boundary's alpha
@@ -1414,16 +1220,10 @@ static inline double spread(double k, double x) {
 
 // what straight motions need at a whole delay of k periods
 static inline double straight(double stiffness, double damping, double k, double angle) {
-    const double order = 2.0*k + 1.0, wave = sinc(angle*order);
-    double total, lost; two_prod(order, wave, &total, &lost);
-    const double near = 2.0*sinc(angle);
-    double total2, lost2; wide_quot(total, near, lost, 0.0, &total2, &lost2);
-    double total3, lost3; wide_prod(stiffness, total2, lost2, &total3, &lost3);
+    const double order = 2.0*k + 1.0, wave = sinc(angle*order), near = 2.0*sinc(angle);
     const double along = cos_next(k, 2.0*angle);
-    double total4, lost4; two_prod(damping, along, &total4, &lost4);
-    double total5, lost5; two_diff(total3, total4, &total5, &lost5);
-    const double low = lost3 - lost4 + lost5;
-    return low + total5;
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot(two_prod(order, wave), (Pair){near, 0.0})), two_prod(damping, along)));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1520,8 +1320,9 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
     if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double n0, n1, trace; device_n0_n1_trace(gamma, delta, &n0, &n1, &trace);
-    *n1_out = n1; *n0_out = n0; *a_out = trace; *e_out = exp(-delta); return;
+    const DeviceN0N1Trace device = device_n0_n1_trace(gamma, delta);
+    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
+    *e_out = exp(-delta); return;
 }
 
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
@@ -1530,12 +1331,12 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
         (gamma <= 1e+70) && (gamma >= 0.0))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    double together, trace; device_together_trace(gamma, delta, &together, &trace);
+    const DeviceTogetherTrace device = device_together_trace(gamma, delta);
     const double t0 = 1.0 - epsilon, t1 = (t0*t0), t2 = delta*t0;
     const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
     const double n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*exp(-t2);
-    *m2_out = t3; *m1_out = together - t3 - t5; *m0_out = t5; *a_out = trace;
-    *e_out = exp(-delta); return;
+    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
+    *a_out = device.trace; *e_out = exp(-delta); return;
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
@@ -1543,18 +1344,17 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return false;
     }
-    double at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta);
     if (part == 0.0) {
-        return stable(whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
-            n_gap), alpha, beta, gamma, delta) != 0.0;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
+            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0;
     }
-    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    return stable(fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
-        apart), alpha, beta, gamma, delta) != 0.0;
+    const Delayed delayed = late_device(gamma, delta, part);
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
+        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma, delta) != 0.0;
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
@@ -1562,16 +1362,17 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return -1.0;
     }
-    double at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta);
     if (part == 0.0) {
-        return whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
+            device.together, delta*device.n_gap);
     }
-    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    return fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together, apart);
+    const Delayed delayed = late_device(gamma, delta, part);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
+        t3, device.together, delayed.apart);
 }
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
@@ -1580,27 +1381,26 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    double at_minus_one, together, n_gap;
-    device_at_minus_one_together_n_gap(gamma, delta, &at_minus_one, &together, &n_gap);
+    const DeviceAtMinusOneTogetherNGap device = device_at_minus_one_together_n_gap(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = 0.5*theta;
-    const double t3 = gamma*together, t5 = delta*decay(delta), t11 = tan(t1);
+    const double t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tan(t1);
     const double t13 = sin(theta);
     if (part == 0.0) {
-        double cosine, sine; next_wave(d, theta, &cosine, &sine);
-        const double t6 = delta*n_gap, t7 = together + t6;
-        double ahead_of, in_phase_of;
-        ahead_in_phase(t1, t3, at_minus_one, t5, together, t6, t7, &ahead_of, &in_phase_of);
-        const double t12 = ahead_of*cosine + in_phase_of*sine;
-        *alpha_out = ahead_of*sine - cosine*in_phase_of + t11*t12; *beta_out = -t12/t13;
-        return;
+        const CosSin cossin = next_wave(d, theta);
+        const double t6 = delta*device.n_gap, t7 = device.together + t6;
+        const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
+            t6, t7);
+        const double t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+        *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
+        *beta_out = -t12/t13; return;
     }
-    double cosine_2, sine_2; next_wave(whole, theta, &cosine_2, &sine_2);
-    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    const double t18 = 2.0*m2 - 2.0*m0;
-    double ahead_of2, in_phase_of2;
-    ahead_in_phase(t1, t3, at_minus_one, t5, together, apart, t18, &ahead_of2, &in_phase_of2);
-    const double t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2;
-    *alpha_out = ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22;
+    const CosSin cossin2 = next_wave(whole, theta);
+    const Delayed delayed = late_device(gamma, delta, part);
+    const double t18 = 2.0*delayed.m2 - 2.0*delayed.m0;
+    const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
+        delayed.apart, t18);
+    const double t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
+    *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
     *beta_out = -t22/t13; return;
 }
 
@@ -1610,37 +1410,37 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
         (gamma >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    double at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const double whole = floor(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta), t16 = 2.0*t3;
     if (part == 0.0) {
-        const double t4 = delta*n_gap;
-        const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, n1, n0, t1, at_minus_one,
-            t3, together, t4);
-        double cosine, sine; next_wave(d, t5, &cosine, &sine);
-        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7), t10 = together + t4;
-        const double t11 = (t9*t9), t12 = (t8*t8), t13 = t11*t12;
-        const double t14 = together*t11 - t12*t4, t15 = 1.0/((t10*t10)*t13 + (t14*t14));
-        const double t17 = -at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
-        const double t19 = t10*t13*t16 + t14*t17, t20 = cosine*t15;
-        const double t21 = -sine*t15*t19/sin(t5) - 0.5*t18*t20;
-        *alpha_out = sine*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
+        const double t4 = delta*device.n_gap;
+        const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, device.n1, device.n0, t1,
+            device.at_minus_one, t3, device.together, t4);
+        const CosSin cossin = next_wave(d, t5);
+        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7);
+        const double t10 = device.together + t4, t11 = (t9*t9), t12 = (t8*t8);
+        const double t13 = t11*t12, t14 = device.together*t11 - t12*t4;
+        const double t15 = 1.0/((t10*t10)*t13 + (t14*t14));
+        const double t17 = -device.at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const double t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
+        const double t21 = -cossin.sine*t15*t19/sin(t5) - 0.5*t18*t20;
+        *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
         *theta_out = t5; return;
     }
-    double apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    const double t27 = max_stiffness_angle(gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
-        t3, together, apart);
-    double cosine_2, sine_2; next_wave(whole, t27, &cosine_2, &sine_2);
+    const Delayed delayed = late_device(gamma, delta, part);
+    const double t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0,
+        t1, device.at_minus_one, t3, device.together, delayed.apart);
+    const CosSin cossin2 = next_wave(whole, t27);
     const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = (t30*t30);
-    const double t33 = (t29*t29), t34 = -apart*t33 + together*t32;
-    const double t35 = 2.0*m2 - 2.0*m0, t36 = t32*t33;
+    const double t33 = (t29*t29), t34 = -delayed.apart*t33 + device.together*t32;
+    const double t35 = 2.0*delayed.m2 - 2.0*delayed.m0, t36 = t32*t33;
     const double t37 = 1.0/((t34*t34) + (t35*t35)*t36);
-    const double t38 = -at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
-    const double t40 = t16*t35*t36 + t34*t38, t41 = cosine_2*t37;
-    const double t42 = -sine_2*t37*t40/sin(t27) - 0.5*t39*t41;
-    *alpha_out = sine_2*t29*t30*t37*t39 - 2.0*t33*t42 - t40*t41; *beta_out = t42;
+    const double t38 = -device.at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const double t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
+    const double t42 = -cossin2.sine*t37*t40/sin(t27) - 0.5*t39*t41;
+    *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0*t33*t42 - t40*t41; *beta_out = t42;
     *theta_out = t27; return;
 }
 

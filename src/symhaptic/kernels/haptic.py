@@ -311,64 +311,6 @@ def series(xp, add, count, brief, first, few, last, step, given):
     return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
 
 
-def fast_two_sum(xp, x, y):
-    """x + y and what it misses, for |x| >= |y|"""
-    total = x + y
-    back = total - x
-    return total, y - back
-
-
-def two_diff(xp, x, y):
-    """x - y and what it misses"""
-    total = x - y
-    back = total - x
-    rest = total - back
-    one = x - rest
-    two = -back - y
-    return total, one + two
-
-
-def halves(xp, y):
-    """A number as two of half its digits, whose products are exact.
-
-    Of the bits of NumPy's doubles the last 27 are cut off, which takes half of the time; then the
-    product of the lower halves is rounded, far below what counts.
-    """
-    if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
-        high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
-    else:
-        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
-        high = big - (big - y)
-    return high, y - high
-
-
-def two_prod_error(product, one, two):
-    """What a product misses, by Dekker, from the halves of its factors."""
-    (high, low), (most, least) = one, two
-    error = high*most
-    if not isinstance(error, numpy.ndarray):
-        return ((error - product) + high*least + low*most) + low*least
-    error -= product  # in place: new memory takes a third of the time
-    part = high*least
-    error += part
-    error += numpy.multiply(low, most, out=part)
-    error += numpy.multiply(low, least, out=part)
-    return error
-
-
-def device_motion(xp, gamma, delta):
-    """w = delta^2/4 - gamma, what it misses, its root and the size of the poles"""
-    half = 0.5*delta
-    square = (half*half)
-    total, lost = two_diff(xp, square, gamma)
-    half_halves = halves(xp, half)
-    rest = lost + two_prod_error(square, half_halves, half_halves)
-    total, lost = fast_two_sum(xp, total, rest)
-    root = square_root(xp, xp.abs(total))
-    return total, lost, root, xp.where(total < 0.0, 0.25*gamma, 0.4444444444444444*half +
-        0.4444444444444444*root)
-
-
 def decay_series_single(xp, x):
     """The same in single precision."""
     square = (x*x)
@@ -399,28 +341,73 @@ def decay_series(xp, x):
     )
 
 
+def fast_two_sum(xp, x, y):
+    """x + y and what it misses, for |x| >= |y|"""
+    total = x + y
+    back = total - x
+    return total, y - back
+
+
+def one_minus(xp, x, x_low):
+    """1 - x of a pair, for |x| <= 1"""
+    total, total_low = fast_two_sum(xp, 1.0, -x)
+    return total, total_low - x_low
+
+
+def halves(xp, y):
+    """A number as two of half its digits, whose products are exact.
+
+    Of the bits of NumPy's doubles the last 27 are cut off, which takes half of the time; then the
+    product of the lower halves is rounded, far below what counts.
+    """
+    if isinstance(y, numpy.ndarray) and y.dtype == xp.float64:
+        high = (y.view(numpy.int64) & -(2**27)).view(numpy.float64)
+    else:
+        big = (134217729.0 if y.dtype == xp.float64 else 4097.0)*y
+        high = big - (big - y)
+    return high, y - high
+
+
+def two_prod_error(product, one, two):
+    """What a product misses, by Dekker, from the halves of its factors."""
+    (high, low), (most, least) = one, two
+    error = high*most
+    if not isinstance(error, numpy.ndarray):
+        return ((error - product) + high*least + low*most) + low*least
+    error -= product  # in place: new memory takes a third of the time
+    part = high*least
+    error += part
+    error += numpy.multiply(low, most, out=part)
+    error += numpy.multiply(low, least, out=part)
+    return error
+
+
 def wide_prod(xp, x, y, y_low):
-    """x (y + y_low) and what it misses"""
+    """x y of a float and a pair"""
     x_halves = halves(xp, x)
     y_halves = halves(xp, y)
     return x*y, x*y_low + two_prod_error(x*y, x_halves, y_halves)
 
 
-def brief_fading(xp, rate, low):
+def pair_prod(xp, x, x_low, y, y_low):
+    """x y of pairs"""
+    prod, prod_low = wide_prod(xp, x, y, y_low)
+    return prod, prod_low + x_low*y
+
+
+def brief_fading(xp, rate, rate_low):
     """exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4"""
-    total, lost = fast_two_sum(xp, 1.0, -0.5*rate)
+    total, total_low = fast_two_sum(xp, 1.0, -0.5*rate)
     curved = (rate*rate)*decay_series(xp, rate)
-    total, lost2 = fast_two_sum(xp, total, curved)
-    bent = low*(0.125*(rate*rate) - 0.3333333333333333*rate + 0.5)
-    mean_low = lost - bent + lost2
-    total3, lost2 = wide_prod(xp, rate, total, mean_low)
-    total3, lost = fast_two_sum(xp, 1.0, -total3)
-    off = lost2 + low*total
-    return total3, lost - off, total, mean_low
+    total, total_low2 = fast_two_sum(xp, total, curved)
+    bent = rate_low*(0.125*(rate*rate) - 0.3333333333333333*rate + 0.5)
+    mean_low = total_low - bent + total_low2
+    less, less_low = one_minus(xp, *pair_prod(xp, rate, rate_low, total, mean_low))
+    return less, less_low, total, mean_low
 
 
-def wide_quot(xp, x, y, x_low, y_low):
-    """(x + x_low)/(y + y_low) and what it misses"""
+def pair_quot(xp, x, x_low, y, y_low):
+    """x/y of pairs"""
     total = x/y
     left = x - total*y
     total_halves = halves(xp, total)
@@ -431,32 +418,98 @@ def wide_quot(xp, x, y, x_low, y_low):
     return total, left/y
 
 
-def fading_pair(xp, rate, low):
+def fading_pair(xp, rate, rate_low):
     """exp(-rate), (1 - exp(-rate))/rate and what they miss"""
 
-    def yes(low, rate):
-        fall, fall_low, mean, mean_low = brief_fading(xp, rate, low)
-        return fall, fall_low, mean, mean_low
-
-    def no(low, rate):
+    def no(rate, rate_low):
         sunk = xp.exp(-rate)
-        total, lost = fast_two_sum(xp, 1.0, -sunk)
-        sunk_low = -low*sunk
-        total, lost = wide_quot(xp, total, rate, lost - sunk_low, low)
-        return sunk, sunk_low, total, lost
+        sunk_low = -rate_low*sunk
+        quot, quot_low = pair_quot(xp, *one_minus(xp, sunk, sunk_low), rate, rate_low)
+        return sunk, sunk_low, quot, quot_low
 
-    return select(xp, rate < 0.75, yes, (low, rate), no, (low, rate))
+    return select(xp, rate < 0.75, lambda rate, rate_low: brief_fading(xp, rate, rate_low),
+        (rate, rate_low), no, (rate, rate_low))
+
+
+def root_miss(xp, square, square_low, root):
+    """what the root of |square + square_low| misses"""
+    sign_low = xp.where(square < 0.0, -square_low, square_low)
+    left = xp.abs(square) - (root*root)
+    root_halves = halves(xp, root)
+    left = left - two_prod_error(root*root, root_halves, root_halves)
+    left = left + sign_low
+    whole = xp.where(root == 0.0, 1.0, root)
+    return 0.5*left/whole
+
+
+def real_poles(xp, gamma, half, w, w_low, root):
+    """the poles p = half + root and q = gamma/p"""
+    total, total_low = fast_two_sum(xp, half, root)
+    p_low = total_low + root_miss(xp, w, w_low, root)
+    whole = xp.where(total == 0.0, 1.0, total)
+    quot, quot_low = pair_quot(xp, gamma, xp.full_like(gamma, 0.0), whole, p_low)
+    return whole, p_low, quot, quot_low
+
+
+def creeping_device(xp, gamma, half, w, w_low, root):
+    """of a creeping device the pole p, exp and mean of the other one and of their distance"""
+    p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
+    fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
+    root_low = root_miss(xp, w, w_low, root)
+    fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+    return p, p_low, fall, fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2
+
+
+def two_diff(xp, x, y):
+    """x - y and what it misses"""
+    total = x - y
+    back = total - x
+    rest = total - back
+    one = x - rest
+    two = -back - y
+    return total, one + two
+
+
+def two_prod(xp, x, y):
+    """x y and what it misses"""
+    x_halves = halves(xp, x)
+    y_halves = halves(xp, y)
+    return x*y, two_prod_error(x*y, x_halves, y_halves)
+
+
+def device_motion(xp, gamma, delta):
+    """half = delta/2, w = half^2 - gamma, its root and the size of the poles"""
+    half = 0.5*delta
+    prod, prod_low = two_prod(xp, half, half)
+    diff, diff_low = two_diff(xp, prod, gamma)
+    rest = diff_low + prod_low
+    total, total_low = fast_two_sum(xp, diff, rest)
+    root = square_root(xp, xp.abs(total))
+    return half, total, total_low, root, xp.where(total < 0.0, 0.25*gamma, 0.4444444444444444*
+        half + 0.4444444444444444*root)
+
+
+def pair_diff(xp, x, x_low, y, y_low):
+    """x - y of pairs"""
+    diff, diff_low = two_diff(xp, x, y)
+    lost = diff_low + x_low
+    return diff, lost - y_low
+
+
+def pair_square(xp, x, x_low):
+    """x^2 of a pair"""
+    return wide_prod(xp, x, x, 2.0*x_low)
 
 
 def plant_n0_term(xp, gamma, delta, one, one_low, two, two_low, number):
     """number + delta one - gamma two and what it misses, of pairs"""
-    total, lost = wide_prod(xp, delta, one, one_low)
-    total2, lost2 = wide_prod(xp, gamma, two, two_low)
-    total2, lost3 = two_diff(xp, total, total2)
-    total2, lost4 = two_diff(xp, total2, -number)
-    rest = lost - lost2
-    both = lost3 + lost4
-    return total2, both + rest
+    return pair_diff(xp, *pair_diff(xp, *wide_prod(xp, delta, one, one_low),
+        *wide_prod(xp, gamma, two, two_low)), -number, 0.0)
+
+
+def rounded(xp, x, x_low):
+    """the float of a pair"""
+    return x + x_low
 
 
 def plant_n0_series(xp, gamma, delta):
@@ -473,72 +526,63 @@ def plant_n0_series(xp, gamma, delta):
         xp.full_like(delta, 0.0), xp.full_like(delta, 0.008333333333333333))
     one3, one_low2 = plant_n0_term(xp, gamma, delta, one2, one_low, one, xp.full_like(delta, 0.0),
         xp.full_like(delta, 0.041666666666666664))
-    one2, one_low = plant_n0_term(xp, gamma, delta, one3, one_low2, one2, one_low,
-        xp.full_like(delta, 0.16666666666666666))
-    one2, one_low = plant_n0_term(xp, gamma, delta, one2, one_low, one3, one_low2,
-        xp.full_like(delta, 0.0))
-    return one2 + one_low
+    return rounded(xp, *plant_n0_term(xp, gamma, delta,
+        *plant_n0_term(xp, gamma, delta, one3, one_low2, one2, one_low,
+        xp.full_like(delta, 0.16666666666666666)), one3, one_low2, xp.full_like(delta, 0.0)))
 
 
 def scaled_sum(xp, fall, fall_low, y, z):
     """(fall + fall_low) (y + z), rounded once"""
-    total, lost = two_diff(xp, y, -z)
-    total2, lost = wide_prod(xp, fall, total, lost)
-    low = fall_low*total + lost
-    return low + total2
+    return rounded(xp, *pair_prod(xp, fall, fall_low, *two_diff(xp, y, -z)))
 
 
-def plant_n0_near(xp, fade_, fade_low, gamma, delta):
+def plant_n0_near(xp, decayed, decayed_low, gamma, delta):
     """n0 of a device with slow poles"""
-    total, lost = wide_prod(xp, fade_, fade_, 2.0*fade_low)
-    return scaled_sum(xp, total, lost, plant_n0_series(xp, gamma, delta), 0.5)
+    return scaled_sum(xp, *pair_square(xp, decayed, decayed_low),
+        plant_n0_series(xp, gamma, delta), 0.5)
 
 
-def plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, slow, slow_low, mean,
-    mean_low, ratio, ratio_low, even, even_low):
+def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even,
+    even_low, decayed, decayed_low, gamma, delta):
     """n0 of a creeping device"""
 
-    def yes(delta, fade_, fade_low, gamma):
-        return plant_n0_near(xp, fade_, fade_low, gamma, delta)
-
     def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
-        total, lost = wide_prod(xp, ratio, mean, mean_low)
-        total, lost2 = two_diff(xp, even, total)
-        pulled_low = lost + mean*ratio_low
-        rest = even_low + lost2 - pulled_low
-        total, lost2 = wide_quot(xp, total, p, rest, p_low)
-        total4, lost2 = wide_prod(xp, slow, total, lost2)
-        low = lost2 + slow_low*total
-        return low + total4
+        return rounded(xp, *pair_prod(xp, slow, slow_low,
+            *pair_quot(xp, *pair_diff(xp, even, even_low,
+            *pair_prod(xp, ratio, ratio_low, mean, mean_low)), p, p_low)))
 
-    return select(xp, reach < 0.5625, yes, (delta, fade_, fade_low, gamma), no,
+    return select(xp, reach < 0.5625, lambda *v: plant_n0_near(xp, *v),
+        (decayed, decayed_low, gamma, delta), no,
         (even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
 
 
-def plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, wave, wave_low,
-    gamma, near, known):
+def pair_sum(xp, x, x_low, y, y_low):
+    """x + y of pairs"""
+    diff, diff_low = two_diff(xp, x, -y)
+    lost = diff_low + x_low
+    return diff, lost + y_low
+
+
+def plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk, decayed,
+    decayed_low, gamma):
     """n0 of a swinging device"""
 
-    def yes(fade_, fade_low, gamma, half):
-        return plant_n0_near(xp, fade_, fade_low, gamma, 2.0*half)
+    def yes(decayed, decayed_low, gamma, half):
+        return plant_n0_near(xp, decayed, decayed_low, gamma, 2.0*half)
 
-    def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
+    def no(envelope, even, even_low, gamma, half, near, sunk, wave, wave_low):
 
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
-            total, lost = wide_prod(xp, half, wave, wave_low)
-            total, lost2 = two_diff(xp, total, even)
-            total, lost3 = two_diff(xp, total, -envelope)
-            rest = lost - even_low + lost2 + lost3
-            total, lost3 = wide_prod(xp, envelope, total, rest)
             whole = xp.where(gamma == 0.0, 1.0, gamma)
-            total, lost3 = wide_quot(xp, total, whole, lost3, xp.full_like(lost3, 0.0))
-            return lost3 + total
+            return rounded(xp, *pair_quot(xp, *wide_prod(xp, envelope,
+                *pair_sum(xp, *pair_diff(xp, *wide_prod(xp, half, wave, wave_low), even, even_low),
+                envelope, 0.0)), whole, xp.full_like(envelope, 0.0)))
 
-        return select(xp, near > 0.0, lambda known: known, (known,), no,
+        return select(xp, near > 0.0, lambda sunk: sunk, (sunk,), no,
             (envelope, even, even_low, gamma, half, wave, wave_low))
 
-    return select(xp, reach < 0.5625, yes, (fade_, fade_low, gamma, half), no,
-        (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
+    return select(xp, reach < 0.5625, yes, (decayed, decayed_low, gamma, half), no,
+        (envelope, even, even_low, gamma, half, near, sunk, wave, wave_low))
 
 
 def plant_n1_series(xp, h, w):
@@ -555,87 +599,57 @@ def plant_n1_series(xp, h, w):
     return h*total + two*w
 
 
-def plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, slow, slow_low, mean, mean_low,
-    even, even_low):
+def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even, even_low,
+    decayed, decayed_low):
     """n1 of a creeping device"""
 
-    def yes(fade_, fade_low, half, w):
-        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
+    def yes(decayed, decayed_low, half, w):
+        return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
     def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
-        total, lost = wide_prod(xp, slow, even, even_low)
-        total, lost2 = two_diff(xp, mean, total)
-        pulled_low = even*slow_low + lost
-        rest = lost2 + mean_low - pulled_low
-        total, lost2 = wide_quot(xp, total, p, rest, p_low)
-        return lost2 + total
+        return rounded(xp, *pair_quot(xp, *pair_diff(xp, mean, mean_low,
+            *pair_prod(xp, slow, slow_low, even, even_low)), p, p_low))
 
-    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
+    return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
         (even, even_low, mean, mean_low, p, p_low, slow, slow_low))
 
 
-def plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, wave, wave_low,
-    gamma, near, known):
+def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near, risen,
+    decayed, decayed_low, gamma):
     """n1 of a swinging device"""
 
-    def yes(fade_, fade_low, half, w):
-        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
+    def yes(decayed, decayed_low, half, w):
+        return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
-    def no(envelope, even, even_low, gamma, half, known, near, wave, wave_low):
+    def no(envelope, even, even_low, gamma, half, near, risen, wave, wave_low):
 
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
-            total, lost = wide_prod(xp, half, wave, wave_low)
-            total, lost2 = two_diff(xp, even, -total)
-            total, lost2 = wide_prod(xp, envelope, total, even_low + lost + lost2)
-            total, lost = fast_two_sum(xp, 1.0, -total)
             whole = xp.where(gamma == 0.0, 1.0, gamma)
-            total, lost = wide_quot(xp, total, whole, lost - lost2, xp.full_like(lost, 0.0))
-            return lost + total
+            return rounded(xp, *pair_quot(xp, *one_minus(xp,
+                *wide_prod(xp, envelope, *pair_sum(xp, even, even_low,
+                *wide_prod(xp, half, wave, wave_low)))), whole, xp.full_like(envelope, 0.0)))
 
-        return select(xp, near > 0.0, lambda known: known, (known,), no,
+        return select(xp, near > 0.0, lambda risen: risen, (risen,), no,
             (envelope, even, even_low, gamma, half, wave, wave_low))
 
-    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
-        (envelope, even, even_low, gamma, half, known, near, wave, wave_low))
+    return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
+        (envelope, even, even_low, gamma, half, near, risen, wave, wave_low))
+
+
+def one_plus(xp, x, x_low):
+    """1 + x of a pair, for |x| <= 1"""
+    total, total_low = fast_two_sum(xp, 1.0, x)
+    return total, total_low + x_low
 
 
 def plant_trace_creep(xp, slow, slow_low, ratio, ratio_low):
     """a of a creeping device"""
-    total, lost = fast_two_sum(xp, 1.0, ratio)
-    total2, lost = wide_prod(xp, slow, total, lost + ratio_low)
-    low = lost + slow_low*total
-    return low + total2
+    return rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
 
 
 def plant_trace_swing(xp, envelope, even, even_low):
     """a of a swinging device"""
-    total, lost = wide_prod(xp, envelope, even, even_low)
-    return 2.0*lost + 2.0*total
-
-
-def root_miss(xp, square, square_low, root):
-    """what the root of |square + square_low| misses"""
-    sign_low = xp.where(square < 0.0, -square_low, square_low)
-    left = xp.abs(square) - (root*root)
-    root_halves = halves(xp, root)
-    left = left - two_prod_error(root*root, root_halves, root_halves)
-    left = left + sign_low
-    whole = xp.where(root == 0.0, 1.0, root)
-    return 0.5*left/whole
-
-
-def real_poles(xp, gamma, half, w, w_low, root):
-    """the poles p = half + root and q = gamma/p and what they miss"""
-    total, lost = fast_two_sum(xp, half, root)
-    p_low = lost + root_miss(xp, w, w_low, root)
-    whole = xp.where(total == 0.0, 1.0, total)
-    q = gamma/whole
-    off = gamma - q*whole
-    whole_halves = halves(xp, whole)
-    q_halves = halves(xp, q)
-    off = off - two_prod_error(whole*q, whole_halves, q_halves)
-    off = off - p_low*q
-    return whole, p_low, q, off/whole
+    return 2.0*rounded(xp, *wide_prod(xp, envelope, even, even_low))
 
 
 def slow_fade(xp, reach, half):
@@ -643,8 +657,7 @@ def slow_fade(xp, reach, half):
 
     def yes(half):
         fall, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
-        total, lost = wide_prod(xp, fall, fall, 2.0*fall_low)
-        return total, lost
+        return pair_square(xp, fall, fall_low)
 
     return select(xp, reach < 0.5625, yes, (half,), lambda reach: (0.0, 0.0), (reach,))
 
@@ -675,29 +688,22 @@ def waving_pair(xp, square, square_low, angle):
     """cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle"""
 
     def yes(square, square_low):
-        total, lost = fast_two_sum(xp, 1.0, 0.5*square)
+        total, total_low = fast_two_sum(xp, 1.0, 0.5*square)
         curved = (square*square)*cos_series(xp, square)
-        total, lost2 = fast_two_sum(xp, total, curved)
-        both = lost + lost2
+        total, total_low2 = fast_two_sum(xp, total, curved)
+        both = total_low + total_low2
         bent = square*sin_series(xp, square)
-        total3, lost2 = fast_two_sum(xp, 1.0, bent)
-        return total, both + 0.5*square_low, total3, lost2 + 0.16666666666666666*square_low
+        total3, total_low2 = one_plus(xp, bent, 0.16666666666666666*square_low)
+        return total, both + 0.5*square_low, total3, total_low2
 
     def no(angle, square, square_low):
         angle_low = root_miss(xp, square, square_low, angle)
         sine = xp.sin(angle)
         cosine = xp.cos(angle)
-        total4, lost4 = wide_quot(xp, sine, angle, angle_low*cosine, angle_low)
-        return cosine, -angle_low*sine, total4, lost4
+        quot, quot_low = pair_quot(xp, sine, angle_low*cosine, angle, angle_low)
+        return cosine, -angle_low*sine, quot, quot_low
 
     return select(xp, square > -1.5, yes, (square, square_low), no, (angle, square, square_low))
-
-
-def two_prod(xp, x, y):
-    """x y and what it misses"""
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    return x*y, two_prod_error(x*y, x_halves, y_halves)
 
 
 def whole_turns(xp, half, square, square_low, root, stiff):
@@ -711,108 +717,97 @@ def whole_turns(xp, half, square, square_low, root, stiff):
 
     def yes(half, root, square, square_low, stiff):
         count = xp.floor(0.5*root/3.141592653589793 + 0.5)
-        total8, lost8 = two_prod(xp, count, xp.full_like(count, number))
-        total8, lost9 = two_diff(xp, root, -total8)
+        prod3, prod_low3 = two_prod(xp, count, xp.full_like(count, number))
+        diff6, diff_low6 = two_diff(xp, root, -prod3)
         missed = root_miss(xp, square, square_low, root)
         turns = (count*count)
-        total, lost = two_prod(xp, turns, xp.full_like(turns, number2))
-        total2, lost2 = two_prod(xp, turns, xp.full_like(turns, number3))
-        total, lost3 = two_diff(xp, -square, total)
-        total, lost = two_diff(xp, total, lost)
-        total, lost5 = two_diff(xp, total, total2)
-        total, lost6 = two_diff(xp, total, square_low)
+        prod3, prod_low = two_prod(xp, turns, xp.full_like(turns, number2))
+        prod2, prod_low2 = two_prod(xp, turns, xp.full_like(turns, number3))
+        diff, diff_low = two_diff(xp, -square, prod3)
+        diff, diff_low2 = two_diff(xp, diff, prod_low)
+        diff, diff_low3 = two_diff(xp, diff, prod2)
+        diff, diff_low4 = two_diff(xp, diff, square_low)
         turned_low = number4*turns
-        low = lost3 - lost2 + lost + lost5 + lost6 - turned_low
-        total, lost6 = two_diff(xp, total, -low)
+        low = diff_low + diff_low2 + diff_low3 + diff_low4 - prod_low2 - turned_low
         back = number5*count
-        both_low = back + lost8 + lost9 + missed
-        whole = xp.where(total8 == 0.0, 1.0, total8)
-        total, lost6 = wide_quot(xp, total, whole, lost6, both_low)
-        far = (total*total)
+        both_low = back + diff_low6 + missed + prod_low3
+        whole = xp.where(diff6 == 0.0, 1.0, diff6)
+        quot, quot_low = pair_quot(xp, *two_diff(xp, diff, -low), whole, both_low)
+        far = (quot*quot)
 
-        def yes(half, lost10, missed, root, stiff, total10):
+        def yes(half, missed, quot, quot_low, root, stiff):
             fall, fall_low, mean, mean_low = brief_fading(xp, half, xp.full_like(half, 0.0))
-            total26, lost26 = fast_two_sum(xp, 1.0, -fall)
-            total11, lost11 = wide_prod(xp, total10, total10, 2.0*lost10)
-            total13, lost13 = fast_two_sum(xp, 1.0, -total11*sin_series(xp, -total11))
-            total14, lost13 = wide_prod(xp, total10, total13, lost13)
-            bent = (total11*total11)*cos_series(xp, -total11)
-            total11, lost12 = fast_two_sum(xp, 0.5*total11, -bent)
-            lift_low = 0.5*lost11*total13 + lost12
-            total13, lost12 = wide_prod(xp, fall, total11, lift_low)
-            total29, lost11 = wide_prod(xp, fall, total11, lift_low)
-            total14, lost13 = wide_quot(xp, total14, root, lost10*(1.0 - total11) + lost13, missed)
-            total16, lost16 = wide_prod(xp, fall, total14, lost13)
-            total16, lost17 = two_diff(xp, mean, total16)
-            total21, lost21 = two_diff(xp, mean, total14)
-            total21, lost21 = wide_prod(xp, half, total21, lost21 - lost13 + mean_low)
-            total21, lost13 = two_diff(xp, total11, total21)
+            squared, squared_low = pair_square(xp, quot, quot_low)
+            less, less_low = one_minus(xp, squared*sin_series(xp, -squared), 0.0)
+            prod4, prod_low4 = wide_prod(xp, quot, less, less_low)
+            bent = (squared*squared)*cos_series(xp, -squared)
+            total, total_low = fast_two_sum(xp, 0.5*squared, -bent)
+            lift_low = 0.5*less*squared_low + total_low
+            prod5, prod_low5 = pair_prod(xp, fall, fall_low, total, lift_low)
+            quot2, quot_low2 = pair_quot(xp, prod4, prod_low4 + quot_low*(1.0 - total), root,
+                missed)
+            diff8, diff_low8 = pair_diff(xp, total, lift_low,
+                *wide_prod(xp, half, *pair_diff(xp, mean, mean_low, quot2, quot_low2)))
             whole2 = xp.where(stiff == 0.0, 1.0, stiff)
-            low2 = lost17 - fall_low*total14 - lost16 + mean_low
-            total16, lost17 = wide_prod(xp, half, total16, low2)
-            total13, lost16 = two_diff(xp, total16, -total13)
-            low2 = lift_low - lost21 + lost13
-            total21, lost13 = two_diff(xp, total21, -low2)
-            total16, lost13 = wide_prod(xp, fall, total21, lost13)
-            low2 = lost26 - fall_low
-            total26, lost26 = fast_two_sum(xp, total26, low2)
-            total26, lost26 = wide_prod(xp, total26, total26, 2.0*lost26)
-            total29, lost21 = two_diff(xp, total26, -2.0*total29)
-            low2 = fall_low*total11 + lost17 + lost12 + lost16
-            total13, lost16 = wide_quot(xp, total13, whole2, low2, xp.full_like(low2, 0.0))
-            low2 = fall_low*total21 + lost13
-            total16, lost13 = wide_quot(xp, total16, whole2, low2, xp.full_like(low2, 0.0))
-            low2 = 2.0*fall_low*total11 + lost26 + 2.0*lost11 + lost21
-            total29, lost21 = wide_quot(xp, total29, whole2, low2, xp.full_like(low2, 0.0))
-            return 1.0, lost16 + total13, lost13 + total16, lost21 + total29
+            return (
+                1.0, rounded(xp, *pair_quot(xp, *pair_sum(xp,
+                *wide_prod(xp, half, *pair_diff(xp, mean, mean_low,
+                *pair_prod(xp, fall, fall_low, quot2, quot_low2))), prod5, prod_low5), whole2,
+                xp.full_like(fall, 0.0))), rounded(xp,
+                *pair_quot(xp, *pair_prod(xp, fall, fall_low,
+                *two_diff(xp, diff8, -diff_low8)), whole2, xp.full_like(diff8, 0.0))),
+                rounded(xp, *pair_quot(xp, *pair_sum(xp,
+                *pair_square(xp, *fast_two_sum(xp, *one_minus(xp, fall, fall_low))), 2.0*prod5,
+                2.0*prod_low5), whole2, xp.full_like(fall, 0.0)))
+            )
 
         return select(xp, (count > 0.0) & (far < 1.5), yes,
-            (half, lost6, missed, root, stiff, total), lambda count: (0.0, 0.0, 0.0, 0.0), (count,))
+            (half, missed, quot, quot_low, root, stiff), lambda count: (0.0, 0.0, 0.0, 0.0),
+            (count,))
 
     return select(xp, (half < 0.75) & (root < number6) & (root > 3.0), yes,
         (half, root, square, square_low, stiff), lambda half: (0.0, 0.0, 0.0, 0.0), (half,))
+
+
+def swinging_device(xp, gamma, half, w, w_low, root):
+    """of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns"""
+    even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
+    near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
+    return xp.exp(-half), even, even_low, odd, odd_low, near, risen, sunk, moved
 
 
 def device_n0_n1_trace(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
     moves the device in a period; a, the sum of the sampled device's poles
     """
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
+    decayed, decayed_low = slow_fade(xp, reach, half)
 
-    def yes(gamma, half, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        envelope = xp.exp(-half)
+    def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+            swinging_device(xp, gamma, half, w, w_low, root)
+        )
         return (
-            plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk), plant_n1_swing(xp, reach, fade_, fade_low, half, w,
-            envelope, even, even_low, odd, odd_low, gamma, near, risen),
+            plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
+            decayed, decayed_low, gamma), plant_n1_swing(xp, reach, half, w, envelope, even,
+            even_low, wave, wave_low, near, risen, decayed, decayed_low, gamma),
             plant_trace_swing(xp, envelope, even, even_low)
         )
 
-    def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+    def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            creeping_device(xp, gamma, half, w, w_low, root)
+        )
         return (
-            plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-            mean, mean_low, fall2, fall_low2, mean2, mean_low2),
-            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, mean2, mean_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
+            plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low,
+            even2, even_low2, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
+            even_low2, decayed, decayed_low),
+            plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
         )
 
-    return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no,
-        (delta, gamma, half, reach, root, w, w_low))
-
-
-def fast_fall(xp, slow, slow_low, ratio, ratio_low):
-    """exp(-p), of the faster pole, and what it misses"""
-    total, lost = wide_prod(xp, slow, ratio, ratio_low)
-    return total, lost + ratio*slow_low
+    return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low), no,
+        (decayed, decayed_low, delta, gamma, half, reach, root, w, w_low))
 
 
 def numerator_at_one_series(xp, h, w):
@@ -838,12 +833,8 @@ def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, m
         return 2.0*scaled_sum(xp, xp.exp(-half), 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
     def no(mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
-        fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
-        total, lost = fast_two_sum(xp, 1.0, -fast)
-        total2, lost = wide_prod(xp, mean, total, lost - fast_low)
-        moved_low = lost + mean_low*total
-        total2, lost = wide_quot(xp, total2, p, moved_low, p_low)
-        return lost + total2
+        return rounded(xp, *pair_quot(xp, *pair_prod(xp, mean, mean_low,
+            *one_minus(xp, *pair_prod(xp, slow, slow_low, ratio, ratio_low))), p, p_low))
 
     return select(xp, reach < 1.0, yes, (half, w), no,
         (mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
@@ -851,57 +842,51 @@ def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, m
 
 def half_squares(xp, half, envelope, wave, back):
     """(1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses"""
-    total, lost = two_diff(xp, wave, back)
-    total2, lost2 = two_prod(xp, total, total)
     grown = -0.5*xp.expm1(-half)
-    low = 2.0*lost*total + lost2
-    total2, lost2 = wide_prod(xp, envelope, total2, low)
-    total2, lost = two_diff(xp, total2, -(grown*grown))
-    return total2, lost2 + lost
+    return pair_sum(xp, *wide_prod(xp, envelope, *pair_square(xp, *two_diff(xp, wave, back))),
+        (grown*grown), 0.0)
 
 
-def numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near, known):
+def numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved, gamma):
     """n1 + n0 of a swinging device"""
 
     def yes(envelope, half, w):
         return 2.0*scaled_sum(xp, envelope, 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
-    def no(envelope, gamma, half, known, near, root, w, w_low):
+    def no(envelope, gamma, half, moved, near, root, w, w_low):
 
         def no(envelope, gamma, half, root, w, w_low):
             angle = 0.5*root
             back = -0.5*root_miss(xp, w, w_low, root)*xp.cos(angle)
-            total, low = half_squares(xp, half, envelope, xp.sin(angle), back)
             whole = xp.where(gamma == 0.0, 1.0, gamma)
-            total, lost = wide_quot(xp, total, whole, low, xp.full_like(low, 0.0))
-            return 4.0*lost + 4.0*total
+            return 4.0*rounded(xp, *pair_quot(xp,
+                *half_squares(xp, half, envelope, xp.sin(angle), back), whole,
+                xp.full_like(angle, 0.0)))
 
-        return select(xp, near > 0.0, lambda known: known, (known,), no,
+        return select(xp, near > 0.0, lambda moved: moved, (moved,), no,
             (envelope, gamma, half, root, w, w_low))
 
     return select(xp, reach < 1.0, yes, (envelope, half, w), no,
-        (envelope, gamma, half, known, near, root, w, w_low))
+        (envelope, gamma, half, moved, near, root, w, w_low))
 
 
 def device_together_trace(xp, gamma, delta):
     """n1 + n0; a, the sum of the sampled device's poles"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(gamma, half, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        envelope = xp.exp(-half)
-        return numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
-            moved), plant_trace_swing(xp, envelope, even, even_low)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+            swinging_device(xp, gamma, half, w, w_low, root)
+        )
+        return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
+            gamma), plant_trace_swing(xp, envelope, even, even_low)
 
     def no(gamma, half, reach, root, w, w_low):
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        return numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean, mean_low,
-            fall2, fall_low2), plant_trace_creep(xp, fall, fall_low, fall2, fall_low2)
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            creeping_device(xp, gamma, half, w, w_low, root)
+        )
+        return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
+            ratio, ratio_low), plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
 
     return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no,
         (gamma, half, reach, root, w, w_low))
@@ -909,68 +894,62 @@ def device_together_trace(xp, gamma, delta):
 
 def plant_n0(xp, gamma, delta):
     """n0, the same device with its time reversed, times exp(-delta)"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
-    fade_, fade_low = slow_fade(xp, reach, half)
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
+    decayed, decayed_low = slow_fade(xp, reach, half)
 
-    def yes(delta, fade_, fade_low, gamma):
-        return plant_n0_near(xp, fade_, fade_low, gamma, delta)
+    def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
 
-    def no(delta, fade_, fade_low, gamma, half, reach, root, w, w_low):
+        def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
+            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+                swinging_device(xp, gamma, half, w, w_low, root)
+            )
+            return plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near,
+                sunk, decayed, decayed_low, gamma)
 
-        def yes(fade_, fade_low, gamma, half, reach, root, w, w_low):
-            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            envelope = xp.exp(-half)
-            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-            return plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low, odd,
-                odd_low, gamma, near, sunk)
+        def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
+            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+                creeping_device(xp, gamma, half, w, w_low, root)
+            )
+            return plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
+                ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta)
 
-        def no(delta, fade_, fade_low, gamma, half, reach, root, w, w_low):
-            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-            fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            root_low = root_miss(xp, w, w_low, root)
-            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-            return plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall,
-                fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2)
+        return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
+            no, (decayed, decayed_low, delta, gamma, half, reach, root, w, w_low))
 
-        return select(xp, w < 0.0, yes, (fade_, fade_low, gamma, half, reach, root, w, w_low), no,
-            (delta, fade_, fade_low, gamma, half, reach, root, w, w_low))
-
-    return select(xp, reach < 0.5625, yes, (delta, fade_, fade_low, gamma), no,
-        (delta, fade_, fade_low, gamma, half, reach, root, w, w_low))
+    return select(xp, reach < 0.5625, lambda *v: plant_n0_near(xp, *v),
+        (decayed, decayed_low, gamma, delta), no,
+        (decayed, decayed_low, delta, gamma, half, reach, root, w, w_low))
 
 
 def plant_n1(xp, gamma, delta):
     """n1, how far a unit force moves the device in a period"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
-    fade_, fade_low = slow_fade(xp, reach, half)
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
+    decayed, decayed_low = slow_fade(xp, reach, half)
 
-    def yes(fade_, fade_low, half, w):
-        return scaled_sum(xp, fade_, fade_low, plant_n1_series(xp, half, w), 0.5)
+    def yes(decayed, decayed_low, half, w):
+        return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
-    def no(fade_, fade_low, gamma, half, reach, root, w, w_low):
+    def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
 
-        def yes(fade_, fade_low, gamma, half, reach, root, w, w_low):
-            even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-            envelope = xp.exp(-half)
-            near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-            return plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low,
-                odd, odd_low, gamma, near, risen)
+        def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
+            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+                swinging_device(xp, gamma, half, w, w_low, root)
+            )
+            return plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
+                near, risen, decayed, decayed_low, gamma)
 
-        def no(fade_, fade_low, gamma, half, reach, root, w, w_low):
-            p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-            fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-            root_low = root_miss(xp, w, w_low, root)
-            fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-            return plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low,
-                mean, mean_low, mean2, mean_low2)
+        def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
+            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+                creeping_device(xp, gamma, half, w, w_low, root)
+            )
+            return plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
+                even2, even_low2, decayed, decayed_low)
 
-        return select(xp, w < 0.0, yes, (fade_, fade_low, gamma, half, reach, root, w, w_low), no,
-            (fade_, fade_low, gamma, half, reach, root, w, w_low))
+        return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
+            no, (decayed, decayed_low, gamma, half, reach, root, w, w_low))
 
-    return select(xp, reach < 0.5625, yes, (fade_, fade_low, half, w), no,
-        (fade_, fade_low, gamma, half, reach, root, w, w_low))
+    return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
+        (decayed, decayed_low, gamma, half, reach, root, w, w_low))
 
 
 def decay(xp, x):
@@ -980,33 +959,24 @@ def decay(xp, x):
 
 def denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low):
     """1 + a + e of a creeping device"""
-    total, lost = fast_two_sum(xp, 1.0, slow)
-    fast, fast_low = fast_fall(xp, slow, slow_low, ratio, ratio_low)
-    total2, lost2 = fast_two_sum(xp, 1.0, fast)
-    total, lost2 = wide_prod(xp, total, total2, fast_low + lost2)
-    low = lost2 + total2*(lost + slow_low)
-    return low + total
+    return rounded(xp, *pair_prod(xp, *one_plus(xp, slow, slow_low),
+        *one_plus(xp, *pair_prod(xp, slow, slow_low, ratio, ratio_low))))
 
 
-def denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root):
+def denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low):
     """1 + a + e of a swinging device"""
-    total3, lost2 = wide_prod(xp, 2.0*envelope, even, even_low)
+    prod, prod_low = wide_prod(xp, 2.0*envelope, even, even_low)
 
-    def yes(half, lost2, total3):
+    def yes(half, prod, prod_low):
         e = xp.exp(-2.0*half)
-        total2, lost = fast_two_sum(xp, 1.0, e)
-        total2, lost3 = fast_two_sum(xp, total2, total3)
-        rest = lost + lost2 + lost3
-        return rest + total2
+        return rounded(xp, *pair_sum(xp, *one_plus(xp, e, 0.0), prod, prod_low))
 
     def no(envelope, half, root, w, w_low):
         angle = 0.5*root
         back = 0.5*root_miss(xp, w, w_low, root)*xp.sin(angle)
-        total, low = half_squares(xp, half, envelope, xp.cos(angle), back)
-        return 4.0*low + 4.0*total
+        return 4.0*rounded(xp, *half_squares(xp, half, envelope, xp.cos(angle), back))
 
-    return select(xp, total3 > 0.0, yes, (half, lost2, total3), no,
-        (envelope, half, root, w, w_low))
+    return select(xp, prod > 0.0, yes, (half, prod, prod_low), no, (envelope, half, root, w, w_low))
 
 
 def numerator_gap_series(xp, h, w):
@@ -1025,7 +995,7 @@ def numerator_gap_series(xp, h, w):
     return inner*w + total*y + number2
 
 
-def numerator_gap_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, ratio, even, even_low):
+def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even, even_low, delta):
     """(n1 - n0)/delta of a creeping device"""
 
     def yes(half, w):
@@ -1033,14 +1003,12 @@ def numerator_gap_creep(xp, reach, half, w, delta, p, slow, mean, mean_low, rati
             0.16666666666666666)
 
     def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
-        fast = ratio*slow
-        total3, lost3 = wide_prod(xp, fast, mean, mean_low)
         twice = 2.0*slow
-        total, lost = wide_prod(xp, twice, even, even_low)
-        total, lost2 = two_diff(xp, mean, total)
-        top = total + total3
-        rest = lost3 - lost + mean_low
-        low = lost2 + rest
+        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, twice, even, even_low))
+        fast = ratio*slow
+        prod, prod_low = wide_prod(xp, fast, mean, mean_low)
+        top = diff + prod
+        low = diff_low + prod_low
         whole = xp.where(delta*p == 0.0, 1.0, delta*p)
         return (low + top)/whole
 
@@ -1055,12 +1023,10 @@ def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, del
         return scaled_sum(xp, envelope, 0.0, numerator_gap_series(xp, half, w), 0.16666666666666666)
 
     def no(delta, envelope, gamma, wave, wave_low):
-        total, lost = wide_prod(xp, envelope, wave, wave_low)
         mean = decay(xp, delta)
-        total, lost2 = two_diff(xp, mean, total)
         whole = xp.where(gamma == 0.0, 1.0, gamma)
-        total, lost2 = wide_quot(xp, total, whole, lost2 - lost, xp.full_like(lost, 0.0))
-        return lost2 + total
+        return rounded(xp, *pair_quot(xp, *pair_diff(xp, mean, 0.0,
+            *wide_prod(xp, envelope, wave, wave_low)), whole, xp.full_like(envelope, 0.0)))
 
     return select(xp, reach < 1.0, yes, (envelope, half, w), no,
         (delta, envelope, gamma, wave, wave_low))
@@ -1070,39 +1036,37 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
     """1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
     exp(-delta); n1, how far a unit force moves the device in a period
     """
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        envelope = xp.exp(-half)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+            swinging_device(xp, gamma, half, w, w_low, root)
+        )
+        decayed, decayed_low = slow_fade(xp, reach, half)
         return (
-            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
-            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
-            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
-            delta), plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low,
-            odd, odd_low, gamma, near, sunk),
-            plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen)
+            denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
+            numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
+            gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
+            delta), plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low,
+            near, sunk, decayed, decayed_low, gamma),
+            plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near,
+            risen, decayed, decayed_low, gamma)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            creeping_device(xp, gamma, half, w, w_low, root)
+        )
+        decayed, decayed_low = slow_fade(xp, reach, half)
         return (
-            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
-            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
-            fall, mean, mean_low, fall2, mean2, mean_low2),
-            plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low,
-            mean, mean_low, fall2, fall_low2, mean2, mean_low2),
-            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, mean2, mean_low2)
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
+            mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
+            mean_low, ratio, even2, even_low2, delta),
+            plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
+            ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
+            even_low2, decayed, decayed_low)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
@@ -1189,7 +1153,6 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
         turned = select(xp, (rest > 0.0) & (y > 0.0), yes,
             (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together, x, y, zone), lambda rest: 0.0, (rest,))
-
         return turned
 
     return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
@@ -1222,7 +1185,6 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
         return one, two
 
     one, two = select(xp, disc < 0.0, yes, (low,), no, (disc, high, k1, k2, k3, low))
-
     less = xp.where(one < two, one, two)
     more = xp.where(one > two, one, two)
     first = xp.where(cut < less, cut, less)
@@ -1310,19 +1272,10 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
     """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
-    total, lost = fast_two_sum(xp, 1.0, -epsilon)
-    total, lost = wide_prod(xp, epsilon, total, lost)
-    total3, lost3 = wide_prod(xp, x, y, y_low)
-    both_low = lost3 + x_low*y
-    total, lost3 = wide_prod(xp, total, total3, both_low)
-    total, lost5 = two_diff(xp, first, 2.0*total)
-    total, lost6 = two_diff(xp, total, last)
-    total, lost7 = two_diff(xp, total, -turned)
-    low = lost*total3 + lost3
-    rest = lost5 + lost6
-    rest = lost7 + rest
-    rest = rest - 2.0*low
-    return rest + total
+    prod2, prod_low2 = pair_prod(xp, *wide_prod(xp, epsilon, *one_minus(xp, epsilon, 0.0)),
+        *pair_prod(xp, x, x_low, y, y_low))
+    return rounded(xp, *pair_sum(xp, *pair_diff(xp,
+        *pair_diff(xp, first, 0.0, 2.0*prod2, 2.0*prod_low2), last, 0.0), turned, 0.0))
 
 
 def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
@@ -1330,40 +1283,33 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     - n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a
     unit force moves the device in a period
     """
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        envelope = xp.exp(-half)
-        total2, lost2 = wide_prod(xp, envelope, odd, odd_low)
-        total2, lost2 = fast_two_sum(xp, total2, lost2)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+            swinging_device(xp, gamma, half, w, w_low, root)
+        )
+        total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
+        decayed, decayed_low = slow_fade(xp, reach, half)
         return (
-            total2, lost2, numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
-            delta), plant_n0_swing(xp, reach, fade_, fade_low, half, envelope, even, even_low,
-            odd, odd_low, gamma, near, sunk),
-            plant_n1_swing(xp, reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen)
+            total, total_low, numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low,
+            gamma, delta), plant_n0_swing(xp, reach, half, envelope, even, even_low, wave,
+            wave_low, near, sunk, decayed, decayed_low, gamma),
+            plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near,
+            risen, decayed, decayed_low, gamma)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        fade_, fade_low = slow_fade(xp, reach, half)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
-        total, lost = wide_prod(xp, fall, mean2, mean_low2)
-        creep_low = fall_low*mean2 + lost
-        total, lost = fast_two_sum(xp, total, creep_low)
-        return (
-            total, lost, numerator_gap_creep(xp, reach, half, w, delta, p, fall, mean, mean_low,
-            fall2, mean2, mean_low2), plant_n0_creep(xp, reach, fade_, fade_low, gamma, delta,
-            p, p_low, fall, fall_low, mean, mean_low, fall2, fall_low2, mean2, mean_low2),
-            plant_n1_creep(xp, reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, mean2, mean_low2)
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            creeping_device(xp, gamma, half, w, w_low, root)
         )
+        total2, total_low2 = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, even2, even_low2))
+        decayed, decayed_low = slow_fade(xp, reach, half)
+        return total2, total_low2, numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low,
+            ratio, even2, even_low2, delta), plant_n0_creep(xp, reach, p, p_low, slow, slow_low,
+            mean, mean_low, ratio, ratio_low, even2, even_low2, decayed, decayed_low, gamma,
+            delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
+            even2, even_low2, decayed, decayed_low)
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
         (delta, gamma, half, reach, root, w, w_low))
@@ -1488,12 +1434,10 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
 
         disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no,
             (product, square2))
-
         return disc4
 
     disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no,
         (product, product3, size, size2, size3, square2, square4))
-
 
     def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0, own1,
         own2, slope, square, together, wall_far):
@@ -1509,7 +1453,6 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
     total = select(xp, disc4 >= 0.0, yes, (alpha, apart, beyond, center, d, disc4, far0, far1,
         loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far),
         lambda disc4: 0.0, (disc4,))
-
     total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
         (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
     return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
@@ -1521,61 +1464,48 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     j psi)
     """
     t = xp.tan(psi)
-    square = (t*t)
-    t_halves = halves(xp, t)
-    low = two_prod_error(square, t_halves, t_halves)
-    taken = at_minus_one*square
-    total, lost = two_diff(xp, at_one, taken)
-    at_minus_one_halves = halves(xp, at_minus_one)
-    square_halves = halves(xp, square)
-    missed = at_minus_one*low + two_prod_error(taken, at_minus_one_halves, square_halves)
-    lost = lost - missed
-    total, lost = fast_two_sum(xp, total, lost)
-    taken = apart*square
-    total3, lost4 = two_diff(xp, together, taken)
-    apart_halves = halves(xp, apart)
-    missed = apart*low + two_prod_error(taken, apart_halves, square_halves)
-    lost4 = lost4 - missed
-    total3, lost4 = fast_two_sum(xp, total3, lost4)
+    prod, prod_low = two_prod(xp, t, t)
+    total, total_low = fast_two_sum(xp, *pair_diff(xp, at_one, 0.0,
+        *wide_prod(xp, at_minus_one, prod, prod_low)))
+    total2, total_low2 = fast_two_sum(xp, *pair_diff(xp, together, 0.0,
+        *wide_prod(xp, apart, prod, prod_low)))
     above_j = 2.0*loss*t
     below_j = across*t
-    rest = (below_j*below_j) + 2.0*lost4*total3
-    size = rest + (total3*total3)
-    low = above_j*lost4 - below_j*lost
-    found = above_j*total3 - below_j*total
+    rest = (below_j*below_j) + 2.0*total2*total_low2
+    size = rest + (total2*total2)
+    low = above_j*total_low2 - below_j*total_low
+    found = above_j*total2 - below_j*total
     found = found + low
-    low = lost*total3 + lost4*total
+    low = total*total_low2 + total2*total_low
     rest = above_j*below_j + low
-    found3 = rest + total*total3
+    found3 = rest + total*total2
     return found/size, found3/size
 
 
 def device_at_minus_one_together_n_gap(xp, gamma, delta):
     """1 + a + e; n1 + n0; (n1 - n0)/delta"""
-    w, w_low, root, reach = device_motion(xp, gamma, delta)
-    half = 0.5*delta
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        even, even_low, odd, odd_low = waving_pair(xp, w, w_low, root)
-        near, risen, sunk, moved = whole_turns(xp, half, w, w_low, root, gamma)
-        envelope = xp.exp(-half)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
+            swinging_device(xp, gamma, half, w, w_low, root)
+        )
         return (
-            denominator_at_minus_one_swing(xp, half, w, w_low, envelope, even, even_low, root),
-            numerator_at_one_swing(xp, reach, half, w, w_low, envelope, root, gamma, near,
-            moved), numerator_gap_swing(xp, reach, half, w, envelope, odd, odd_low, gamma,
+            denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
+            numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
+            gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
             delta)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, q, q_low = real_poles(xp, gamma, half, w, w_low, root)
-        fall, fall_low, mean, mean_low = fading_pair(xp, q, q_low)
-        root_low = root_miss(xp, w, w_low, root)
-        fall2, fall_low2, mean2, mean_low2 = fading_pair(xp, 2.0*root, 2.0*root_low)
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            creeping_device(xp, gamma, half, w, w_low, root)
+        )
         return (
-            denominator_at_minus_one_creep(xp, fall, fall_low, fall2, fall_low2),
-            numerator_at_one_creep(xp, reach, half, w, p, p_low, fall, fall_low, mean,
-            mean_low, fall2, fall_low2), numerator_gap_creep(xp, reach, half, w, delta, p,
-            fall, mean, mean_low, fall2, mean2, mean_low2)
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
+            mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
+            mean_low, ratio, even2, even_low2, delta)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
@@ -1592,22 +1522,22 @@ def next_wave_single(xp, k, x):
     left = angle - 1.5707963705062866*quarters
     quarters_halves = halves(xp, quarters)
     number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-    total, lost = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866, quarters_halves,
-        number1_halves))
-    total, lost2 = two_diff(xp, total, -4.371138828673793e-08*quarters)
+    diff, diff_low = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
+        quarters_halves, number1_halves))
+    diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    total, lost3 = two_diff(xp, total, -two_prod_error(angle, count_halves, x_halves))
-    total, lost4 = two_diff(xp, total, -missed*x)
+    diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, count_halves, x_halves))
+    diff, diff_low4 = two_diff(xp, diff, -missed*x)
     number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
     low = (
-        lost + lost2 + lost3 + lost4 + 1.7151245100058819e-15*quarters -
+        diff_low + diff_low2 + diff_low3 + diff_low4 + 1.7151245100058819e-15*quarters -
         two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
     )
     missed_halves = halves(xp, missed)
     low = low + two_prod_error(missed*x, missed_halves, x_halves)
-    wave = xp.sin(total)
-    still = xp.cos(total)
+    wave = xp.sin(diff)
+    still = xp.cos(diff)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
     sine = low*still + wave
     cosine = still - low*wave
@@ -1659,28 +1589,17 @@ def early_slope(xp, theta, k4, k3, k2, k1, k0):
 
 def end_slope(xp, at_minus_one, loss, together, apart, last):
     """has the sign of the slope of the boundary's alpha next to pi"""
-    total, lost = two_diff(xp, together, 4.0*last)
-    total2, lost2 = wide_prod(xp, total, total, 2.0*lost)
-    total3, lost3 = two_prod(xp, apart, together)
-    total4, lost4 = two_diff(xp, total3, total2)
-    total2, lost5 = two_diff(xp, total2, 2.0*total3)
-    total3, lost7 = wide_prod(xp, apart, total3, lost3)
-    total12, lost12 = two_diff(xp, 2.0*apart, total)
-    total13, lost13 = two_prod(xp, apart, apart)
-    total13, lost12 = wide_prod(xp, total13, total12, lost12 - lost)
-    gap_low = lost3 - lost2 + lost4
-    total4, lost4 = wide_prod(xp, apart, total4, gap_low)
-    total4, lost4 = wide_prod(xp, loss, total4, lost4)
-    lean_low = lost2 - 2.0*lost3 + lost5
-    total, lost5 = wide_prod(xp, total, total2, lean_low)
-    total3, lost2 = two_diff(xp, total, -total3)
-    bent_low = lost*total2 + lost5 + lost7 + lost2
-    total3, lost2 = wide_prod(xp, at_minus_one, total3, bent_low)
-    total3, lost7 = two_diff(xp, 4.0*total13, total3)
-    total3, lost5 = two_diff(xp, total3, 2.0*total4)
-    three_low = lost13*total12 + lost12
-    low = lost7 - 2.0*lost4 + lost5 - lost2 + 4.0*three_low
-    return low + total3
+    diff, diff_low = two_diff(xp, together, 4.0*last)
+    squared, squared_low = pair_square(xp, diff, diff_low)
+    prod, prod_low = two_prod(xp, apart, together)
+    prod4, prod_low4 = wide_prod(xp, loss,
+        *wide_prod(xp, apart, *pair_diff(xp, prod, prod_low, squared, squared_low)))
+    prod6, prod_low6 = pair_prod(xp, *pair_square(xp, apart, xp.full_like(apart, 0.0)),
+        *pair_diff(xp, 2.0*apart, 0.0, diff, diff_low))
+    return rounded(xp, *pair_diff(xp, *pair_diff(xp, 4.0*prod6, 4.0*prod_low6,
+        *wide_prod(xp, at_minus_one, *pair_sum(xp,
+        *pair_prod(xp, diff, diff_low, *pair_diff(xp, squared, squared_low, 2.0*prod, 2.0*
+        prod_low)), *wide_prod(xp, apart, prod, prod_low)))), 2.0*prod4, 2.0*prod_low4))
 
 
 def next_guess(xp, b, fb, a, fa, c, fc, close):
@@ -1710,7 +1629,6 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
         return guess
 
     guess = select(xp, safe > 0.0, yes, (a, c, fa, fb, fc, whole), lambda safe: 0.5, (safe,))
-
     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
     share = xp.where(edge > share, edge, share)
     return a + share*width
@@ -1916,11 +1834,9 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
             return above, below
 
         above, below = select(xp, discriminant < 0.0, yes, (k3,), no, (discriminant, k2, k3))
-
         return above, below
 
     above, below = select(xp, k2 > 0.0, yes, (k, k2, k3), no, (k, k2, k3))
-
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
@@ -1949,12 +1865,10 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
 
             theta = select(xp, d < 1.0, yes, (apart, at_minus_one, at_one, last, loss, together),
                 no, (across, apart, at_minus_one, at_one, d, l, loss, together))
-
             return theta
 
         theta = select(xp, d == 0.0, yes, (apart, at_minus_one, at_one, loss, together), no,
             (across, apart, at_minus_one, at_one, d, l, last, loss, together))
-
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
         t3 = xp.sin(t2)
@@ -1988,7 +1902,6 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
             outside = select(xp, part == 0.0, yes,
                 (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together), no,
                 (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together))
-
             good = stable(xp, outside, inside_, t14, gamma, delta)
             return good
 
@@ -1996,7 +1909,6 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), lambda d: 1.0, (d,), no,
             (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
             together))
-
         return xp.where(good > 0.0, theta, xp.nan)
 
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
@@ -2171,15 +2083,11 @@ def straight(xp, stiffness, damping, k, angle):
     """what straight motions need at a whole delay of k periods"""
     order = 2.0*k + 1.0
     wave = sinc(xp, angle*order)
-    total, lost = two_prod(xp, order, wave)
     near = 2.0*sinc(xp, angle)
-    total, lost = wide_quot(xp, total, near, lost, xp.full_like(lost, 0.0))
-    total, lost = wide_prod(xp, stiffness, total, lost)
     along = cos_next(xp, k, 2.0*angle)
-    total4, lost4 = two_prod(xp, damping, along)
-    total4, lost5 = two_diff(xp, total, total4)
-    low = lost - lost4 + lost5
-    return low + total4
+    return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
+        *pair_quot(xp, *two_prod(xp, order, wave), near, xp.full_like(near, 0.0))),
+        *two_prod(xp, damping, along)))
 
 
 def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9,
@@ -2311,8 +2219,7 @@ def discretize_fractional(gamma, delta, epsilon):
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
     def plant(gamma, delta):
-        together, trace = device_together_trace(xp, gamma, delta)
-        return together, trace
+        return device_together_trace(xp, gamma, delta)
 
     together, trace = guarded(xp, plant, "gamma delta", 2, math.nan, gamma, delta)
 
@@ -2345,36 +2252,12 @@ def is_stable(alpha, beta, gamma, delta, d):
     False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
+    roots = unstable_roots(alpha, beta, gamma, delta, d)
 
-    def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = (
-            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
-        )
-        return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
+    def work(alpha, beta, gamma, delta, roots):
+        return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
 
-    at_minus_one, together, n_gap, n0, n1, t1, t3 = (
-        guarded(xp, plant, "gamma delta", 7, math.nan, gamma, delta)
-    )
-
-    def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
-        whole = xp.floor(d)
-        part = d - whole
-
-        def yes(alpha, beta, d, delta, at_minus_one, gamma, together, n_gap, n0, n1, t1, t3):
-            return stable(xp, whole_roots(xp, alpha, beta, d, n1, n0, t1, at_minus_one, t3,
-                together, delta*n_gap), alpha, beta, gamma, delta) != 0.0
-
-        def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
-            return stable(xp, fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one,
-                t3, together, apart), alpha, beta, gamma, delta) != 0.0
-
-        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, at_minus_one, gamma, together,
-            n_gap, n0, n1, t1, t3), no, (alpha, beta, delta, at_minus_one, gamma, together, part,
-            t1, t3, whole))
-
-    return guarded(xp, work, "alpha beta gamma delta d", 1, False, alpha, beta, gamma, delta, d,
-        at_minus_one, together, n_gap, n0, n1, t1, t3)
+    return guarded(xp, work, "alpha beta gamma delta", 1, False, alpha, beta, gamma, delta, roots)
 
 
 @by_value

@@ -15,31 +15,24 @@ static const float inverse_factorial[] =
     1.1470745e-11f, 7.6471636e-13f, 4.7794773e-14f, 2.8114574e-15f, 1.5619207e-16f, 8.220635e-18f,
     4.1103176e-19f};
 
-// x + y and what it misses, for |x| >= |y|
-static inline void fast_two_sum(float x, float y, float *total_out, float *lost_out) {
-    const float total = x + y, back = total - x;
-    *total_out = total; *lost_out = -back + y; return;
-}
-
-// x - y and what it misses
-static inline void two_diff(float x, float y, float *total_out, float *lost_out) {
-    const float total = x - y, back = total - x, rest = -back + total, one = -rest + x;
-    const float two = -back - y;
-    *total_out = total; *lost_out = one + two; return;
-}
-
-// w = delta^2/4 - gamma, what it misses, its root and the size of the poles
-static inline void device_motion(float gamma, float delta, float *w_out, float *w_low_out,
-    float *root_out, float *reach_out) {
-    const float half = 0.5f*delta, square = (half*half);
-    float total, lost; two_diff(square, gamma, &total, &lost);
-    const float rest = lost + fmaf(half, half, -(half*half));
-    float total2, lost2; fast_two_sum(total, rest, &total2, &lost2);
-    const float root = sqrtf(fabsf(total2));
-    *w_out = total2; *w_low_out = lost2; *root_out = root;
-    *reach_out = (total2 < 0.0f ? 0.25f*gamma : 0.44444445f*half + 0.44444445f*root);
-    return;
-}
+typedef struct { float hi, lo; } Pair; // and what its float misses
+typedef struct { Pair fall, mean; } Fading;
+typedef struct { Pair p, q; } Poles;
+typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { float half; Pair w; float root, reach; } Motion;
+typedef struct { Pair even, odd; } Wave;
+typedef struct { float near, risen, sunk, moved; } Turns;
+typedef struct { float envelope; Pair even, wave; float near, risen, sunk, moved; } Swinging;
+typedef struct { float n0, n1, trace; } DeviceN0N1Trace;
+typedef struct { float together, trace; } DeviceTogetherTrace;
+typedef struct { float at_minus_one, together, n_gap, n0, n1; } DeviceAtMinusOneTogetherNGapN0N1;
+typedef struct { float halves, rest; } Angle;
+typedef struct { Pair kick; float n_gap, n0, n1; } DeviceKickKickLowNGapN0N1;
+typedef struct { float apart, m2, m0; } Delayed;
+typedef struct { float low, high; } Roots;
+typedef struct { float ahead, in_phase; } Response;
+typedef struct { float at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
+typedef struct { float cosine, sine; } CosSin;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
@@ -49,62 +42,122 @@ static inline float decay_series(float x) {
         2.4801588e-05f) + 0.0013888889f) + 0.041666668f) + 0.16666667f;
 }
 
-// x (y + y_low) and what it misses
-static inline void wide_prod(float x, float y, float y_low, float *total_out, float *lost_out) {
-    *total_out = x*y; *lost_out = x*y_low + fmaf(x, y, -(x*y)); return;
+// x + y and what it misses, for |x| >= |y|
+static inline Pair fast_two_sum(float x, float y) {
+    const float total = x + y, back = total - x;
+    return (Pair){total, -back + y};
+}
+
+// 1 - x of a pair, for |x| <= 1
+static inline Pair one_minus(Pair x) {
+    const Pair total = fast_two_sum(1.0f, -x.hi);
+    return (Pair){total.hi, total.lo - x.lo};
+}
+
+// x y of a float and a pair
+static inline Pair wide_prod(float x, Pair y) {
+    return (Pair){x*y.hi, x*y.lo + fmaf(x, y.hi, -(x*y.hi))};
+}
+
+// x y of pairs
+static inline Pair pair_prod(Pair x, Pair y) {
+    const Pair prod = wide_prod(x.hi, y);
+    return (Pair){prod.hi, prod.lo + x.lo*y.hi};
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
-static inline void brief_fading(float rate, float low, float *fall_out, float *fall_low_out,
-    float *mean_out, float *mean_low_out) {
-    float total, lost; fast_two_sum(1.0f, -0.5f*rate, &total, &lost);
-    const float curved = (rate*rate)*decay_series(rate);
-    float total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
-    const float bent = low*(0.125f*(rate*rate) - 0.33333334f*rate + 0.5f);
-    const float mean_low = -bent + lost + lost2;
-    float total3, lost3; wide_prod(rate, total2, mean_low, &total3, &lost3);
-    float total4, lost4; fast_two_sum(1.0f, -total3, &total4, &lost4);
-    const float off = lost3 + low*total2;
-    *fall_out = total4; *fall_low_out = lost4 - off; *mean_out = total2;
-    *mean_low_out = mean_low; return;
+static inline Fading brief_fading(Pair rate) {
+    const Pair total = fast_two_sum(1.0f, -0.5f*rate.hi);
+    const float curved = (rate.hi*rate.hi)*decay_series(rate.hi);
+    const Pair total2 = fast_two_sum(total.hi, curved);
+    const float bent = rate.lo*(0.125f*(rate.hi*rate.hi) - 0.33333334f*rate.hi + 0.5f);
+    const float mean_low = -bent + total.lo + total2.lo;
+    return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
 }
 
-// (x + x_low)/(y + y_low) and what it misses
-static inline void wide_quot(float x, float y, float x_low, float y_low, float *total_out,
-    float *lost_out) {
-    const float total = x/y, left = -total*y + x;
-    const float left2 = left - fmaf(total, y, -(total*y)), rest = -total*y_low + x_low;
-    const float left3 = left2 + rest;
-    *total_out = total; *lost_out = left3/y; return;
+// x/y of pairs
+static inline Pair pair_quot(Pair x, Pair y) {
+    const float total = x.hi/y.hi, left = -total*y.hi + x.hi;
+    const float left2 = left - fmaf(total, y.hi, -(total*y.hi));
+    const float rest = -total*y.lo + x.lo, left3 = left2 + rest;
+    return (Pair){total, left3/y.hi};
 }
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
-static inline void fading_pair(float rate, float low, float *fall_out, float *fall_low_out,
-    float *mean_out, float *mean_low_out) {
-    if (rate < 0.75f) {
-        float fall, fall_low, mean, mean_low;
-        brief_fading(rate, low, &fall, &fall_low, &mean, &mean_low);
-        *fall_out = fall; *fall_low_out = fall_low; *mean_out = mean;
-        *mean_low_out = mean_low; return;
+static inline Fading fading_pair(Pair rate) {
+    if (rate.hi < 0.75f) {
+        const Fading fading = brief_fading(rate);
+        return fading;
     }
-    const float sunk = expf(-rate);
-    float total, lost; fast_two_sum(1.0f, -sunk, &total, &lost);
-    const float sunk_low = -low*sunk;
-    float total2, lost2; wide_quot(total, rate, lost - sunk_low, low, &total2, &lost2);
-    *fall_out = sunk; *fall_low_out = sunk_low; *mean_out = total2;
-    *mean_low_out = lost2; return;
+    const float sunk = expf(-rate.hi), sunk_low = -rate.lo*sunk;
+    return (Fading){{sunk, sunk_low}, pair_quot(one_minus((Pair){sunk, sunk_low}), rate)};
 }
 
-// number + delta one - gamma two and what it misses, of pairs
-static inline void plant_n0_term(float gamma, float delta, float one, float one_low, float two,
-    float two_low, float number, float *total_out, float *low_out) {
-    float total, lost; wide_prod(delta, one, one_low, &total, &lost);
-    float total2, lost2; wide_prod(gamma, two, two_low, &total2, &lost2);
-    float total3, lost3; two_diff(total, total2, &total3, &lost3);
-    float total4, lost4; two_diff(total3, -number, &total4, &lost4);
-    const float rest = lost - lost2, both = lost3 + lost4;
-    *total_out = total4; *low_out = both + rest; return;
+// what the root of |square + square_low| misses
+static inline float root_miss(Pair square, float root) {
+    const float sign_low = (square.hi < 0.0f ? -square.lo : square.lo);
+    const float left = -(root*root) + fabsf(square.hi);
+    const float left2 = left - fmaf(root, root, -(root*root)), left3 = left2 + sign_low;
+    const float whole = (root == 0.0f ? 1.0f : root);
+    return 0.5f*left3/whole;
 }
+
+// the poles p = half + root and q = gamma/p
+static inline Poles real_poles(Motion motion, float gamma) {
+    const Pair total = fast_two_sum(motion.half, motion.root);
+    const float p_low = total.lo + root_miss(motion.w, motion.root);
+    const float whole = (total.hi == 0.0f ? 1.0f : total.hi);
+    return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0f}, (Pair){whole, p_low})};
+}
+
+// of a creeping device the pole p, exp and mean of the other one and of their distance
+static inline Creeping creeping_device(Motion motion, float gamma) {
+    const Poles poles = real_poles(motion, gamma);
+    const Fading fading = fading_pair(poles.q);
+    const float root_low = root_miss(motion.w, motion.root);
+    const Fading fading2 = fading_pair((Pair){2.0f*motion.root, 2.0f*root_low});
+    return (Creeping){poles.p, fading.fall, fading.mean, fading2.fall, fading2.mean};
+}
+
+// x - y and what it misses
+static inline Pair two_diff(float x, float y) {
+    const float total = x - y, back = total - x, rest = -back + total, one = -rest + x;
+    const float two = -back - y;
+    return (Pair){total, one + two};
+}
+
+// x y and what it misses
+static inline Pair two_prod(float x, float y) { return (Pair){x*y, fmaf(x, y, -(x*y))}; }
+
+// half = delta/2, w = half^2 - gamma, its root and the size of the poles
+static inline Motion device_motion(float gamma, float delta) {
+    const float half = 0.5f*delta;
+    const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
+    const float rest = diff.lo + prod.lo;
+    const Pair total = fast_two_sum(diff.hi, rest);
+    const float root = sqrtf(fabsf(total.hi));
+    return (Motion){half, total, root, (total.hi < 0.0f ? 0.25f*gamma : 0.44444445f*half +
+        0.44444445f*root)};
+}
+
+// x - y of pairs
+static inline Pair pair_diff(Pair x, Pair y) {
+    const Pair diff = two_diff(x.hi, y.hi);
+    const float lost = diff.lo + x.lo;
+    return (Pair){diff.hi, lost - y.lo};
+}
+
+// x^2 of a pair
+static inline Pair pair_square(Pair x) { return wide_prod(x.hi, (Pair){x.hi, 2.0f*x.lo}); }
+
+// number + delta one - gamma two and what it misses, of pairs
+static inline Pair plant_n0_term(float gamma, float delta, Pair one, Pair two, float number) {
+    return pair_diff(pair_diff(wide_prod(delta, one), wide_prod(gamma, two)),
+        (Pair){-number, 0.0f});
+}
+
+// the float of a pair
+static inline float rounded(Pair x) { return x.hi + x.lo; }
 
 // divided difference of exp at 0, p and q, less 1/2
 static inline float plant_n0_series(float gamma, float delta) {
@@ -114,60 +167,46 @@ static inline float plant_n0_series(float gamma, float delta) {
         const float number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
         two = one; one = next_one;
     }
-    float one2, one_low;
-    plant_n0_term(gamma, delta, one, 0.0f, two, 0.0f, 0.008333334f, &one2, &one_low);
-    float one3, one_low2;
-    plant_n0_term(gamma, delta, one2, one_low, one, 0.0f, 0.041666668f, &one3, &one_low2);
-    float one4, one_low3;
-    plant_n0_term(gamma, delta, one3, one_low2, one2, one_low, 0.16666667f, &one4, &one_low3);
-    float one5, one_low4;
-    plant_n0_term(gamma, delta, one4, one_low3, one3, one_low2, 0.0f, &one5, &one_low4);
-    return one5 + one_low4;
+    const Pair one2 = plant_n0_term(gamma, delta, (Pair){one, 0.0f}, (Pair){two, 0.0f},
+        0.008333334f);
+    const Pair one3 = plant_n0_term(gamma, delta, one2, (Pair){one, 0.0f}, 0.041666668f);
+    return rounded(plant_n0_term(gamma, delta,
+        plant_n0_term(gamma, delta, one3, one2, 0.16666667f), one3, 0.0f));
 }
 
 // (fall + fall_low) (y + z), rounded once
-static inline float scaled_sum(float fall, float fall_low, float y, float z) {
-    float total, lost; two_diff(y, -z, &total, &lost);
-    float total2, lost2; wide_prod(fall, total, lost, &total2, &lost2);
-    const float low = fall_low*total + lost2;
-    return low + total2;
+static inline float scaled_sum(Pair fall, float y, float z) {
+    return rounded(pair_prod(fall, two_diff(y, -z)));
 }
 
 // n0 of a device with slow poles
-static inline float plant_n0_near(float fade_, float fade_low, float gamma, float delta) {
-    float total, lost; wide_prod(fade_, fade_, 2.0f*fade_low, &total, &lost);
-    return scaled_sum(total, lost, plant_n0_series(gamma, delta), 0.5f);
+static inline float plant_n0_near(Pair decayed, float gamma, float delta) {
+    return scaled_sum(pair_square(decayed), plant_n0_series(gamma, delta), 0.5f);
 }
 
 // n0 of a creeping device
-static inline float plant_n0_creep(float reach, float fade_, float fade_low, float gamma,
-    float delta, float p, float p_low, float slow, float slow_low, float mean, float mean_low,
-    float ratio, float ratio_low, float even, float even_low) {
-    if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, delta); }
-    float total, lost; wide_prod(ratio, mean, mean_low, &total, &lost);
-    float total2, lost2; two_diff(even, total, &total2, &lost2);
-    const float pulled_low = lost + mean*ratio_low;
-    const float rest = even_low + lost2 - pulled_low;
-    float total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
-    float total4, lost4; wide_prod(slow, total3, lost3, &total4, &lost4);
-    const float low = lost4 + slow_low*total3;
-    return low + total4;
+static inline float plant_n0_creep(Motion motion, Creeping creeping, Pair decayed, float gamma,
+    float delta) {
+    if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
+    return rounded(pair_prod(creeping.slow,
+        pair_quot(pair_diff(creeping.even, pair_prod(creeping.ratio, creeping.mean)), creeping.p)));
+}
+
+// x + y of pairs
+static inline Pair pair_sum(Pair x, Pair y) {
+    const Pair diff = two_diff(x.hi, -y.hi);
+    const float lost = diff.lo + x.lo;
+    return (Pair){diff.hi, lost + y.lo};
 }
 
 // n0 of a swinging device
-static inline float plant_n0_swing(float reach, float fade_, float fade_low, float half,
-    float envelope, float even, float even_low, float wave, float wave_low, float gamma,
-    float near, float known) {
-    if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, 2.0f*half); }
-    if (near > 0.0f) { return known; }
-    float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
-    float total2, lost2; two_diff(total, even, &total2, &lost2);
-    float total3, lost3; two_diff(total2, -envelope, &total3, &lost3);
-    const float rest = -even_low + lost + lost2 + lost3;
-    float total4, lost4; wide_prod(envelope, total3, rest, &total4, &lost4);
+static inline float plant_n0_swing(Motion motion, Swinging swinging, Pair decayed, float gamma) {
+    if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, 2.0f*motion.half); }
+    if (swinging.near > 0.0f) { return swinging.sunk; }
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    float total5, lost5; wide_quot(total4, whole, lost4, 0.0f, &total5, &lost5);
-    return lost5 + total5;
+    return rounded(pair_quot(wide_prod(swinging.envelope,
+        pair_sum(pair_diff(wide_prod(motion.half, swinging.wave), swinging.even),
+        (Pair){swinging.envelope, 0.0f})), (Pair){whole, 0.0f}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -181,76 +220,48 @@ static inline float plant_n1_series(float h, float w) {
 }
 
 // n1 of a creeping device
-static inline float plant_n1_creep(float reach, float fade_, float fade_low, float half, float w,
-    float p, float p_low, float slow, float slow_low, float mean, float mean_low, float even,
-    float even_low) {
-    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
-    float total, lost; wide_prod(slow, even, even_low, &total, &lost);
-    float total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const float pulled_low = even*slow_low + lost, rest = lost2 + mean_low - pulled_low;
-    float total3, lost3; wide_quot(total2, p, rest, p_low, &total3, &lost3);
-    return lost3 + total3;
+static inline float plant_n1_creep(Motion motion, Creeping creeping, Pair decayed) {
+    if (motion.reach < 0.5625f) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
+    }
+    return rounded(pair_quot(pair_diff(creeping.mean, pair_prod(creeping.slow, creeping.even)),
+        creeping.p));
 }
 
 // n1 of a swinging device
-static inline float plant_n1_swing(float reach, float fade_, float fade_low, float half, float w,
-    float envelope, float even, float even_low, float wave, float wave_low, float gamma,
-    float near, float known) {
-    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
-    if (near > 0.0f) { return known; }
-    float total, lost; wide_prod(half, wave, wave_low, &total, &lost);
-    float total2, lost2; two_diff(even, -total, &total2, &lost2);
-    float total3, lost3;
-    wide_prod(envelope, total2, even_low + lost + lost2, &total3, &lost3);
-    float total4, lost4; fast_two_sum(1.0f, -total3, &total4, &lost4);
+static inline float plant_n1_swing(Motion motion, Swinging swinging, Pair decayed, float gamma) {
+    if (motion.reach < 0.5625f) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
+    }
+    if (swinging.near > 0.0f) { return swinging.risen; }
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    float total5, lost5; wide_quot(total4, whole, -lost3 + lost4, 0.0f, &total5, &lost5);
-    return lost5 + total5;
+    return rounded(pair_quot(one_minus(wide_prod(swinging.envelope,
+        pair_sum(swinging.even, wide_prod(motion.half, swinging.wave)))), (Pair){whole, 0.0f}));
+}
+
+// 1 + x of a pair, for |x| <= 1
+static inline Pair one_plus(Pair x) {
+    const Pair total = fast_two_sum(1.0f, x.hi);
+    return (Pair){total.hi, total.lo + x.lo};
 }
 
 // a of a creeping device
-static inline float plant_trace_creep(float slow, float slow_low, float ratio, float ratio_low) {
-    float total, lost; fast_two_sum(1.0f, ratio, &total, &lost);
-    float total2, lost2; wide_prod(slow, total, lost + ratio_low, &total2, &lost2);
-    const float low = lost2 + slow_low*total;
-    return low + total2;
+static inline float plant_trace_creep(Creeping creeping) {
+    return rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)));
 }
 
 // a of a swinging device
-static inline float plant_trace_swing(float envelope, float even, float even_low) {
-    float total, lost; wide_prod(envelope, even, even_low, &total, &lost);
-    return 2.0f*lost + 2.0f*total;
-}
-
-// what the root of |square + square_low| misses
-static inline float root_miss(float square, float square_low, float root) {
-    const float sign_low = (square < 0.0f ? -square_low : square_low);
-    const float left = -(root*root) + fabsf(square);
-    const float left2 = left - fmaf(root, root, -(root*root)), left3 = left2 + sign_low;
-    const float whole = (root == 0.0f ? 1.0f : root);
-    return 0.5f*left3/whole;
-}
-
-// the poles p = half + root and q = gamma/p and what they miss
-static inline void real_poles(float gamma, float half, float w, float w_low, float root,
-    float *p_out, float *p_low_out, float *q_out, float *q_low_out) {
-    float total, lost; fast_two_sum(half, root, &total, &lost);
-    const float p_low = lost + root_miss(w, w_low, root);
-    const float whole = (total == 0.0f ? 1.0f : total), q = gamma/whole;
-    const float off = gamma - q*whole, off2 = off - fmaf(whole, q, -(whole*q));
-    const float off3 = off2 - p_low*q;
-    *p_out = whole; *p_low_out = p_low; *q_out = q; *q_low_out = off3/whole; return;
+static inline float plant_trace_swing(Swinging swinging) {
+    return 2.0f*rounded(wide_prod(swinging.envelope, swinging.even));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static inline void slow_fade(float reach, float half, float *fade_out, float *low_out) {
-    if (reach < 0.5625f) {
-        float fall, fall_low, mean, mean_low;
-        brief_fading(0.5f*half, 0.0f, &fall, &fall_low, &mean, &mean_low);
-        float total, lost; wide_prod(fall, fall, 2.0f*fall_low, &total, &lost);
-        *fade_out = total; *low_out = lost; return;
+static inline Pair slow_fade(Motion motion) {
+    if (motion.reach < 0.5625f) {
+        const Fading fading = brief_fading((Pair){0.5f*motion.half, 0.0f});
+        return pair_square(fading.fall);
     }
-    *fade_out = 0.0f; *low_out = 0.0f; return;
+    return (Pair){0.0f, 0.0f};
 }
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
@@ -276,138 +287,89 @@ static inline float sin_series(float w) {
 }
 
 // cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle
-static inline void waving_pair(float square, float square_low, float angle, float *even_out,
-    float *even_low_out, float *odd_out, float *odd_low_out) {
-    if (square > -1.5f) {
-        float total, lost; fast_two_sum(1.0f, 0.5f*square, &total, &lost);
-        const float curved = (square*square)*cos_series(square);
-        float total2, lost2; fast_two_sum(total, curved, &total2, &lost2);
-        const float both = lost + lost2, bent = square*sin_series(square);
-        float total3, lost3; fast_two_sum(1.0f, bent, &total3, &lost3);
-        *even_out = total2; *even_low_out = both + 0.5f*square_low; *odd_out = total3;
-        *odd_low_out = lost3 + 0.16666667f*square_low; return;
+static inline Wave waving_pair(Pair square, float angle) {
+    if (square.hi > -1.5f) {
+        const Pair total = fast_two_sum(1.0f, 0.5f*square.hi);
+        const float curved = (square.hi*square.hi)*cos_series(square.hi);
+        const Pair total2 = fast_two_sum(total.hi, curved);
+        const float both = total.lo + total2.lo, bent = square.hi*sin_series(square.hi);
+        return (Wave){{total2.hi, both + 0.5f*square.lo},
+            one_plus((Pair){bent, 0.16666667f*square.lo})};
     }
-    const float angle_low = root_miss(square, square_low, angle), sine = sinf(angle);
+    const float angle_low = root_miss(square, angle), sine = sinf(angle);
     const float cosine = cosf(angle);
-    float total4, lost4;
-    wide_quot(sine, angle, angle_low*cosine, angle_low, &total4, &lost4);
-    *even_out = cosine; *even_low_out = -angle_low*sine; *odd_out = total4;
-    *odd_low_out = lost4; return;
-}
-
-// x y and what it misses
-static inline void two_prod(float x, float y, float *total_out, float *lost_out) {
-    *total_out = x*y; *lost_out = fmaf(x, y, -(x*y)); return;
+    return (Wave){{cosine, -angle_low*sine},
+        pair_quot((Pair){sine, angle_low*cosine}, (Pair){angle, angle_low})};
 }
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
-static inline void whole_turns(float half, float square, float square_low, float root, float stiff,
-    float *near_out, float *risen_out, float *sunk_out, float *moved_out) {
+static inline Turns whole_turns(float half, Pair square, float root, float stiff) {
     if ((half < 0.75f) && (root < 4096.0f) && (root > 3.0f)) {
         const float count = floorf(0.5f*root/3.1415927f + 0.5f);
-        float total8, lost8; two_prod(count, 6.2831855f, &total8, &lost8);
-        float total9, lost9; two_diff(root, -total8, &total9, &lost9);
-        const float missed = root_miss(square, square_low, root), turns = (count*count);
-        float total, lost; two_prod(turns, 39.478416f, &total, &lost);
-        float total2, lost2; two_prod(turns, 1.1614864e-06f, &total2, &lost2);
-        float total3, lost3; two_diff(-square, total, &total3, &lost3);
-        float total4, lost4; two_diff(total3, lost, &total4, &lost4);
-        float total5, lost5; two_diff(total4, total2, &total5, &lost5);
-        float total6, lost6; two_diff(total5, square_low, &total6, &lost6);
+        const Pair prod3 = two_prod(count, 6.2831855f);
+        const Pair diff6 = two_diff(root, -prod3.hi);
+        const float missed = root_miss(square, root), turns = (count*count);
+        const Pair prod = two_prod(turns, 39.478416f);
+        const Pair prod2 = two_prod(turns, 1.1614864e-06f);
+        const Pair diff = two_diff(-square.hi, prod.hi);
+        const Pair diff2 = two_diff(diff.hi, prod.lo);
+        const Pair diff3 = two_diff(diff2.hi, prod2.hi);
+        const Pair diff4 = two_diff(diff3.hi, square.lo);
         const float turned_low = -1.1704737e-14f*turns;
-        const float low = -lost2 + lost3 + lost4 + lost5 + lost6 - turned_low;
-        float total7, lost7; two_diff(total6, -low, &total7, &lost7);
+        const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const float back = -1.7484555e-07f*count;
-        const float both_low = back + lost8 + lost9 + missed;
-        const float whole = (total9 == 0.0f ? 1.0f : total9);
-        float total10, lost10; wide_quot(total7, whole, lost7, both_low, &total10, &lost10);
-        const float far = (total10*total10);
+        const float both_low = back + diff6.lo + missed + prod3.lo;
+        const float whole = (diff6.hi == 0.0f ? 1.0f : diff6.hi);
+        const Pair quot = pair_quot(two_diff(diff4.hi, -low), (Pair){whole, both_low});
+        const float far = (quot.hi*quot.hi);
         if ((count > 0.0f) && (far < 1.5f)) {
-            float fall, fall_low, mean, mean_low;
-            brief_fading(half, 0.0f, &fall, &fall_low, &mean, &mean_low);
-            float total26, lost26; fast_two_sum(1.0f, -fall, &total26, &lost26);
-            float total11, lost11; wide_prod(total10, total10, 2.0f*lost10, &total11, &lost11);
-            float total13, lost13;
-            fast_two_sum(1.0f, -total11*sin_series(-total11), &total13, &lost13);
-            float total14, lost14; wide_prod(total10, total13, lost13, &total14, &lost14);
-            const float bent = (total11*total11)*cos_series(-total11);
-            float total12, lost12; fast_two_sum(0.5f*total11, -bent, &total12, &lost12);
-            const float lift_low = 0.5f*lost11*total13 + lost12;
-            float total19, lost19; wide_prod(fall, total12, lift_low, &total19, &lost19);
-            float total29, lost29; wide_prod(fall, total12, lift_low, &total29, &lost29);
-            float total15, lost15;
-            wide_quot(total14, root, lost10*(1.0f - total12) + lost14, missed, &total15, &lost15);
-            float total16, lost16; wide_prod(fall, total15, lost15, &total16, &lost16);
-            float total17, lost17; two_diff(mean, total16, &total17, &lost17);
-            float total21, lost21; two_diff(mean, total15, &total21, &lost21);
-            float total22, lost22;
-            wide_prod(half, total21, -lost15 + lost21 + mean_low, &total22, &lost22);
-            float total23, lost23; two_diff(total12, total22, &total23, &lost23);
+            const Fading fading = brief_fading((Pair){half, 0.0f});
+            const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
+            const Pair less = one_minus((Pair){squared.hi*sin_series(-squared.hi), 0.0f});
+            const Pair prod4 = wide_prod(quot.hi, less);
+            const float bent = (squared.hi*squared.hi)*cos_series(-squared.hi);
+            const Pair total = fast_two_sum(0.5f*squared.hi, -bent);
+            const float lift_low = 0.5f*less.hi*squared.lo + total.lo;
+            const Pair prod5 = pair_prod(fading.fall, (Pair){total.hi, lift_low});
+            const Pair quot2 = pair_quot((Pair){prod4.hi, prod4.lo + quot.lo*(1.0f - total.hi)},
+                (Pair){root, missed});
+            const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
+                wide_prod(half, pair_diff(fading.mean, quot2)));
             const float whole2 = (stiff == 0.0f ? 1.0f : stiff);
-            const float low2 = -fall_low*total15 - lost16 + lost17 + mean_low;
-            float total18, lost18; wide_prod(half, total17, low2, &total18, &lost18);
-            float total20, lost20; two_diff(total18, -total19, &total20, &lost20);
-            const float low3 = lift_low - lost22 + lost23;
-            float total24, lost24; two_diff(total23, -low3, &total24, &lost24);
-            float total25, lost25; wide_prod(fall, total24, lost24, &total25, &lost25);
-            const float low4 = -fall_low + lost26;
-            float total27, lost27; fast_two_sum(total26, low4, &total27, &lost27);
-            float total28, lost28; wide_prod(total27, total27, 2.0f*lost27, &total28, &lost28);
-            float total30, lost30; two_diff(total28, -2.0f*total29, &total30, &lost30);
-            const float low5 = fall_low*total12 + lost18 + lost19 + lost20;
-            float total31, lost31; wide_quot(total20, whole2, low5, 0.0f, &total31, &lost31);
-            const float low6 = fall_low*total24 + lost25;
-            float total32, lost32; wide_quot(total25, whole2, low6, 0.0f, &total32, &lost32);
-            const float low7 = 2.0f*fall_low*total12 + lost28 + 2.0f*lost29 + lost30;
-            float total33, lost33; wide_quot(total30, whole2, low7, 0.0f, &total33, &lost33);
-            *near_out = 1.0f; *risen_out = lost31 + total31;
-            *sunk_out = lost32 + total32; *moved_out = lost33 + total33; return;
+            return (Turns){1.0f, rounded(pair_quot(
+                pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
+                prod5), (Pair){whole2, 0.0f})), rounded(
+                pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
+                (Pair){whole2, 0.0f})), rounded(pair_quot(
+                pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
+                (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){whole2, 0.0f}))};
         }
-        *near_out = 0.0f; *risen_out = 0.0f; *sunk_out = 0.0f; *moved_out = 0.0f;
-        return;
+        return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
     }
-    *near_out = 0.0f; *risen_out = 0.0f; *sunk_out = 0.0f; *moved_out = 0.0f; return;
+    return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
+}
+
+// of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns
+static inline Swinging swinging_device(Motion motion, float gamma) {
+    const Wave wave = waving_pair(motion.w, motion.root);
+    const Turns turns = whole_turns(motion.half, motion.w, motion.root, gamma);
+    return (Swinging){expf(-motion.half), wave.even, wave.odd, turns.near, turns.risen, turns.sunk,
+        turns.moved};
 }
 
 // n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
 // device in a period; a, the sum of the sampled device's poles
-static inline void device_n0_n1_trace(float gamma, float delta, float *n0_out, float *n1_out,
-    float *trace_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const float envelope = expf(-half);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        *trace_out = plant_trace_swing(envelope, even, even_low); return;
+static inline DeviceN0N1Trace device_n0_n1_trace(float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceN0N1Trace){plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma), plant_trace_swing(swinging)};
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
-}
-
-// exp(-p), of the faster pole, and what it misses
-static inline void fast_fall(float slow, float slow_low, float ratio, float ratio_low,
-    float *fast_out, float *low_out) {
-    float total, lost; wide_prod(slow, ratio, ratio_low, &total, &lost);
-    *fast_out = total; *low_out = lost + ratio*slow_low; return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceN0N1Trace){plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed), plant_trace_creep(creeping)};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -422,121 +384,75 @@ static inline float numerator_at_one_series(float h, float w) {
 }
 
 // n1 + n0 of a creeping device
-static inline float numerator_at_one_creep(float reach, float half, float w, float p, float p_low,
-    float slow, float slow_low, float mean, float mean_low, float ratio, float ratio_low) {
-    if (reach < 1.0f) {
-        return 2.0f*scaled_sum(expf(-half), 0.0f, numerator_at_one_series(half, w), 0.5f);
+static inline float numerator_at_one_creep(Motion motion, Creeping creeping) {
+    if (motion.reach < 1.0f) {
+        return 2.0f*scaled_sum((Pair){expf(-motion.half), 0.0f},
+            numerator_at_one_series(motion.half, motion.w.hi), 0.5f);
     }
-    float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
-    float total, lost; fast_two_sum(1.0f, -fast, &total, &lost);
-    float total2, lost2; wide_prod(mean, total, -fast_low + lost, &total2, &lost2);
-    const float moved_low = lost2 + mean_low*total;
-    float total3, lost3; wide_quot(total2, p, moved_low, p_low, &total3, &lost3);
-    return lost3 + total3;
+    return rounded(pair_quot(pair_prod(creeping.mean,
+        one_minus(pair_prod(creeping.slow, creeping.ratio))), creeping.p));
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
-static inline void half_squares(float half, float envelope, float wave, float back,
-    float *total_out, float *low_out) {
-    float total, lost; two_diff(wave, back, &total, &lost);
-    float total2, lost2; two_prod(total, total, &total2, &lost2);
-    const float grown = -0.5f*expm1f(-half), low = 2.0f*lost*total + lost2;
-    float total3, lost3; wide_prod(envelope, total2, low, &total3, &lost3);
-    float total4, lost4; two_diff(total3, -(grown*grown), &total4, &lost4);
-    *total_out = total4; *low_out = lost3 + lost4; return;
+static inline Pair half_squares(float half, float envelope, float wave, float back) {
+    const float grown = -0.5f*expm1f(-half);
+    return pair_sum(wide_prod(envelope, pair_square(two_diff(wave, back))),
+        (Pair){(grown*grown), 0.0f});
 }
 
 // n1 + n0 of a swinging device
-static inline float numerator_at_one_swing(float reach, float half, float w, float w_low,
-    float envelope, float root, float gamma, float near, float known) {
-    if (reach < 1.0f) {
-        return 2.0f*scaled_sum(envelope, 0.0f, numerator_at_one_series(half, w), 0.5f);
+static inline float numerator_at_one_swing(Motion motion, Swinging swinging, float gamma) {
+    if (motion.reach < 1.0f) {
+        return 2.0f*scaled_sum((Pair){swinging.envelope, 0.0f},
+            numerator_at_one_series(motion.half, motion.w.hi), 0.5f);
     }
-    if (near > 0.0f) { return known; }
-    const float angle = 0.5f*root, back = -0.5f*root_miss(w, w_low, root)*cosf(angle);
-    float total, low; half_squares(half, envelope, sinf(angle), back, &total, &low);
+    if (swinging.near > 0.0f) { return swinging.moved; }
+    const float angle = 0.5f*motion.root;
+    const float back = -0.5f*root_miss(motion.w, motion.root)*cosf(angle);
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    float total2, lost; wide_quot(total, whole, low, 0.0f, &total2, &lost);
-    return 4.0f*lost + 4.0f*total2;
+    return 4.0f*rounded(pair_quot(half_squares(motion.half, swinging.envelope, sinf(angle), back),
+        (Pair){whole, 0.0f}));
 }
 
 // n1 + n0; a, the sum of the sampled device's poles
-static inline void device_together_trace(float gamma, float delta, float *together_out,
-    float *trace_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        const float envelope = expf(-half);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *trace_out = plant_trace_swing(envelope, even, even_low); return;
+static inline DeviceTogetherTrace device_together_trace(float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceTogetherTrace){numerator_at_one_swing(motion, swinging, gamma),
+            plant_trace_swing(swinging)};
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *trace_out = plant_trace_creep(fall, fall_low, fall2, fall_low2); return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceTogetherTrace){numerator_at_one_creep(motion, creeping),
+        plant_trace_creep(creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
 static inline float plant_n0(float gamma, float delta) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    if (reach < 0.5625f) { return plant_n0_near(fade_, fade_low, gamma, delta); }
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float envelope = expf(-half);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd, odd_low,
-            gamma, near, sunk);
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return plant_n0_swing(motion, swinging, decayed, gamma);
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
+    const Creeping creeping = creeping_device(motion, gamma);
+    return plant_n0_creep(motion, creeping, decayed, gamma, delta);
 }
 
 // n1, how far a unit force moves the device in a period
 static inline float plant_n1(float gamma, float delta) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    if (reach < 0.5625f) { return scaled_sum(fade_, fade_low, plant_n1_series(half, w), 0.5f); }
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        const float envelope = expf(-half);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        return plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
+    const Motion motion = device_motion(gamma, delta);
+    const Pair decayed = slow_fade(motion);
+    if (motion.reach < 0.5625f) {
+        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    return plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return plant_n1_swing(motion, swinging, decayed, gamma);
+    }
+    const Creeping creeping = creeping_device(motion, gamma);
+    return plant_n1_creep(motion, creeping, decayed);
 }
 
 // (1 - exp(-x))/x
@@ -546,30 +462,21 @@ static inline float decay(float x) {
 }
 
 // 1 + a + e of a creeping device
-static inline float denominator_at_minus_one_creep(float slow, float slow_low, float ratio,
-    float ratio_low) {
-    float total, lost; fast_two_sum(1.0f, slow, &total, &lost);
-    float fast, fast_low; fast_fall(slow, slow_low, ratio, ratio_low, &fast, &fast_low);
-    float total2, lost2; fast_two_sum(1.0f, fast, &total2, &lost2);
-    float total3, lost3; wide_prod(total, total2, fast_low + lost2, &total3, &lost3);
-    const float low = lost3 + total2*(lost + slow_low);
-    return low + total3;
+static inline float denominator_at_minus_one_creep(Creeping creeping) {
+    return rounded(pair_prod(one_plus(creeping.slow),
+        one_plus(pair_prod(creeping.slow, creeping.ratio))));
 }
 
 // 1 + a + e of a swinging device
-static inline float denominator_at_minus_one_swing(float half, float w, float w_low,
-    float envelope, float even, float even_low, float root) {
-    float total3, lost2; wide_prod(2.0f*envelope, even, even_low, &total3, &lost2);
-    if (total3 > 0.0f) {
-        const float e = expf(-2.0f*half);
-        float total2, lost; fast_two_sum(1.0f, e, &total2, &lost);
-        float total4, lost3; fast_two_sum(total2, total3, &total4, &lost3);
-        const float rest = lost + lost2 + lost3;
-        return rest + total4;
+static inline float denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
+    const Pair prod = wide_prod(2.0f*swinging.envelope, swinging.even);
+    if (prod.hi > 0.0f) {
+        const float e = expf(-2.0f*motion.half);
+        return rounded(pair_sum(one_plus((Pair){e, 0.0f}), prod));
     }
-    const float angle = 0.5f*root, back = 0.5f*root_miss(w, w_low, root)*sinf(angle);
-    float total, low; half_squares(half, envelope, cosf(angle), back, &total, &low);
-    return 4.0f*low + 4.0f*total;
+    const float angle = 0.5f*motion.root;
+    const float back = 0.5f*root_miss(motion.w, motion.root)*sinf(angle);
+    return 4.0f*rounded(half_squares(motion.half, swinging.envelope, cosf(angle), back));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -584,77 +491,52 @@ static inline float numerator_gap_series(float h, float w) {
 }
 
 // (n1 - n0)/delta of a creeping device
-static inline float numerator_gap_creep(float reach, float half, float w, float delta, float p,
-    float slow, float mean, float mean_low, float ratio, float even, float even_low) {
-    if (reach < 1.0f) {
-        return scaled_sum(expf(-half), 0.0f, numerator_gap_series(half, w), 0.16666667f);
+static inline float numerator_gap_creep(Motion motion, Creeping creeping, float delta) {
+    if (motion.reach < 1.0f) {
+        return scaled_sum((Pair){expf(-motion.half), 0.0f},
+            numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
     }
-    const float fast = ratio*slow;
-    float total3, lost3; wide_prod(fast, mean, mean_low, &total3, &lost3);
-    const float twice = 2.0f*slow;
-    float total, lost; wide_prod(twice, even, even_low, &total, &lost);
-    float total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const float top = total2 + total3, rest = -lost + lost3 + mean_low;
-    const float low = lost2 + rest, whole = (delta*p == 0.0f ? 1.0f : delta*p);
+    const float twice = 2.0f*creeping.slow.hi;
+    const Pair diff = pair_diff(creeping.mean, wide_prod(twice, creeping.even));
+    const float fast = creeping.ratio.hi*creeping.slow.hi;
+    const Pair prod2 = wide_prod(fast, creeping.mean);
+    const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
+    const float whole = (delta*creeping.p.hi == 0.0f ? 1.0f : delta*creeping.p.hi);
     return (low + top)/whole;
 }
 
 // (n1 - n0)/delta of a swinging device
-static inline float numerator_gap_swing(float reach, float half, float w, float envelope,
-    float wave, float wave_low, float gamma, float delta) {
-    if (reach < 1.0f) {
-        return scaled_sum(envelope, 0.0f, numerator_gap_series(half, w), 0.16666667f);
+static inline float numerator_gap_swing(Motion motion, Swinging swinging, float gamma,
+    float delta) {
+    if (motion.reach < 1.0f) {
+        return scaled_sum((Pair){swinging.envelope, 0.0f},
+            numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
     }
-    float total, lost; wide_prod(envelope, wave, wave_low, &total, &lost);
-    const float mean = decay(delta);
-    float total2, lost2; two_diff(mean, total, &total2, &lost2);
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    float total3, lost3; wide_quot(total2, whole, -lost + lost2, 0.0f, &total3, &lost3);
-    return lost3 + total3;
+    const float mean = decay(delta), whole = (gamma == 0.0f ? 1.0f : gamma);
+    return rounded(pair_quot(pair_diff((Pair){mean, 0.0f},
+        wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0f}));
 }
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
 // exp(-delta); n1, how far a unit force moves the device in a period
-static inline void device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta,
-    float *at_minus_one_out, float *together_out, float *n_gap_out, float *n0_out, float *n1_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const float envelope = expf(-half);
-        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
-            even_low, root);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        return;
+static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
+    float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        const Pair decayed = slow_fade(motion);
+        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(motion, swinging),
+            numerator_at_one_swing(motion, swinging, gamma),
+            numerator_gap_swing(motion, swinging, gamma, delta),
+            plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma)};
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    const Pair decayed = slow_fade(motion);
+    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(creeping),
+        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta),
+        plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed)};
 }
 
 // the root of a cubic on a piece where it bends one way
@@ -674,9 +556,9 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
 }
 
 // the angle of x + j y in half turns, and the rest
-static inline void turn_angle(float x, float y, float *halves_out, float *rest_out) {
-    *halves_out = (x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f);
-    *rest_out = atan2f((x < 0.0f ? -y : y), fabsf(x)); return;
+static inline Angle turn_angle(float x, float y) {
+    return (Angle){(x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f),
+        atan2f((x < 0.0f ? -y : y), fabsf(x))};
 }
 
 // the nearest whole number of turns in the phase at a crossing
@@ -684,17 +566,15 @@ static inline float phase_turns(float y, float rest, float off, float alpha, flo
     float far, float d, float n1, float loss, float together, float apart) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest);
     const float sine = 2.0f*sqrtf(at*still);
-    float halves, turned; turn_angle(off*(2.0f*loss - 4.0f), loss*sine, &halves, &turned);
-    float halves2, turned2;
-    turn_angle(-apart*at + still*together, n1*sine, &halves2, &turned2);
-    float halves3, turned3;
-    turn_angle(alpha*still - at*far, sine*slope, &halves3, &turned3);
+    const Angle angle = turn_angle(off*(2.0f*loss - 4.0f), loss*sine);
+    const Angle angle2 = turn_angle(-apart*at + still*together, n1*sine);
+    const Angle angle3 = turn_angle(alpha*still - at*far, sine*slope);
     const float half = atan2f((at > 2.0f ? sqrtf(still) : sqrtf(at)),
         (at > 2.0f ? sqrtf(at) : sqrtf(still)));
     const float late = d + 2.0f;
-    const float halves4 = -halves + halves2 + halves3 - (at > 2.0f ? late : 0.0f);
-    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - turned + turned2 +
-        turned3)/3.1415927f;
+    const float halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
+    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
+        angle2.rest + angle3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = -even + 0.5f*halves4;
     return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
 }
@@ -805,80 +685,48 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
 }
 
 // m2 - m1 + m0, M at z = -1 behind a fraction of a period
-static inline float fractional_numerator_gap(float epsilon, float x, float x_low, float y,
-    float y_low, float first, float last, float turned) {
-    float total, lost; fast_two_sum(1.0f, -epsilon, &total, &lost);
-    float total2, lost2; wide_prod(epsilon, total, lost, &total2, &lost2);
-    float total3, lost3; wide_prod(x, y, y_low, &total3, &lost3);
-    const float both_low = lost3 + x_low*y;
-    float total4, lost4; wide_prod(total2, total3, both_low, &total4, &lost4);
-    float total5, lost5; two_diff(first, 2.0f*total4, &total5, &lost5);
-    float total6, lost6; two_diff(total5, last, &total6, &lost6);
-    float total7, lost7; two_diff(total6, -turned, &total7, &lost7);
-    const float low = lost2*total3 + lost4, rest = lost5 + lost6, rest2 = lost7 + rest;
-    const float rest3 = -2.0f*low + rest2;
-    return rest3 + total7;
+static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, float first,
+    float last, float turned) {
+    const Pair prod3 = pair_prod(wide_prod(epsilon, one_minus((Pair){epsilon, 0.0f})),
+        pair_prod(x, y));
+    return rounded(pair_sum(pair_diff(pair_diff((Pair){first, 0.0f},
+        (Pair){2.0f*prod3.hi, 2.0f*prod3.lo}), (Pair){last, 0.0f}), (Pair){turned, 0.0f}));
 }
 
 // displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
 // n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
 // force moves the device in a period
-static inline void device_kick_kick_low_n_gap_n0_n1(float gamma, float delta, float *kick_out,
-    float *kick_low_out, float *n_gap_out, float *n0_out, float *n1_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-        const float envelope = expf(-half);
-        float total2, lost2; wide_prod(envelope, odd, odd_low, &total2, &lost2);
-        float total3, lost3; fast_two_sum(total2, lost2, &total3, &lost3);
-        *kick_out = total3; *kick_low_out = lost3;
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        *n0_out = plant_n0_swing(reach, fade_, fade_low, half, envelope, even, even_low, odd,
-            odd_low, gamma, near, sunk);
-        *n1_out = plant_n1_swing(reach, fade_, fade_low, half, w, envelope, even, even_low, odd,
-            odd_low, gamma, near, risen);
-        return;
+static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        const Pair prod = wide_prod(swinging.envelope, swinging.wave);
+        const Pair decayed = slow_fade(motion);
+        return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
+            numerator_gap_swing(motion, swinging, gamma, delta),
+            plant_n0_swing(motion, swinging, decayed, gamma),
+            plant_n1_swing(motion, swinging, decayed, gamma)};
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    float fade_, fade_low; slow_fade(reach, half, &fade_, &fade_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    float total, lost; wide_prod(fall, mean2, mean_low2, &total, &lost);
-    const float creep_low = fall_low*mean2 + lost;
-    float total4, lost4; fast_two_sum(total, creep_low, &total4, &lost4);
-    *kick_out = total4; *kick_low_out = lost4;
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    *n0_out = plant_n0_creep(reach, fade_, fade_low, gamma, delta, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2, mean2, mean_low2);
-    *n1_out = plant_n1_creep(reach, fade_, fade_low, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, mean2, mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
+    const Pair decayed = slow_fade(motion);
+    return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
+        numerator_gap_creep(motion, creeping, delta),
+        plant_n0_creep(motion, creeping, decayed, gamma, delta),
+        plant_n1_creep(motion, creeping, decayed)};
 }
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
-static inline void late_device(float gamma, float delta, float part, float *apart_out,
-    float *m2_out, float *m0_out) {
+static inline Delayed late_device(float gamma, float delta, float part) {
     const float t0 = 1.0f - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
-    float kick_of2, kick_low_of, n_gap, n0_2, n1;
-    device_kick_kick_low_n_gap_n0_n1(t2, t3, &kick_of2, &kick_low_of, &n_gap, &n0_2, &n1);
+    const DeviceKickKickLowNGapN0N1 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
     const float t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
-    float kick_of, kick_low_of2, n_gap_2, n0, n1_2;
-    device_kick_kick_low_n_gap_n0_n1(t5, t6, &kick_of, &kick_low_of2, &n_gap_2, &n0, &n1_2);
-    const float t8 = n0*t4;
-    *apart_out = fractional_numerator_gap(part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
-        t2*t4 - t3*t8*decay(t3));
-    *m2_out = n1*t1; *m0_out = t8*expf(-t3); return;
+    const DeviceKickKickLowNGapN0N1 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
+    const float t8 = device.n0*t4;
+    return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
+        (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
+        (device.kick.hi*t6 + device.n1*t5) + device2.n1*device.n1*t2*t4 - t3*t8*decay(t3)),
+        device2.n1*t1, t8*expf(-t3)};
 }
 
 // 1 where the loop is stable, else 0
@@ -909,13 +757,12 @@ static inline float crossing_turns(float y, float rest, float off, float center,
 }
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
-static inline void quadratic_roots(float c, float b, float a, float root, float *low_out,
-    float *high_out) {
+static inline Roots quadratic_roots(float c, float b, float a, float root) {
     const float q = -0.5f*b - 0.5f*(b >= 0.0f ? root : -root);
     const float lead_ = (a == 0.0f ? 1.0f : a), own = (q == 0.0f ? 1.0f : q);
     const float one = (a == 0.0f ? -1.0f : q/lead_), two = (q == 0.0f ? -1.0f : c/own);
-    if (b >= 0.0f) { *low_out = one; *high_out = two; return; }
-    *low_out = two; *high_out = one; return;
+    if (b >= 0.0f) { return (Roots){one, two}; }
+    return (Roots){two, one};
 }
 
 // roots outside the unit circle
@@ -949,12 +796,13 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     float total;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
-        float low, high; quadratic_roots(near0, near1, square, root, &low, &high);
-        float low2, high2; quadratic_roots(own0, own1, own2, root, &low2, &high2);
-        float low3, high3; quadratic_roots(far0, far1, square, root, &low3, &high3);
-        total = -2.0f*crossing_turns(high, low3, high2, center, beyond, alpha, slope, wall_far, d,
-            n1, loss, together, apart) + 2.0f*crossing_turns(low, high3, low2, center, beyond,
-            alpha, slope, wall_far, d, n1, loss, together, apart);
+        const Roots roots = quadratic_roots(near0, near1, square, root);
+        const Roots roots2 = quadratic_roots(own0, own1, own2, root);
+        const Roots roots3 = quadratic_roots(far0, far1, square, root);
+        total = -2.0f*crossing_turns(roots.high, roots3.low, roots2.high, center, beyond, alpha,
+            slope, wall_far, d, n1, loss, together, apart) + 2.0f*
+            crossing_turns(roots.low, roots3.high, roots2.low, center, beyond, alpha, slope,
+            wall_far, d, n1, loss, together, apart);
     } else {
         total = 0.0f;
     }
@@ -965,86 +813,63 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
 }
 
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
-static inline void ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
-    float together, float apart, float across, float *ahead_out, float *in_phase_out) {
-    const float t = tanf(psi), square = (t*t), low = fmaf(t, t, -(t*t));
-    const float taken = at_minus_one*square;
-    float total, lost; two_diff(at_one, taken, &total, &lost);
-    const float missed = at_minus_one*low + fmaf(at_minus_one, square, -(at_minus_one*square));
-    const float lost2 = lost - missed;
-    float total2, lost3; fast_two_sum(total, lost2, &total2, &lost3);
-    const float taken2 = apart*square;
-    float total3, lost4; two_diff(together, taken2, &total3, &lost4);
-    const float missed2 = apart*low + fmaf(apart, square, -(apart*square));
-    const float lost5 = lost4 - missed2;
-    float total4, lost6; fast_two_sum(total3, lost5, &total4, &lost6);
+static inline Response ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
+    float together, float apart, float across) {
+    const float t = tanf(psi);
+    const Pair prod = two_prod(t, t);
+    const Pair diff = pair_diff((Pair){at_one, 0.0f}, wide_prod(at_minus_one, prod));
+    const Pair total = fast_two_sum(diff.hi, diff.lo);
+    const Pair diff2 = pair_diff((Pair){together, 0.0f}, wide_prod(apart, prod));
+    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo);
     const float above_j = 2.0f*loss*t, below_j = across*t;
-    const float rest = (below_j*below_j) + 2.0f*lost6*total4;
-    const float size = rest + (total4*total4), low2 = above_j*lost6 - below_j*lost3;
-    const float found = above_j*total4 - below_j*total2, found2 = found + low2;
-    const float low22 = lost3*total4 + lost6*total2, rest2 = above_j*below_j + low22;
-    const float found3 = rest2 + total2*total4;
-    *ahead_out = found2/size; *in_phase_out = found3/size; return;
+    const float rest = (below_j*below_j) + 2.0f*total2.hi*total2.lo;
+    const float size = rest + (total2.hi*total2.hi);
+    const float low = above_j*total2.lo - below_j*total.lo;
+    const float found = above_j*total2.hi - below_j*total.hi, found2 = found + low;
+    const float low2 = total.hi*total2.lo + total2.hi*total.lo;
+    const float rest2 = above_j*below_j + low2, found3 = rest2 + total.hi*total2.hi;
+    return (Response){found2/size, found3/size};
 }
 
 // 1 + a + e; n1 + n0; (n1 - n0)/delta
-static inline void device_at_minus_one_together_n_gap(float gamma, float delta,
-    float *at_minus_one_out, float *together_out, float *n_gap_out) {
-    float w, w_low, root, reach; device_motion(gamma, delta, &w, &w_low, &root, &reach);
-    const float half = 0.5f*delta;
-    if (w < 0.0f) {
-        float even, even_low, odd, odd_low;
-        waving_pair(w, w_low, root, &even, &even_low, &odd, &odd_low);
-        float near, risen, sunk, moved;
-        whole_turns(half, w, w_low, root, gamma, &near, &risen, &sunk, &moved);
-        const float envelope = expf(-half);
-        *at_minus_one_out = denominator_at_minus_one_swing(half, w, w_low, envelope, even,
-            even_low, root);
-        *together_out = numerator_at_one_swing(reach, half, w, w_low, envelope, root, gamma, near,
-            moved);
-        *n_gap_out = numerator_gap_swing(reach, half, w, envelope, odd, odd_low, gamma, delta);
-        return;
+static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(float gamma,
+    float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(motion, gamma);
+        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(motion, swinging),
+            numerator_at_one_swing(motion, swinging, gamma),
+            numerator_gap_swing(motion, swinging, gamma, delta)};
     }
-    float p, p_low, q, q_low;
-    real_poles(gamma, half, w, w_low, root, &p, &p_low, &q, &q_low);
-    float fall, fall_low, mean, mean_low;
-    fading_pair(q, q_low, &fall, &fall_low, &mean, &mean_low);
-    const float root_low = root_miss(w, w_low, root);
-    float fall2, fall_low2, mean2, mean_low2;
-    fading_pair(2.0f*root, 2.0f*root_low, &fall2, &fall_low2, &mean2, &mean_low2);
-    *at_minus_one_out = denominator_at_minus_one_creep(fall, fall_low, fall2, fall_low2);
-    *together_out = numerator_at_one_creep(reach, half, w, p, p_low, fall, fall_low, mean,
-        mean_low, fall2, fall_low2);
-    *n_gap_out = numerator_gap_creep(reach, half, w, delta, p, fall, mean, mean_low, fall2, mean2,
-        mean_low2);
-    return;
+    const Creeping creeping = creeping_device(motion, gamma);
+    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(creeping),
+        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta)};
 }
 
 // cos((k + 1) x) and sin((k + 1) x)
-static inline void next_wave(float k, float x, float *cosine_out, float *sine_out) {
+static inline CosSin next_wave(float k, float x) {
     const float count = k + 1.0f, before = count - 1.0f, angle = count*x;
     const float missed = -before + k, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
     const float left = angle - 1.5707964f*quarters;
-    float total, lost;
-    two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)), &total, &lost);
-    float total2, lost2; two_diff(total, -4.371139e-08f*quarters, &total2, &lost2);
-    float total3, lost3; two_diff(total2, -fmaf(count, x, -(count*x)), &total3, &lost3);
-    float total4, lost4; two_diff(total3, -missed*x, &total4, &lost4);
-    const float low = lost + lost2 + lost3 + lost4 + 1.7151245e-15f*quarters -
+    const Pair diff = two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)));
+    const Pair diff2 = two_diff(diff.hi, -4.371139e-08f*quarters);
+    const Pair diff3 = two_diff(diff2.hi, -fmaf(count, x, -(count*x)));
+    const Pair diff4 = two_diff(diff3.hi, -missed*x);
+    const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo + 1.7151245e-15f*quarters -
         fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
-    const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(total4);
-    const float still = cosf(total4), turn_ = quarters - 4.0f*floorf(0.25f*quarters);
+    const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(diff4.hi);
+    const float still = cosf(diff4.hi), turn_ = quarters - 4.0f*floorf(0.25f*quarters);
     const float sine = low2*still + wave, cosine = -low2*wave + still;
     const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
     const float value2 = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
-    *cosine_out = ((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value);
-    *sine_out = (turn_ >= 2.0f ? -value2 : value2); return;
+    return (CosSin){((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value),
+        (turn_ >= 2.0f ? -value2 : value2)};
 }
 
 // cos((k + 1) x)
 static inline float cos_next(float k, float x) {
-    float cosine, sine; next_wave(k, x, &cosine, &sine);
-    return cosine;
+    const CosSin cossin = next_wave(k, x);
+    return cossin.cosine;
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -1060,28 +885,15 @@ static inline float early_slope(float theta, float k4, float k3, float k2, float
 // has the sign of the slope of the boundary's alpha next to pi
 static inline float end_slope(float at_minus_one, float loss, float together, float apart,
     float last) {
-    float total, lost; two_diff(together, 4.0f*last, &total, &lost);
-    float total2, lost2; wide_prod(total, total, 2.0f*lost, &total2, &lost2);
-    float total3, lost3; two_prod(apart, together, &total3, &lost3);
-    float total4, lost4; two_diff(total3, total2, &total4, &lost4);
-    float total5, lost5; two_diff(total2, 2.0f*total3, &total5, &lost5);
-    float total7, lost7; wide_prod(apart, total3, lost3, &total7, &lost7);
-    float total12, lost12; two_diff(2.0f*apart, total, &total12, &lost12);
-    float total13, lost13; two_prod(apart, apart, &total13, &lost13);
-    float total14, lost14; wide_prod(total13, total12, -lost + lost12, &total14, &lost14);
-    const float gap_low = -lost2 + lost3 + lost4;
-    float total10, lost10; wide_prod(apart, total4, gap_low, &total10, &lost10);
-    float total11, lost11; wide_prod(loss, total10, lost10, &total11, &lost11);
-    const float lean_low = lost2 - 2.0f*lost3 + lost5;
-    float total6, lost6; wide_prod(total, total5, lean_low, &total6, &lost6);
-    float total8, lost8; two_diff(total6, -total7, &total8, &lost8);
-    const float bent_low = lost*total5 + lost6 + lost7 + lost8;
-    float total9, lost9; wide_prod(at_minus_one, total8, bent_low, &total9, &lost9);
-    float total15, lost15; two_diff(4.0f*total14, total9, &total15, &lost15);
-    float total16, lost16; two_diff(total15, 2.0f*total11, &total16, &lost16);
-    const float three_low = lost13*total12 + lost14;
-    const float low = -2.0f*lost11 + lost15 + lost16 - lost9 + 4.0f*three_low;
-    return low + total16;
+    const Pair diff = two_diff(together, 4.0f*last), squared = pair_square(diff);
+    const Pair prod = two_prod(apart, together);
+    const Pair prod5 = wide_prod(loss, wide_prod(apart, pair_diff(prod, squared)));
+    const Pair prod6 = pair_prod(pair_square((Pair){apart, 0.0f}),
+        pair_diff((Pair){2.0f*apart, 0.0f}, diff));
+    return rounded(pair_diff(pair_diff((Pair){4.0f*prod6.hi, 4.0f*prod6.lo},
+        wide_prod(at_minus_one, pair_sum(pair_prod(diff,
+        pair_diff(squared, (Pair){2.0f*prod.hi, 2.0f*prod.lo})), wide_prod(apart, prod)))),
+        (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}));
 }
 
 // the next point of a search between a and b, where f is fa and fb, after c
@@ -1165,8 +977,8 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
 
 // sin((k + 1) x)
 static inline float sin_next(float k, float x) {
-    float cosine, sine; next_wave(k, x, &cosine, &sine);
-    return sine;
+    const CosSin cossin = next_wave(k, x);
+    return cossin.sine;
 }
 
 // has the sign of the slope of the boundary's alpha
@@ -1419,15 +1231,9 @@ static inline float spread(float k, float x) {
 // what straight motions need at a whole delay of k periods
 static inline float straight(float stiffness, float damping, float k, float angle) {
     const float order = 2.0f*k + 1.0f, wave = sinc(angle*order);
-    float total, lost; two_prod(order, wave, &total, &lost);
-    const float near = 2.0f*sinc(angle);
-    float total2, lost2; wide_quot(total, near, lost, 0.0f, &total2, &lost2);
-    float total3, lost3; wide_prod(stiffness, total2, lost2, &total3, &lost3);
-    const float along = cos_next(k, 2.0f*angle);
-    float total4, lost4; two_prod(damping, along, &total4, &lost4);
-    float total5, lost5; two_diff(total3, total4, &total5, &lost5);
-    const float low = lost3 - lost4 + lost5;
-    return low + total5;
+    const float near = 2.0f*sinc(angle), along = cos_next(k, 2.0f*angle);
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot(two_prod(order, wave), (Pair){near, 0.0f})), two_prod(damping, along)));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1526,8 +1332,9 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
     if (!((delta <= 1e+08f) && (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    float n0, n1, trace; device_n0_n1_trace(gamma, delta, &n0, &n1, &trace);
-    *n1_out = n1; *n0_out = n0; *a_out = trace; *e_out = expf(-delta); return;
+    const DeviceN0N1Trace device = device_n0_n1_trace(gamma, delta);
+    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
+    *e_out = expf(-delta); return;
 }
 
 void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
@@ -1536,12 +1343,12 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    float together, trace; device_together_trace(gamma, delta, &together, &trace);
+    const DeviceTogetherTrace device = device_together_trace(gamma, delta);
     const float t0 = 1.0f - epsilon, t1 = (t0*t0), t2 = delta*t0;
     const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
     const float n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*expf(-t2);
-    *m2_out = t3; *m1_out = together - t3 - t5; *m0_out = t5; *a_out = trace;
-    *e_out = expf(-delta); return;
+    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
+    *a_out = device.trace; *e_out = expf(-delta); return;
 }
 
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d) {
@@ -1550,18 +1357,18 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
         (gamma >= 0.0f))) {
         return false;
     }
-    float at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta);
     if (part == 0.0f) {
-        return stable(whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
-            n_gap), alpha, beta, gamma, delta) != 0.0f;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
+            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0f;
     }
-    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    return stable(fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
-        apart), alpha, beta, gamma, delta) != 0.0f;
+    const Delayed delayed = late_device(gamma, delta, part);
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
+        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma,
+        delta) != 0.0f;
 }
 
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d) {
@@ -1570,16 +1377,17 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
         (gamma >= 0.0f))) {
         return -1.0f;
     }
-    float at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta);
     if (part == 0.0f) {
-        return whole_roots(alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
+            device.together, delta*device.n_gap);
     }
-    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    return fractional_roots(alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together, apart);
+    const Delayed delayed = late_device(gamma, delta, part);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
+        t3, device.together, delayed.apart);
 }
 
 void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
@@ -1588,27 +1396,26 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    float at_minus_one, together, n_gap;
-    device_at_minus_one_together_n_gap(gamma, delta, &at_minus_one, &together, &n_gap);
+    const DeviceAtMinusOneTogetherNGap device = device_at_minus_one_together_n_gap(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = 0.5f*theta;
-    const float t3 = gamma*together, t5 = delta*decay(delta), t11 = tanf(t1);
+    const float t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tanf(t1);
     const float t13 = sinf(theta);
     if (part == 0.0f) {
-        float cosine, sine; next_wave(d, theta, &cosine, &sine);
-        const float t6 = delta*n_gap, t7 = together + t6;
-        float ahead_of, in_phase_of;
-        ahead_in_phase(t1, t3, at_minus_one, t5, together, t6, t7, &ahead_of, &in_phase_of);
-        const float t12 = ahead_of*cosine + in_phase_of*sine;
-        *alpha_out = ahead_of*sine - cosine*in_phase_of + t11*t12; *beta_out = -t12/t13;
-        return;
+        const CosSin cossin = next_wave(d, theta);
+        const float t6 = delta*device.n_gap, t7 = device.together + t6;
+        const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
+            t6, t7);
+        const float t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+        *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
+        *beta_out = -t12/t13; return;
     }
-    float cosine_2, sine_2; next_wave(whole, theta, &cosine_2, &sine_2);
-    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    const float t18 = 2.0f*m2 - 2.0f*m0;
-    float ahead_of2, in_phase_of2;
-    ahead_in_phase(t1, t3, at_minus_one, t5, together, apart, t18, &ahead_of2, &in_phase_of2);
-    const float t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2;
-    *alpha_out = ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22;
+    const CosSin cossin2 = next_wave(whole, theta);
+    const Delayed delayed = late_device(gamma, delta, part);
+    const float t18 = 2.0f*delayed.m2 - 2.0f*delayed.m0;
+    const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
+        delayed.apart, t18);
+    const float t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
+    *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
     *beta_out = -t22/t13; return;
 }
 
@@ -1618,37 +1425,37 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    float at_minus_one, together, n_gap, n0, n1;
-    device_at_minus_one_together_n_gap_n0_n1(gamma, delta, &at_minus_one, &together, &n_gap, &n0,
-        &n1);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*together;
+    const DeviceAtMinusOneTogetherNGapN0N1 device =
+        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta), t16 = 2.0f*t3;
     if (part == 0.0f) {
-        const float t4 = delta*n_gap;
-        const float t5 = max_stiffness_angle(gamma, delta, d, d, 0.0f, n1, n0, t1, at_minus_one,
-            t3, together, t4);
-        float cosine, sine; next_wave(d, t5, &cosine, &sine);
-        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7), t10 = together + t4;
-        const float t11 = (t9*t9), t12 = (t8*t8), t13 = t11*t12;
-        const float t14 = together*t11 - t12*t4, t15 = 1.0f/((t10*t10)*t13 + (t14*t14));
-        const float t17 = -at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
-        const float t19 = t10*t13*t16 + t14*t17, t20 = cosine*t15;
-        const float t21 = -sine*t15*t19/sinf(t5) - 0.5f*t18*t20;
-        *alpha_out = sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20; *beta_out = t21;
-        *theta_out = t5; return;
+        const float t4 = delta*device.n_gap;
+        const float t5 = max_stiffness_angle(gamma, delta, d, d, 0.0f, device.n1, device.n0, t1,
+            device.at_minus_one, t3, device.together, t4);
+        const CosSin cossin = next_wave(d, t5);
+        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7);
+        const float t10 = device.together + t4, t11 = (t9*t9), t12 = (t8*t8);
+        const float t13 = t11*t12, t14 = device.together*t11 - t12*t4;
+        const float t15 = 1.0f/((t10*t10)*t13 + (t14*t14));
+        const float t17 = -device.at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const float t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
+        const float t21 = -cossin.sine*t15*t19/sinf(t5) - 0.5f*t18*t20;
+        *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20;
+        *beta_out = t21; *theta_out = t5; return;
     }
-    float apart, m2, m0; late_device(gamma, delta, part, &apart, &m2, &m0);
-    const float t27 = max_stiffness_angle(gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
-        t3, together, apart);
-    float cosine_2, sine_2; next_wave(whole, t27, &cosine_2, &sine_2);
+    const Delayed delayed = late_device(gamma, delta, part);
+    const float t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0, t1,
+        device.at_minus_one, t3, device.together, delayed.apart);
+    const CosSin cossin2 = next_wave(whole, t27);
     const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = (t30*t30);
-    const float t33 = (t29*t29), t34 = -apart*t33 + together*t32;
-    const float t35 = 2.0f*m2 - 2.0f*m0, t36 = t32*t33;
+    const float t33 = (t29*t29), t34 = -delayed.apart*t33 + device.together*t32;
+    const float t35 = 2.0f*delayed.m2 - 2.0f*delayed.m0, t36 = t32*t33;
     const float t37 = 1.0f/((t34*t34) + (t35*t35)*t36);
-    const float t38 = -at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
-    const float t40 = t16*t35*t36 + t34*t38, t41 = cosine_2*t37;
-    const float t42 = -sine_2*t37*t40/sinf(t27) - 0.5f*t39*t41;
-    *alpha_out = sine_2*t29*t30*t37*t39 - 2.0f*t33*t42 - t40*t41; *beta_out = t42;
+    const float t38 = -device.at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const float t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
+    const float t42 = -cossin2.sine*t37*t40/sinf(t27) - 0.5f*t39*t41;
+    *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0f*t33*t42 - t40*t41; *beta_out = t42;
     *theta_out = t27; return;
 }
 
