@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 import sympy as sp
 from sympy import Expr, Symbol
+from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.routine import Repeat, Search, Several
@@ -88,11 +89,43 @@ def direct(block: Block) -> Block:
     uses = _uses(found)
     once = {s.name: s.expr for s in found if isinstance(s, Assign) and s.name in last
             and uses[s.name] == 1}  # fmt: skip
-    return tuple(
+    found = [
         _replaced(s, once) if isinstance(s, (Set, Return)) else s
         for s in found
         if not isinstance(s, Assign) or s.name not in once
+    ]
+    given = _given(found)
+    return tuple(
+        _replaced(s, given) if isinstance(s, (Assign, Set, Return, Several)) else s
+        for s in found
+        if not isinstance(s, Assign) or s.name not in given
     )
+
+
+_SHORT = 4
+"""Operations of what needs no name, where it is only given to a routine."""
+
+
+def _given(block: list[Statement]) -> dict[Symbol, Expr]:
+    """What is short and nothing but an argument of one call, once."""
+    own = {s.name: s.expr for s in block if isinstance(s, Assign)}
+    count, alone = Counter[Symbol](), Counter[Symbol]()
+    for statement in block:
+        plain = isinstance(statement, (Assign, Set, Return, Several))
+        exprs = expressions(statement) if plain else ()
+        if not plain:
+            count.update(dict.fromkeys(inputs((statement,)), 2))
+        for part in (p for expr in exprs for p in sp.preorder_traversal(expr)):
+            if part.is_Symbol:
+                count[part] += 1
+            elif isinstance(part, AppliedUndef):
+                alone.update(a for a in part.args if a.is_Symbol)
+    found: dict[Symbol, Expr] = {}
+    for name, expr in own.items():
+        brief = not expr.has(sp.Piecewise) and sp.count_ops(expr) <= _SHORT
+        if brief and count[name] == alone[name] == 1:
+            found[name] = expr.xreplace(found)
+    return found
 
 
 def _uses(block: Iterable[Statement]) -> Counter[Symbol]:

@@ -76,8 +76,7 @@ static inline Pair pair_prod(Pair x, Pair y) {
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
 static inline Fading brief_fading(Pair rate) {
     const Pair total = fast_two_sum(1.0, -0.5*rate.hi);
-    const double curved = (rate.hi*rate.hi)*decay_series(rate.hi);
-    const Pair total2 = fast_two_sum(total.hi, curved);
+    const Pair total2 = fast_two_sum(total.hi, (rate.hi*rate.hi)*decay_series(rate.hi));
     const double bent = rate.lo*(0.125*(rate.hi*rate.hi) - 0.3333333333333333*rate.hi + 0.5);
     const double mean_low = -bent + total.lo + total2.lo;
     return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
@@ -141,8 +140,7 @@ static inline Pair two_prod(double x, double y) { return (Pair){x*y, fma(x, y, -
 static inline Motion device_motion(double gamma, double delta) {
     const double half = 0.5*delta;
     const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
-    const double rest = diff.lo + prod.lo;
-    const Pair total = fast_two_sum(diff.hi, rest);
+    const Pair total = fast_two_sum(diff.hi, diff.lo + prod.lo);
     const double root = sqrt(fabs(total.hi));
     return (Motion){half, total, root, (total.hi < 0.0 ? 0.25*gamma : 0.4444444444444444*half +
         0.4444444444444444*root)};
@@ -296,12 +294,10 @@ static inline double sin_series(double w) {
 static inline Wave waving_pair(Pair square, double angle) {
     if (square.hi > -1.5) {
         const Pair total = fast_two_sum(1.0, 0.5*square.hi);
-        const double curved = (square.hi*square.hi)*cos_series(square.hi);
-        const Pair total2 = fast_two_sum(total.hi, curved);
+        const Pair total2 = fast_two_sum(total.hi, (square.hi*square.hi)*cos_series(square.hi));
         const double both = total.lo + total2.lo;
-        const double bent = square.hi*sin_series(square.hi);
         return (Wave){{total2.hi, both + 0.5*square.lo},
-            one_plus((Pair){bent, 0.16666666666666666*square.lo})};
+            one_plus((Pair){square.hi*sin_series(square.hi), 0.16666666666666666*square.lo})};
     }
     const double angle_low = root_miss(square, angle), sine = sin(angle);
     const double cosine = cos(angle);
@@ -325,9 +321,9 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const double turned_low = 1.4920070805839235e-31*turns;
         const double low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const double back = 2.4492935982947064e-16*count;
-        const double both_low = back + diff6.lo + missed + prod3.lo;
         const double whole = (diff6.hi == 0.0 ? 1.0 : diff6.hi);
-        const Pair quot = pair_quot(two_diff(diff4.hi, -low), (Pair){whole, both_low});
+        const Pair quot = pair_quot(two_diff(diff4.hi, -low),
+            (Pair){whole, back + diff6.lo + missed + prod3.lo});
         const double far = (quot.hi*quot.hi);
         if ((count > 0.0) && (far < 1.5)) {
             const Fading fading = brief_fading((Pair){half, 0.0});
@@ -478,12 +474,11 @@ static inline double denominator_at_minus_one_creep(Creeping creeping) {
 static inline double denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
     const Pair prod = wide_prod(2.0*swinging.envelope, swinging.even);
     if (prod.hi > 0.0) {
-        const double e = exp(-2.0*motion.half);
-        return rounded(pair_sum(one_plus((Pair){e, 0.0}), prod));
+        return rounded(pair_sum(one_plus((Pair){exp(-2.0*motion.half), 0.0}), prod));
     }
     const double angle = 0.5*motion.root;
-    const double back = 0.5*root_miss(motion.w, motion.root)*sin(angle);
-    return 4.0*rounded(half_squares(motion.half, swinging.envelope, cos(angle), back));
+    return 4.0*rounded(half_squares(motion.half, swinging.envelope, cos(angle), 0.5*
+        root_miss(motion.w, motion.root)*sin(angle)));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -503,10 +498,8 @@ static inline double numerator_gap_creep(Motion motion, Creeping creeping, doubl
         return scaled_sum((Pair){exp(-motion.half), 0.0},
             numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
     }
-    const double twice = 2.0*creeping.slow.hi;
-    const Pair diff = pair_diff(creeping.mean, wide_prod(twice, creeping.even));
-    const double fast = creeping.ratio.hi*creeping.slow.hi;
-    const Pair prod2 = wide_prod(fast, creeping.mean);
+    const Pair diff = pair_diff(creeping.mean, wide_prod(2.0*creeping.slow.hi, creeping.even));
+    const Pair prod2 = wide_prod(creeping.ratio.hi*creeping.slow.hi, creeping.mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
     const double whole = (delta*creeping.p.hi == 0.0 ? 1.0 : delta*creeping.p.hi);
     return (low + top)/whole;
@@ -519,8 +512,8 @@ static inline double numerator_gap_swing(Motion motion, Swinging swinging, doubl
         return scaled_sum((Pair){swinging.envelope, 0.0},
             numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
     }
-    const double mean = decay(delta), whole = (gamma == 0.0 ? 1.0 : gamma);
-    return rounded(pair_quot(pair_diff((Pair){mean, 0.0},
+    const double whole = (gamma == 0.0 ? 1.0 : gamma);
+    return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0},
         wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0}));
 }
 
@@ -673,17 +666,17 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double one2 = 0.5*middle, two2 = 0.5*rest;
     const double before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
     const double after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0;
-    const double zone2 = 1.0, zone3 = 2.0, side = (slope >= 0.0 ? 1.0 : -1.0);
+    const double side = (slope >= 0.0 ? 1.0 : -1.0);
     const double end = -d + (wall_far > 0.0 ? side : 0.0) +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const double total = (((((((near2 == 0.0) && (near3 < 0.0)) || (near2 < 0.0)) &&
         (near1 == 0.0)) || (near1 < 0.0)) && (near0 == 0.0)) || (near0 < 0.0) ?
         (alpha > 0.0 ? 0.0 : side) : 0.0) + zone_turns(far0, far1, far2, far3, zone, two2, far0,
-        after, zone3, alpha, slope, wall_far, across, loss, together, apart, middle, rest, d) +
+        after, 2.0, alpha, slope, wall_far, across, loss, together, apart, middle, rest, d) +
         zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope,
         wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, zone2, alpha, slope,
-        wall_far, across, loss, together, apart, middle, rest, d);
+        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0, alpha, slope, wall_far,
+        across, loss, together, apart, middle, rest, d);
     return total - (((((((far2 == 0.0) && (far3 < 0.0)) || (far2 < 0.0)) && (far1 == 0.0)) ||
         (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
 }
@@ -1186,8 +1179,7 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
 static inline double largest_required_damping(double alpha, double beta, double d) {
     if (alpha < 0.0) { return INFINITY; }
     const double whole = floor(d), part = d - whole;
-    const double psi = worst_angle(alpha, beta, whole, part);
-    return damping_at(alpha, beta, whole, part, psi);
+    return damping_at(alpha, beta, whole, part, worst_angle(alpha, beta, whole, part));
 }
 
 // early + share (late - early)
@@ -1220,10 +1212,10 @@ static inline double spread(double k, double x) {
 
 // what straight motions need at a whole delay of k periods
 static inline double straight(double stiffness, double damping, double k, double angle) {
-    const double order = 2.0*k + 1.0, wave = sinc(angle*order), near = 2.0*sinc(angle);
-    const double along = cos_next(k, 2.0*angle);
+    const double order = 2.0*k + 1.0;
     return rounded(pair_diff(wide_prod(stiffness,
-        pair_quot(two_prod(order, wave), (Pair){near, 0.0})), two_prod(damping, along)));
+        pair_quot(two_prod(order, sinc(angle*order)), (Pair){2.0*sinc(angle), 0.0})),
+        two_prod(damping, cos_next(k, 2.0*angle))));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1387,18 +1379,17 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
     const double t13 = sin(theta);
     if (part == 0.0) {
         const CosSin cossin = next_wave(d, theta);
-        const double t6 = delta*device.n_gap, t7 = device.together + t6;
+        const double t6 = delta*device.n_gap;
         const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-            t6, t7);
+            t6, device.together + t6);
         const double t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
         *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
         *beta_out = -t12/t13; return;
     }
     const CosSin cossin2 = next_wave(whole, theta);
     const Delayed delayed = late_device(gamma, delta, part);
-    const double t18 = 2.0*delayed.m2 - 2.0*delayed.m0;
     const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-        delayed.apart, t18);
+        delayed.apart, 2.0*delayed.m2 - 2.0*delayed.m0);
     const double t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
     *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
     *beta_out = -t22/t13; return;

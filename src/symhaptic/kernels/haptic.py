@@ -398,8 +398,7 @@ def pair_prod(xp, x, x_low, y, y_low):
 def brief_fading(xp, rate, rate_low):
     """exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4"""
     total, total_low = fast_two_sum(xp, 1.0, -0.5*rate)
-    curved = (rate*rate)*decay_series(xp, rate)
-    total, total_low2 = fast_two_sum(xp, total, curved)
+    total, total_low2 = fast_two_sum(xp, total, (rate*rate)*decay_series(xp, rate))
     bent = rate_low*(0.125*(rate*rate) - 0.3333333333333333*rate + 0.5)
     mean_low = total_low - bent + total_low2
     less, less_low = one_minus(xp, *pair_prod(xp, rate, rate_low, total, mean_low))
@@ -482,8 +481,7 @@ def device_motion(xp, gamma, delta):
     half = 0.5*delta
     prod, prod_low = two_prod(xp, half, half)
     diff, diff_low = two_diff(xp, prod, gamma)
-    rest = diff_low + prod_low
-    total, total_low = fast_two_sum(xp, diff, rest)
+    total, total_low = fast_two_sum(xp, diff, diff_low + prod_low)
     root = square_root(xp, xp.abs(total))
     return half, total, total_low, root, xp.where(total < 0.0, 0.25*gamma, 0.4444444444444444*
         half + 0.4444444444444444*root)
@@ -689,11 +687,10 @@ def waving_pair(xp, square, square_low, angle):
 
     def yes(square, square_low):
         total, total_low = fast_two_sum(xp, 1.0, 0.5*square)
-        curved = (square*square)*cos_series(xp, square)
-        total, total_low2 = fast_two_sum(xp, total, curved)
+        total, total_low2 = fast_two_sum(xp, total, (square*square)*cos_series(xp, square))
         both = total_low + total_low2
-        bent = square*sin_series(xp, square)
-        total3, total_low2 = one_plus(xp, bent, 0.16666666666666666*square_low)
+        total3, total_low2 = one_plus(xp, square*sin_series(xp, square), 0.16666666666666666*
+            square_low)
         return total, both + 0.5*square_low, total3, total_low2
 
     def no(angle, square, square_low):
@@ -730,9 +727,9 @@ def whole_turns(xp, half, square, square_low, root, stiff):
         turned_low = number4*turns
         low = diff_low + diff_low2 + diff_low3 + diff_low4 - prod_low2 - turned_low
         back = number5*count
-        both_low = back + diff_low6 + missed + prod_low3
         whole = xp.where(diff6 == 0.0, 1.0, diff6)
-        quot, quot_low = pair_quot(xp, *two_diff(xp, diff, -low), whole, both_low)
+        quot, quot_low = pair_quot(xp, *two_diff(xp, diff, -low), whole, back + diff_low6 +
+            missed + prod_low3)
         far = (quot*quot)
 
         def yes(half, missed, quot, quot_low, root, stiff):
@@ -968,13 +965,12 @@ def denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, eve
     prod, prod_low = wide_prod(xp, 2.0*envelope, even, even_low)
 
     def yes(half, prod, prod_low):
-        e = xp.exp(-2.0*half)
-        return rounded(xp, *pair_sum(xp, *one_plus(xp, e, 0.0), prod, prod_low))
+        return rounded(xp, *pair_sum(xp, *one_plus(xp, xp.exp(-2.0*half), 0.0), prod, prod_low))
 
     def no(envelope, half, root, w, w_low):
         angle = 0.5*root
-        back = 0.5*root_miss(xp, w, w_low, root)*xp.sin(angle)
-        return 4.0*rounded(xp, *half_squares(xp, half, envelope, xp.cos(angle), back))
+        return 4.0*rounded(xp, *half_squares(xp, half, envelope, xp.cos(angle), 0.5*
+            root_miss(xp, w, w_low, root)*xp.sin(angle)))
 
     return select(xp, prod > 0.0, yes, (half, prod, prod_low), no, (envelope, half, root, w, w_low))
 
@@ -1003,10 +999,8 @@ def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even
             0.16666666666666666)
 
     def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
-        twice = 2.0*slow
-        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, twice, even, even_low))
-        fast = ratio*slow
-        prod, prod_low = wide_prod(xp, fast, mean, mean_low)
+        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, 2.0*slow, even, even_low))
+        prod, prod_low = wide_prod(xp, ratio*slow, mean, mean_low)
         top = diff + prod
         low = diff_low + prod_low
         whole = xp.where(delta*p == 0.0, 1.0, delta*p)
@@ -1023,10 +1017,9 @@ def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, del
         return scaled_sum(xp, envelope, 0.0, numerator_gap_series(xp, half, w), 0.16666666666666666)
 
     def no(delta, envelope, gamma, wave, wave_low):
-        mean = decay(xp, delta)
         whole = xp.where(gamma == 0.0, 1.0, gamma)
-        return rounded(xp, *pair_quot(xp, *pair_diff(xp, mean, 0.0,
-            *wide_prod(xp, envelope, wave, wave_low)), whole, xp.full_like(envelope, 0.0)))
+        return rounded(xp, *pair_quot(xp, *pair_diff(xp, decay(xp, delta), 0.0,
+            *wide_prod(xp, envelope, wave, wave_low)), whole, xp.full_like(delta, 0.0)))
 
     return select(xp, reach < 1.0, yes, (envelope, half, w), no,
         (delta, envelope, gamma, wave, wave_low))
@@ -1519,11 +1512,10 @@ def next_wave_single(xp, k, x):
     angle = count*x
     missed = k - before
     quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
-    left = angle - 1.5707963705062866*quarters
     quarters_halves = halves(xp, quarters)
     number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
-    diff, diff_low = two_diff(xp, left, two_prod_error(quarters*1.5707963705062866,
-        quarters_halves, number1_halves))
+    diff, diff_low = two_diff(xp, angle - 1.5707963705062866*quarters,
+        two_prod_error(quarters*1.5707963705062866, quarters_halves, number1_halves))
     diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
     count_halves = halves(xp, count)
     x_halves = halves(xp, x)
@@ -2037,8 +2029,7 @@ def largest_required_damping(xp, alpha, beta, d):
     def no(alpha, beta, d):
         whole = xp.floor(d)
         part = d - whole
-        psi = worst_angle(xp, alpha, beta, whole, part)
-        return damping_at(xp, alpha, beta, whole, part, psi)
+        return damping_at(xp, alpha, beta, whole, part, worst_angle(xp, alpha, beta, whole, part))
 
     return select(xp, alpha < 0.0, lambda alpha: xp.inf, (alpha,), no, (alpha, beta, d))
 
@@ -2082,12 +2073,9 @@ def spread(xp, k, x):
 def straight(xp, stiffness, damping, k, angle):
     """what straight motions need at a whole delay of k periods"""
     order = 2.0*k + 1.0
-    wave = sinc(xp, angle*order)
-    near = 2.0*sinc(xp, angle)
-    along = cos_next(xp, k, 2.0*angle)
     return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
-        *pair_quot(xp, *two_prod(xp, order, wave), near, xp.full_like(near, 0.0))),
-        *two_prod(xp, damping, along)))
+        *pair_quot(xp, *two_prod(xp, order, sinc(xp, angle*order)), 2.0*sinc(xp, angle),
+        xp.full_like(angle, 0.0))), *two_prod(xp, damping, cos_next(xp, k, 2.0*angle))))
 
 
 def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9,
@@ -2344,11 +2332,10 @@ def stability_boundary(theta, gamma, delta, d):
         def no(delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5, theta, whole):
             cosine_2, sine_2 = next_wave(xp, whole, theta)
             apart, m2, m0 = late_device(xp, gamma, delta, part)
-            t18 = 2.0*m2 - 2.0*m0
             ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, apart,
-                t18)
-            t18 = ahead_of2*cosine_2 + in_phase_of2*sine_2
-            return ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t18, -t18/t13
+                2.0*m2 - 2.0*m0)
+            t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2
+            return ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22, -t22/t13
 
         return select(xp, part == 0.0, yes, (d, at_minus_one, together, t1, t11, t13, t3, t5, t6,
             t7, theta), no, (delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5,

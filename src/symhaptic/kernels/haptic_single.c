@@ -68,8 +68,7 @@ static inline Pair pair_prod(Pair x, Pair y) {
 // exp(-rate), (1 - exp(-rate))/rate and what they miss, for a rate up to 3/4
 static inline Fading brief_fading(Pair rate) {
     const Pair total = fast_two_sum(1.0f, -0.5f*rate.hi);
-    const float curved = (rate.hi*rate.hi)*decay_series(rate.hi);
-    const Pair total2 = fast_two_sum(total.hi, curved);
+    const Pair total2 = fast_two_sum(total.hi, (rate.hi*rate.hi)*decay_series(rate.hi));
     const float bent = rate.lo*(0.125f*(rate.hi*rate.hi) - 0.33333334f*rate.hi + 0.5f);
     const float mean_low = -bent + total.lo + total2.lo;
     return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
@@ -133,8 +132,7 @@ static inline Pair two_prod(float x, float y) { return (Pair){x*y, fmaf(x, y, -(
 static inline Motion device_motion(float gamma, float delta) {
     const float half = 0.5f*delta;
     const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
-    const float rest = diff.lo + prod.lo;
-    const Pair total = fast_two_sum(diff.hi, rest);
+    const Pair total = fast_two_sum(diff.hi, diff.lo + prod.lo);
     const float root = sqrtf(fabsf(total.hi));
     return (Motion){half, total, root, (total.hi < 0.0f ? 0.25f*gamma : 0.44444445f*half +
         0.44444445f*root)};
@@ -290,11 +288,10 @@ static inline float sin_series(float w) {
 static inline Wave waving_pair(Pair square, float angle) {
     if (square.hi > -1.5f) {
         const Pair total = fast_two_sum(1.0f, 0.5f*square.hi);
-        const float curved = (square.hi*square.hi)*cos_series(square.hi);
-        const Pair total2 = fast_two_sum(total.hi, curved);
-        const float both = total.lo + total2.lo, bent = square.hi*sin_series(square.hi);
+        const Pair total2 = fast_two_sum(total.hi, (square.hi*square.hi)*cos_series(square.hi));
+        const float both = total.lo + total2.lo;
         return (Wave){{total2.hi, both + 0.5f*square.lo},
-            one_plus((Pair){bent, 0.16666667f*square.lo})};
+            one_plus((Pair){square.hi*sin_series(square.hi), 0.16666667f*square.lo})};
     }
     const float angle_low = root_miss(square, angle), sine = sinf(angle);
     const float cosine = cosf(angle);
@@ -318,9 +315,9 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const float turned_low = -1.1704737e-14f*turns;
         const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const float back = -1.7484555e-07f*count;
-        const float both_low = back + diff6.lo + missed + prod3.lo;
         const float whole = (diff6.hi == 0.0f ? 1.0f : diff6.hi);
-        const Pair quot = pair_quot(two_diff(diff4.hi, -low), (Pair){whole, both_low});
+        const Pair quot = pair_quot(two_diff(diff4.hi, -low),
+            (Pair){whole, back + diff6.lo + missed + prod3.lo});
         const float far = (quot.hi*quot.hi);
         if ((count > 0.0f) && (far < 1.5f)) {
             const Fading fading = brief_fading((Pair){half, 0.0f});
@@ -471,12 +468,11 @@ static inline float denominator_at_minus_one_creep(Creeping creeping) {
 static inline float denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
     const Pair prod = wide_prod(2.0f*swinging.envelope, swinging.even);
     if (prod.hi > 0.0f) {
-        const float e = expf(-2.0f*motion.half);
-        return rounded(pair_sum(one_plus((Pair){e, 0.0f}), prod));
+        return rounded(pair_sum(one_plus((Pair){expf(-2.0f*motion.half), 0.0f}), prod));
     }
     const float angle = 0.5f*motion.root;
-    const float back = 0.5f*root_miss(motion.w, motion.root)*sinf(angle);
-    return 4.0f*rounded(half_squares(motion.half, swinging.envelope, cosf(angle), back));
+    return 4.0f*rounded(half_squares(motion.half, swinging.envelope, cosf(angle), 0.5f*
+        root_miss(motion.w, motion.root)*sinf(angle)));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -496,10 +492,8 @@ static inline float numerator_gap_creep(Motion motion, Creeping creeping, float 
         return scaled_sum((Pair){expf(-motion.half), 0.0f},
             numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
     }
-    const float twice = 2.0f*creeping.slow.hi;
-    const Pair diff = pair_diff(creeping.mean, wide_prod(twice, creeping.even));
-    const float fast = creeping.ratio.hi*creeping.slow.hi;
-    const Pair prod2 = wide_prod(fast, creeping.mean);
+    const Pair diff = pair_diff(creeping.mean, wide_prod(2.0f*creeping.slow.hi, creeping.even));
+    const Pair prod2 = wide_prod(creeping.ratio.hi*creeping.slow.hi, creeping.mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
     const float whole = (delta*creeping.p.hi == 0.0f ? 1.0f : delta*creeping.p.hi);
     return (low + top)/whole;
@@ -512,8 +506,8 @@ static inline float numerator_gap_swing(Motion motion, Swinging swinging, float 
         return scaled_sum((Pair){swinging.envelope, 0.0f},
             numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
     }
-    const float mean = decay(delta), whole = (gamma == 0.0f ? 1.0f : gamma);
-    return rounded(pair_quot(pair_diff((Pair){mean, 0.0f},
+    const float whole = (gamma == 0.0f ? 1.0f : gamma);
+    return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0f},
         wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0f}));
 }
 
@@ -668,17 +662,17 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float one2 = 0.5f*middle, two2 = 0.5f*rest;
     const float before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
     const float after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0f;
-    const float zone2 = 1.0f, zone3 = 2.0f, side = (slope >= 0.0f ? 1.0f : -1.0f);
+    const float side = (slope >= 0.0f ? 1.0f : -1.0f);
     const float end = -d + (wall_far > 0.0f ? side : 0.0f) +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const float total = (((((((near2 == 0.0f) && (near3 < 0.0f)) || (near2 < 0.0f)) &&
         (near1 == 0.0f)) || (near1 < 0.0f)) && (near0 == 0.0f)) || (near0 < 0.0f) ?
         (alpha > 0.0f ? 0.0f : side) : 0.0f) +
-        zone_turns(far0, far1, far2, far3, zone, two2, far0, after, zone3, alpha, slope, wall_far,
+        zone_turns(far0, far1, far2, far3, zone, two2, far0, after, 2.0f, alpha, slope, wall_far,
         across, loss, together, apart, middle, rest, d) +
         zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope,
         wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, zone2, alpha, slope,
+        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0f, alpha, slope,
         wall_far, across, loss, together, apart, middle, rest, d);
     return total - (((((((far2 == 0.0f) && (far3 < 0.0f)) || (far2 < 0.0f)) && (far1 == 0.0f)) ||
         (far1 < 0.0f)) && (far0 == 0.0f)) || (far0 < 0.0f) ? end : 0.0f);
@@ -850,8 +844,8 @@ static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(fl
 static inline CosSin next_wave(float k, float x) {
     const float count = k + 1.0f, before = count - 1.0f, angle = count*x;
     const float missed = -before + k, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
-    const float left = angle - 1.5707964f*quarters;
-    const Pair diff = two_diff(left, fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)));
+    const Pair diff = two_diff(angle - 1.5707964f*quarters,
+        fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)));
     const Pair diff2 = two_diff(diff.hi, -4.371139e-08f*quarters);
     const Pair diff3 = two_diff(diff2.hi, -fmaf(count, x, -(count*x)));
     const Pair diff4 = two_diff(diff3.hi, -missed*x);
@@ -1196,8 +1190,7 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
 static inline float largest_required_damping(float alpha, float beta, float d) {
     if (alpha < 0.0f) { return INFINITY; }
     const float whole = floorf(d), part = d - whole;
-    const float psi = worst_angle(alpha, beta, whole, part);
-    return damping_at(alpha, beta, whole, part, psi);
+    return damping_at(alpha, beta, whole, part, worst_angle(alpha, beta, whole, part));
 }
 
 // early + share (late - early)
@@ -1230,10 +1223,10 @@ static inline float spread(float k, float x) {
 
 // what straight motions need at a whole delay of k periods
 static inline float straight(float stiffness, float damping, float k, float angle) {
-    const float order = 2.0f*k + 1.0f, wave = sinc(angle*order);
-    const float near = 2.0f*sinc(angle), along = cos_next(k, 2.0f*angle);
+    const float order = 2.0f*k + 1.0f;
     return rounded(pair_diff(wide_prod(stiffness,
-        pair_quot(two_prod(order, wave), (Pair){near, 0.0f})), two_prod(damping, along)));
+        pair_quot(two_prod(order, sinc(angle*order)), (Pair){2.0f*sinc(angle), 0.0f})),
+        two_prod(damping, cos_next(k, 2.0f*angle))));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1402,18 +1395,17 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
     const float t13 = sinf(theta);
     if (part == 0.0f) {
         const CosSin cossin = next_wave(d, theta);
-        const float t6 = delta*device.n_gap, t7 = device.together + t6;
+        const float t6 = delta*device.n_gap;
         const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-            t6, t7);
+            t6, device.together + t6);
         const float t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
         *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
         *beta_out = -t12/t13; return;
     }
     const CosSin cossin2 = next_wave(whole, theta);
     const Delayed delayed = late_device(gamma, delta, part);
-    const float t18 = 2.0f*delayed.m2 - 2.0f*delayed.m0;
     const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-        delayed.apart, t18);
+        delayed.apart, 2.0f*delayed.m2 - 2.0f*delayed.m0);
     const float t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
     *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
     *beta_out = -t22/t13; return;
