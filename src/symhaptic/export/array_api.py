@@ -106,10 +106,10 @@ class ArrayApi(Target):
         name, given = self.call(routine.name), self._named(routine.arguments)
         arguments = ", ".join(["xp", *given])
         head = [*wrapped([f"def {name}({arguments}):"]), *_documented([routine.about])]
-        body = self._body(routine, 1)
+        body = _without_gap(self._body(routine, 1))
         if brief is None:
             return [*head, *_narrow(body)]
-        other = self._body(brief, 1)
+        other = _without_gap(self._body(brief, 1))
         if (both := of_both(body, other, given)) is not None:
             found, numbers = both
             if numbers:
@@ -219,6 +219,11 @@ def _in_terms_of(form: Form, other: Form) -> Routine | None:
     (verdict,) = verdicts
     given = (*(s for s in form.arguments if verdict.has(s)), Symbol(name))
     return Steps().routine(form.name, form.title, given, verdict)
+
+
+def _without_gap(body: list[str]) -> list[str]:
+    """A body whose first line is not blank."""
+    return body[1:] if body[0] == "" else body
 
 
 def _narrow(lines: Iterable[str]) -> list[str]:

@@ -187,11 +187,13 @@ def _inside(xp, work, inside, count, outside, values):
     return _together(xp, known.shape[0], [(at, found), (none, nothing)])
 
 
-def select(xp, condition, yes, yes_values, no, no_values):
+def select(xp, condition, yes, yes_values, no, no_values=None):
     """``yes`` of its values where the condition holds, else ``no``; each only where it counts.
 
+    Without values of its own, ``no`` gets those of ``yes``.
     Where numbers cannot be looked at, both are computed everywhere, of 1 where they do not count.
     """
+    no_values = yes_values if no_values is None else no_values
     like = (*yes_values, *no_values)[0]
     if deferred(condition):
         one = _rows(xp, like, yes(*(xp.where(condition, v, 1.0) for v in yes_values)))

@@ -128,6 +128,9 @@ class Scope:
                     self._renamed(symbol, idle)
                 names = self.named(statement.names)
                 lines.append(pad + self.target.unpacked(names, name, args))
+            elif isinstance(statement, Join) and self.block[i + 1 :] == (Return(statement.names),):
+                lines += self._selected(statement, depth, f"{pad}return")
+                break
             elif isinstance(statement, Join):
                 lines += self._join(statement, depth)
             elif isinstance(statement, Choice):
@@ -160,7 +163,8 @@ class Scope:
         return self._selected(join, depth, f"{'    ' * depth}{names} =")
 
     def _selected(self, choice: Choice | Join, depth: int, start: str) -> list[str]:
-        lines, given = [], []
+        lines: list[str] = []
+        given: list[tuple[str, str]] = []
         condition = self.condition(choice.condition)
         for name, block in (("yes", choice.yes), ("no", choice.no)):
             wanted = inputs(block) or _first(choice.condition)
@@ -168,16 +172,23 @@ class Scope:
             made = self._function(name, inside, wanted, depth)
             side = _short(made)
             if not side and (call := _mere_call(block)):
-                side = f"lambda *v: {self.target.call(call.func.__name__)}(xp, *v)"
+                side = self._handing(call)
                 wanted = list(call.args)
             lines += ["", *made] * (not side)
-            given.append(f"{side or name}, {_listed(self.named(wanted))}")
-        end = f"{start} select(xp, {condition}, {given[0]}, {given[1]})"
+            given.append((side or name, f", {_listed(self.named(wanted))}"))
+        (yes, values), (no, others) = given
+        others = others if others != values else ""
+        end = f"{start} select(xp, {condition}, {yes}{values}, {no}{others})"
         return [*lines, *[""] * bool(lines), end]
+
+    def _handing(self, call: Expr) -> str:
+        """A function that hands its arguments on to the one that is called."""
+        return f"lambda *v: {self.target.call(call.func.__name__)}(xp, *v)"
 
     def _function(self, name: str, inside: Scope, given: list[Symbol], depth: int) -> list[str]:
         head = f"{'    ' * depth}def {name}({', '.join(inside.named(given))}):"
-        return [head, *inside.written(depth + 1)]
+        first, *others = inside.written(depth + 1)
+        return [head, *[first] * bool(first), *others]
 
     def _repeat(self, loop: Repeat, depth: int) -> list[str]:
         """Its condition and its steps as two functions, which a helper calls."""
@@ -201,11 +212,15 @@ class Scope:
         """What is searched for as a function, which a helper calls."""
         pad, block = "    " * depth, (Return((search.value,)),)
         outer = sorted(search.value.free_symbols - {search.at}, key=str)
-        inside = Scope(self.target, block)
-        made = self._function("value", inside, [search.at, *outer], depth)
+        lines, value = [], "value"
+        if (call := _mere_call(block)) and call.args[0] == search.at:
+            outer, value = list(call.args[1:]), self._handing(call)
+        else:
+            inside = Scope(self.target, block)
+            lines = ["", *self._function(value, inside, [search.at, *outer], depth), ""]
         ends = (self.printer.doprint(e) for e in (search.low, search.high, search.close))
-        call = f"crossing(xp, value, {', '.join(ends)}, {_listed(self.named(outer))})"
-        return ["", *made, "", f"{pad}{self.name(search.name)} = {call}"]
+        found = f"crossing(xp, {value}, {', '.join(ends)}, {_listed(self.named(outer))})"
+        return [*lines, f"{pad}{self.name(search.name)} = {found}"]
 
     def _sum(self, loop: Repeat, depth: int) -> list[str]:
         """A loop over numbers, which are the same for all elements; a helper lets some wait."""

@@ -156,34 +156,35 @@ def _replaced(statement: Statement, known: Mapping[Symbol, Expr]) -> Statement:
     return replace(statement, condition=statement.condition.xreplace(known), yes=yes, no=no)
 
 
-def functional(block: Block, numbers: Mapping[Symbol, Expr] = MappingProxyType({})) -> Block:
+def functional(block: Block, known: Mapping[Symbol, Expr] = MappingProxyType({})) -> Block:
     """The same with sides that return the values of the names that are set in them.
 
-    A name of a mere number is replaced by it: what it is given to takes arrays.
+    A name of a mere number is replaced by it: what it is given to takes arrays; and one that is
+    only set, as nothing comes behind that but the end.
     """
-    numbers = dict(numbers)
+    known = dict(known)
     found: list[Statement] = []
     for statement in block:
         if isinstance(statement, (Assign, Set)):
-            value = statement.expr.xreplace(numbers)
-            if value.is_number:
-                numbers[statement.name] = value
+            value = statement.expr.xreplace(known)
+            if value.is_number or isinstance(statement, Set):
+                known[statement.name] = value
             else:
                 found.append(Assign(statement.name, value))
         elif isinstance(statement, Join):
             names = statement.names or _set_in(statement.yes)
             yes, no = (
-                functional((*side, Return(names)), numbers)
+                functional((*side, Return(names)), known)
                 for side in (statement.yes, statement.no)
             )
-            found.append(Join(names, statement.condition.xreplace(numbers), yes, no))
+            found.append(Join(names, statement.condition.xreplace(known), yes, no))
         elif isinstance(statement, Choice):
-            sides = (functional(side, numbers) for side in (statement.yes, statement.no))
-            found.append(Choice(statement.condition.xreplace(numbers), *sides))
+            sides = (functional(side, known) for side in (statement.yes, statement.no))
+            found.append(Choice(statement.condition.xreplace(known), *sides))
         elif isinstance(statement, Return):
-            found.append(Return(tuple(r.xreplace(numbers) for r in statement.results)))
+            found.append(Return(tuple(r.xreplace(known) for r in statement.results)))
         else:
-            found.append(statement.xreplace(numbers))
+            found.append(statement.xreplace(known))
     return tuple(found)
 
 

@@ -180,11 +180,13 @@ def _inside(xp, work, inside, count, outside, values):
     return _together(xp, known.shape[0], [(at, found), (none, nothing)])
 
 
-def select(xp, condition, yes, yes_values, no, no_values):
+def select(xp, condition, yes, yes_values, no, no_values=None):
     """``yes`` of its values where the condition holds, else ``no``; each only where it counts.
 
+    Without values of its own, ``no`` gets those of ``yes``.
     Where numbers cannot be looked at, both are computed everywhere, of 1 where they do not count.
     """
+    no_values = yes_values if no_values is None else no_values
     like = (*yes_values, *no_values)[0]
     if deferred(condition):
         one = _rows(xp, like, yes(*(xp.where(condition, v, 1.0) for v in yes_values)))
@@ -419,7 +421,6 @@ def pair_quot(xp, x, x_low, y, y_low):
 
 def fading_pair(xp, rate, rate_low):
     """exp(-rate), (1 - exp(-rate))/rate and what they miss"""
-
     def no(rate, rate_low):
         sunk = xp.exp(-rate)
         sunk_low = -rate_low*sunk
@@ -427,7 +428,7 @@ def fading_pair(xp, rate, rate_low):
         return sunk, sunk_low, quot, quot_low
 
     return select(xp, rate < 0.75, lambda rate, rate_low: brief_fading(xp, rate, rate_low),
-        (rate, rate_low), no, (rate, rate_low))
+        (rate, rate_low), no)
 
 
 def root_miss(xp, square, square_low, root):
@@ -513,7 +514,6 @@ def rounded(xp, x, x_low):
 def plant_n0_series(xp, gamma, delta):
     """divided difference of exp at 0, p and q, less 1/2"""
     begin, begin2 = (20, 9) if gamma.dtype == xp.float32 else (28, 13)
-
     def add(one, two, number, delta, gamma):
         next_one = delta*one - gamma*two + number
         return next_one, one
@@ -543,7 +543,6 @@ def plant_n0_near(xp, decayed, decayed_low, gamma, delta):
 def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even,
     even_low, decayed, decayed_low, gamma, delta):
     """n0 of a creeping device"""
-
     def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         return rounded(xp, *pair_prod(xp, slow, slow_low,
             *pair_quot(xp, *pair_diff(xp, even, even_low,
@@ -564,12 +563,10 @@ def pair_sum(xp, x, x_low, y, y_low):
 def plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk, decayed,
     decayed_low, gamma):
     """n0 of a swinging device"""
-
     def yes(decayed, decayed_low, gamma, half):
         return plant_n0_near(xp, decayed, decayed_low, gamma, 2.0*half)
 
     def no(envelope, even, even_low, gamma, half, near, sunk, wave, wave_low):
-
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
             whole = xp.where(gamma == 0.0, 1.0, gamma)
             return rounded(xp, *pair_quot(xp, *wide_prod(xp, envelope,
@@ -586,7 +583,6 @@ def plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, ne
 def plant_n1_series(xp, h, w):
     """divided difference of exp at h and +-sqrt(w), less 1/2"""
     begin, begin2 = (20, 9) if h.dtype == xp.float32 else (28, 13)
-
     def add(total, one, two, number, h, w):
         even = number + two*w
         next_total = even + h*total
@@ -600,7 +596,6 @@ def plant_n1_series(xp, h, w):
 def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even, even_low,
     decayed, decayed_low):
     """n1 of a creeping device"""
-
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
@@ -615,12 +610,10 @@ def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
 def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near, risen,
     decayed, decayed_low, gamma):
     """n1 of a swinging device"""
-
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
     def no(envelope, even, even_low, gamma, half, near, risen, wave, wave_low):
-
         def no(envelope, even, even_low, gamma, half, wave, wave_low):
             whole = xp.where(gamma == 0.0, 1.0, gamma)
             return rounded(xp, *pair_quot(xp, *one_minus(xp,
@@ -652,7 +645,6 @@ def plant_trace_swing(xp, envelope, even, even_low):
 
 def slow_fade(xp, reach, half):
     """exp(-half) of a device with slow poles, and what it misses"""
-
     def yes(half):
         fall, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
         return pair_square(xp, fall, fall_low)
@@ -684,7 +676,6 @@ def sin_series(xp, w):
 
 def waving_pair(xp, square, square_low, angle):
     """cos(angle), sin(angle)/angle and what they miss, where -square is the square of the angle"""
-
     def yes(square, square_low):
         total, total_low = fast_two_sum(xp, 1.0, 0.5*square)
         total, total_low2 = fast_two_sum(xp, total, (square*square)*cos_series(xp, square))
@@ -711,7 +702,6 @@ def whole_turns(xp, half, square, square_low, root, stiff):
         39.47841760435743, 2.5061182034958845e-15, 1.4920070805839235e-31,
         2.4492935982947064e-16, 67108864.0)
     )
-
     def yes(half, root, square, square_low, stiff):
         count = xp.floor(0.5*root/3.141592653589793 + 0.5)
         prod3, prod_low3 = two_prod(xp, count, xp.full_like(count, number))
@@ -825,7 +815,6 @@ def numerator_at_one_series(xp, h, w):
 def numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, ratio,
     ratio_low):
     """n1 + n0 of a creeping device"""
-
     def yes(half, w):
         return 2.0*scaled_sum(xp, xp.exp(-half), 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
@@ -846,12 +835,10 @@ def half_squares(xp, half, envelope, wave, back):
 
 def numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved, gamma):
     """n1 + n0 of a swinging device"""
-
     def yes(envelope, half, w):
         return 2.0*scaled_sum(xp, envelope, 0.0, numerator_at_one_series(xp, half, w), 0.5)
 
     def no(envelope, gamma, half, moved, near, root, w, w_low):
-
         def no(envelope, gamma, half, root, w, w_low):
             angle = 0.5*root
             back = -0.5*root_miss(xp, w, w_low, root)*xp.cos(angle)
@@ -885,8 +872,7 @@ def device_together_trace(xp, gamma, delta):
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
             ratio, ratio_low), plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
 
-    return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no,
-        (gamma, half, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no)
 
 
 def plant_n0(xp, gamma, delta):
@@ -895,7 +881,6 @@ def plant_n0(xp, gamma, delta):
     decayed, decayed_low = slow_fade(xp, reach, half)
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
-
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
             envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
                 swinging_device(xp, gamma, half, w, w_low, root)
@@ -927,7 +912,6 @@ def plant_n1(xp, gamma, delta):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
     def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
             envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
                 swinging_device(xp, gamma, half, w, w_low, root)
@@ -943,7 +927,7 @@ def plant_n1(xp, gamma, delta):
                 even2, even_low2, decayed, decayed_low)
 
         return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
-            no, (decayed, decayed_low, gamma, half, reach, root, w, w_low))
+            no)
 
     return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
         (decayed, decayed_low, gamma, half, reach, root, w, w_low))
@@ -951,7 +935,7 @@ def plant_n1(xp, gamma, delta):
 
 def decay(xp, x):
     """(1 - exp(-x))/x"""
-    return select(xp, x == 0.0, lambda x: 1.0, (x,), lambda x: -xp.expm1(-x)/x, (x,))
+    return select(xp, x == 0.0, lambda x: 1.0, (x,), lambda x: -xp.expm1(-x)/x)
 
 
 def denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low):
@@ -993,7 +977,6 @@ def numerator_gap_series(xp, h, w):
 
 def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even, even_low, delta):
     """(n1 - n0)/delta of a creeping device"""
-
     def yes(half, w):
         return scaled_sum(xp, xp.exp(-half), 0.0, numerator_gap_series(xp, half, w),
             0.16666666666666666)
@@ -1012,7 +995,6 @@ def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even
 
 def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
     """(n1 - n0)/delta of a swinging device"""
-
     def yes(envelope, half, w):
         return scaled_sum(xp, envelope, 0.0, numerator_gap_series(xp, half, w), 0.16666666666666666)
 
@@ -1062,8 +1044,7 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
             even_low2, decayed, decayed_low)
         )
 
-    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
-        (delta, gamma, half, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
 
 def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
@@ -1123,7 +1104,6 @@ def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apar
 def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
     together, apart, center, beyond, d):
     """what the crossing on a piece, if there is one, adds"""
-
     def yes(alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low,
         n1, slope, together, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
@@ -1140,13 +1120,11 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
                 xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
                 xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
             )
-            turned = -2.0*found*rises
-            return turned
+            return -2.0*found*rises
 
-        turned = select(xp, (rest > 0.0) & (y > 0.0), yes,
+        return select(xp, (rest > 0.0) & (y > 0.0), yes,
             (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together, x, y, zone), lambda rest: 0.0, (rest,))
-        return turned
 
     return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
         (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
@@ -1161,11 +1139,6 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     at = -k2/some
     cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
 
-    def yes(low):
-        one = low
-        two = low
-        return one, two
-
     def no(disc, high, k1, k2, k3, low):
         root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
         q = -k2 - xp.where(k2 < 0.0, -root, root)
@@ -1173,11 +1146,13 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
         at2 = q/some2
         some2 = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
         at3 = k1/some2
-        one = xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low)
-        two = xp.where((at3 < high) & (at3 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at3, low)
-        return one, two
+        return (
+            xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low),
+            xp.where((at3 < high) & (at3 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at3, low)
+        )
 
-    one, two = select(xp, disc < 0.0, yes, (low,), no, (disc, high, k1, k2, k3, low))
+    one, two = select(xp, disc < 0.0, lambda low: (low, low), (low,), no,
+        (disc, high, k1, k2, k3, low))
     less = xp.where(one < two, one, two)
     more = xp.where(one > two, one, two)
     first = xp.where(cut < less, cut, less)
@@ -1304,8 +1279,7 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
             delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
             even2, even_low2, decayed, decayed_low)
 
-    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
-        (delta, gamma, half, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
 
 def late_device(xp, gamma, delta, part):
@@ -1366,7 +1340,7 @@ def quadratic_roots(xp, c, b, a, root):
     one = xp.where(case1, -1.0, q/lead_)
     two = xp.where(case2, -1.0, c/own)
     return select(xp, b >= 0.0, lambda one, two: (one, two), (one, two), lambda one,
-        two: (two, one), (one, two))
+        two: (two, one))
 
 
 def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart):
@@ -1411,26 +1385,14 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
     )
 
-    def yes(product2, square3):
-        disc4 = square3 - product2
-        return disc4
-
     def no(product, product3, size, size2, size3, square2, square4):
-
-        def yes(product3, square4):
-            disc4 = square4 - product3
-            return disc4
-
-        def no(product, square2):
-            disc4 = square2 - product
-            return disc4
-
-        disc4 = select(xp, (size > size3) & (size2 > size3), yes, (product3, square4), no,
+        return select(xp, (size > size3) & (size2 > size3), lambda product3, square4: square4 -
+            product3, (product3, square4), lambda product, square2: square2 - product,
             (product, square2))
-        return disc4
 
-    disc4 = select(xp, (size >= size2) & (size2 <= size3), yes, (product2, square3), no,
-        (product, product3, size, size2, size3, square2, square4))
+    disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product2, square3: square3 -
+        product2, (product2, square3), no, (product, product3, size, size2, size3, square2,
+        square4))
 
     def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0, own1,
         own2, slope, square, together, wall_far):
@@ -1438,10 +1400,9 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         low, high = quadratic_roots(xp, near0, near1, square, root)
         low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
         low3, high3 = quadratic_roots(xp, far0, far1, square, root)
-        total = 2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
+        return 2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
             n1, loss, together, apart) - 2.0*crossing_turns(xp, high, low3, high2, center, beyond,
             alpha, slope, wall_far, d, n1, loss, together, apart)
-        return total
 
     total = select(xp, disc4 >= 0.0, yes, (alpha, apart, beyond, center, d, disc4, far0, far1,
         loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far),
@@ -1501,8 +1462,7 @@ def device_at_minus_one_together_n_gap(xp, gamma, delta):
             mean_low, ratio, even2, even_low2, delta)
         )
 
-    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no,
-        (delta, gamma, half, reach, root, w, w_low))
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
 
 def next_wave_single(xp, k, x):
@@ -1617,8 +1577,7 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
         there = fc/two
         other = fa/three
         last = fb/two
-        guess = here*there + last*other*(c - a)/whole3
-        return guess
+        return here*there + last*other*(c - a)/whole3
 
     guess = select(xp, safe > 0.0, yes, (a, c, fa, fb, fc, whole), lambda safe: 0.5, (safe,))
     share = xp.where(guess < 1.0 - edge, guess, 1.0 - edge)
@@ -1716,11 +1675,7 @@ def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
         high = 0.041666666666666664*3.141592653589793*count
         low = xp.where(0.001*high > 0.041666666666666664*3.141592653589793*(count - 1.0), 0.001*
             high, 0.041666666666666664*3.141592653589793*(count - 1.0))
-
-        def value(at, k, k2, k3, k4, k5):
-            return early_slope(xp, at, k, k2, k3, k4, k5)
-
-        return crossing(xp, value, low, high, close, (k, k2, k3, k4, k5))
+        return crossing(xp, lambda *v: early_slope(xp, *v), low, high, close, (k, k2, k3, k4, k5))
 
     return select(xp, found > 0.0, yes, (count, k, k2, k3, k4, k5),
         lambda found: 3.141592653589793, (found,))
@@ -1783,12 +1738,8 @@ def later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across):
         high = 0.041666666666666664*count*turn_
         low = xp.where(0.001*high > 0.041666666666666664*turn_*(count - 1.0), 0.001*high,
             0.041666666666666664*turn_*(count - 1.0))
-
-        def value(at, across, apart, at_minus_one, at_one, l, loss, together):
-            return boundary_slope(xp, at, l, at_one, at_minus_one, loss, together, apart, across)
-
-        return crossing(xp, value, low, high, close,
-            (across, apart, at_minus_one, at_one, l, loss, together))
+        return crossing(xp, lambda *v: boundary_slope(xp, *v), low, high, close,
+            (l, at_one, at_minus_one, loss, together, apart, across))
 
     return select(xp, found > 0.0, yes, (across, apart, at_minus_one, at_one, count, l, loss,
         together, turn_), lambda found: xp.nan, (found,))
@@ -1808,27 +1759,19 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
     def yes(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
         root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
-        above = k2 + root
-        below = xp.where(0.0 > -2.0*k, 0.0, -2.0*k)
-        return above, below
+        return k2 + root, xp.where(0.0 > -2.0*k, 0.0, -2.0*k)
 
     def no(k, k2, k3):
         discriminant = (k2*k2) - 4.0*k*k3
 
-        def yes(k3):
-            above = 2.0*k3
-            return above, 0.0
-
         def no(discriminant, k2, k3):
             root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
-            above = 2.0*k3
-            below = root - k2
-            return above, below
+            return 2.0*k3, root - k2
 
-        above, below = select(xp, discriminant < 0.0, yes, (k3,), no, (discriminant, k2, k3))
-        return above, below
+        return select(xp, discriminant < 0.0, lambda k3: (2.0*k3, 0.0), (k3,), no,
+            (discriminant, k2, k3))
 
-    above, below = select(xp, k2 > 0.0, yes, (k, k2, k3), no, (k, k2, k3))
+    above, below = select(xp, k2 > 0.0, yes, (k, k2, k3), no)
     return 2.0*xp.atan2(square_root(xp, above), square_root(xp, below))
 
 
@@ -1837,29 +1780,17 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
     """the angle of the wall of largest stable stiffness, or NaN"""
     number, number2 = (0.9999237060546875, 7.62939453125e-05) if gamma.dtype == xp.float32 else (
         0.9999999953433871, 4.6566128730773926e-09)
-
     def yes(apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss, part, together):
         across = xp.where(part == 0.0, first, first - last)
 
-        def yes(apart, at_minus_one, at_one, loss, together):
-            theta = undelayed_angle(xp, at_one, at_minus_one, loss, together, apart)
-            return theta
-
         def no(across, apart, at_minus_one, at_one, d, l, last, loss, together):
+            return select(xp, d < 1.0, lambda *v: early_angle(xp, *v),
+                (at_one, at_minus_one, loss, together, apart, last),
+                lambda *v: later_angle(xp, *v), (d, l, at_one, at_minus_one, loss, together, apart,
+                across))
 
-            def yes(apart, at_minus_one, at_one, last, loss, together):
-                theta = early_angle(xp, at_one, at_minus_one, loss, together, apart, last)
-                return theta
-
-            def no(across, apart, at_minus_one, at_one, d, l, loss, together):
-                theta = later_angle(xp, d, l, at_one, at_minus_one, loss, together, apart, across)
-                return theta
-
-            theta = select(xp, d < 1.0, yes, (apart, at_minus_one, at_one, last, loss, together),
-                no, (across, apart, at_minus_one, at_one, d, l, loss, together))
-            return theta
-
-        theta = select(xp, d == 0.0, yes, (apart, at_minus_one, at_one, loss, together), no,
+        theta = select(xp, d == 0.0, lambda *v: undelayed_angle(xp, *v),
+            (at_one, at_minus_one, loss, together, apart), no,
             (across, apart, at_minus_one, at_one, d, l, last, loss, together))
         t = sin_next(xp, l, theta)
         t2 = 0.5*theta
@@ -1880,22 +1811,10 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
         def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
             t14, together):
             inside_ = number*stiffness - number2*gamma
-
-            def yes(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
-                outside = whole_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one, loss,
-                    together, apart)
-                return outside
-
-            def no(apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together):
-                outside = fractional_roots(xp, inside_, t14, l, first, last, at_one, at_minus_one,
-                    loss, together, apart)
-                return outside
-
-            outside = select(xp, part == 0.0, yes,
-                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together), no,
-                (apart, at_minus_one, at_one, first, inside_, l, last, loss, t14, together))
-            good = stable(xp, outside, inside_, t14, gamma, delta)
-            return good
+            outside = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
+                (inside_, t14, l, first, last, at_one, at_minus_one, loss, together, apart),
+                lambda *v: fractional_roots(xp, *v))
+            return stable(xp, outside, inside_, t14, gamma, delta)
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), lambda d: 1.0, (d,), no,
@@ -1913,7 +1832,6 @@ def gap(xp, x):
     begin, number2, number3 = (17, -4.967053879312289e-09,
         0.1666666716337204) if x.dtype == xp.float32 else (25, 9.25185853854297e-18,
         0.16666666666666666)
-
     def yes(x):
         square = -(x*x)
         total = 0.0
@@ -1923,13 +1841,13 @@ def gap(xp, x):
         rest = square*total + number2
         return rest + number3
 
-    return select(xp, xp.abs(x) < 2.0, yes, (x,), lambda x: (x - xp.sin(x))/(x*x*x), (x,))
+    return select(xp, xp.abs(x) < 2.0, yes, (x,), lambda x: (x - xp.sin(x))/(x*x*x))
 
 
 def sinc(xp, x):
     """sin(x)/x"""
     return select(xp, xp.abs(x) < 1.0, lambda x: 1.0 - (x*x)*gap(xp, x), (x,), lambda x: xp.sin(x)/
-        x, (x,))
+        x)
 
 
 def damping_at(xp, alpha, beta, l, epsilon, psi):
@@ -1986,7 +1904,6 @@ def rising(xp, alpha, beta, l, epsilon, psi):
 
 def steepness(xp, alpha, beta, l, epsilon, psi):
     """has the sign of the slope of DampingAt, up to the angle in phase"""
-
     def yes(alpha, beta, l, psi):
         t = 2.0*l + 2.0
         return (
@@ -2025,7 +1942,6 @@ def worst_angle(xp, alpha, beta, l, epsilon):
 
 def largest_required_damping(xp, alpha, beta, d):
     """the damping that the wall needs at its worst angle"""
-
     def no(alpha, beta, d):
         whole = xp.floor(d)
         part = d - whole
@@ -2042,7 +1958,6 @@ def between(xp, share, early, late):
 
 def lead(xp, theta, l, epsilon):
     """negative beyond the angle in phase with the delay"""
-
     def yes(epsilon, l, theta):
         early = sin_next(xp, l, theta)
         late = sin_next(xp, l + 1.0, theta)
@@ -2120,15 +2035,9 @@ def turn(xp, psi, l, epsilon):
     wave10 = sinc(xp, psi*(2.0*l + 2.0))
     wave11 = sinc(xp, psi*(2.0*l + 3.0))
     wave12 = sinc(xp, psi*(2.0*l + 4.0))
-
-    def value(at, epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6,
-        wave7, wave8, wave9):
-        return turning(xp, at, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8,
-            wave9, wave10, wave11, wave12)
-
-    return crossing(xp, value, 0.0, 0.5*3.141592653589793, close,
-        (epsilon, l, wave, wave10, wave11, wave12, wave2, wave3, wave4, wave5, wave6, wave7, wave8,
-        wave9))
+    return crossing(xp, lambda *v: turning(xp, *v), 0.0, 0.5*3.141592653589793, close,
+        (l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7, wave8, wave9, wave10, wave11,
+        wave12))
 
 
 def touching(xp, theta, l, epsilon):
@@ -2155,11 +2064,7 @@ def passive_angle(xp, l, epsilon):
     close = 2.384185791015625e-07 if l.dtype == xp.float32 else 4.440892098500626e-16
     low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
     high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-
-    def value(at, epsilon, l):
-        return passive_slope(xp, at, l, epsilon)
-
-    root = crossing(xp, value, low, high, close, (epsilon, l))
+    root = crossing(xp, lambda *v: passive_slope(xp, *v), low, high, close, (l, epsilon))
     return 2.0*root
 
 
