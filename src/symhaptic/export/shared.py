@@ -23,7 +23,7 @@ def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     done: list[Step] = []
     inverse: dict[Expr, Expr] = {}
     for name, expr in steps:
-        if expr.is_Pow and expr.exp == -1 and expr.base.is_Function:
+        if expr.is_Pow and expr.exp == -1 and (expr.base.is_Function or _is_count(expr.base)):
             # a product with what is rounded already would be rounded twice
             inverse[name], expr = 1 / name, expr.base
         done.append((name, _with_named_bases(expr.xreplace(inverse), done, fresh)))
@@ -34,6 +34,11 @@ def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     return Routine(
         form.name, form.title, form.arguments, tuple(done), results, within, form.outside
     )
+
+
+def _is_count(expr: Expr) -> bool:
+    """Whether it is a symbol and a number, added."""
+    return bool(expr.is_Add) and {a.is_Symbol or a.is_Number for a in expr.args} == {True}
 
 
 def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], list[Expr]]]:

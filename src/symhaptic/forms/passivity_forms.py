@@ -181,7 +181,7 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
     quarter = pi * share / 4
     stiffness = 2 * delta * sp.tan(quarter)
     angle = pi * share / 2
-    damping = delta * (2 / (pi * Sinc(angle)) - sp.tan(quarter))
+    damping = delta * (share / sp.sin(angle) - sp.tan(quarter))
     whole = [at_numbers(undelayed(parts, expr)) for expr in (stiffness, damping, angle)]
 
     def equal() -> Pairs:

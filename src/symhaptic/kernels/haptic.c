@@ -1485,19 +1485,19 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
     }
     const double whole = floor(d), part = d - whole;
     if (part == 0.0) {
-        const double t0 = 3.141592653589793/(d + 1.0), t1 = tan(0.25*t0), t2 = 0.5*t0;
-        *alpha_out = 2.0*delta*t1;
-        *beta_out = delta*(-t1 + 2.0/(3.141592653589793*sinc(t2))); *theta_out = t2;
-        return;
+        const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1);
+        const double t3 = 0.5*t1;
+        *alpha_out = 2.0*delta*t2; *beta_out = delta*(-t2 + 1.0/(t0*sin(t3)));
+        *theta_out = t3; return;
     }
-    const double t4 = whole + 1.0, t6 = passive_angle(whole, part);
-    const double t7 = touching(t6, whole, part), t8 = cos(t7), t9 = t8/t4;
-    const double t10 = sin(t7), t11 = t10 - 0.5*t9, t12 = 0.5*t6;
-    const double t13 = between(part, straight(t9, t11, whole, t12), straight(t9, t11, t4, t12));
-    const double t15 = sin(t12), t16 = cos(t12);
-    const double t14 = delta/(0.5*t13 + 0.5*
-        sqrt(part*(1.0 - part)*(4.0*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4)) + (t13*t13)));
-    *alpha_out = t14*t9; *beta_out = t11*t14; *theta_out = t6; return;
+    const double t5 = whole + 1.0, t7 = passive_angle(whole, part);
+    const double t8 = touching(t7, whole, part), t9 = cos(t8), t10 = t9/t5;
+    const double t11 = sin(t8), t12 = -0.5*t10 + t11, t13 = 0.5*t7;
+    const double t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
+    const double t16 = sin(t13), t17 = cos(t13);
+    const double t15 = delta/(0.5*t14 + 0.5*
+        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) + (t14*t14)));
+    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {

@@ -2437,27 +2437,28 @@ def max_passive_stiffness(delta, d):
         part = d - whole
 
         def yes(d, delta):
-            t0 = 3.141592653589793/(d + 1.0)
-            t1 = xp.tan(0.25*t0)
-            t0 = 0.5*t0
-            return 2.0*delta*t1, delta*(2.0/(3.141592653589793*sinc(xp, t0)) - t1), t0
+            t0 = d + 1.0
+            t1 = 3.141592653589793/t0
+            t2 = xp.tan(0.25*t1)
+            t1 = 0.5*t1
+            return 2.0*delta*t2, delta*(1.0/(t0*xp.sin(t1)) - t2), t1
 
         def no(delta, part, whole):
-            t4 = whole + 1.0
-            t6 = passive_angle(xp, whole, part)
-            t7 = touching(xp, t6, whole, part)
-            t8 = xp.cos(t7)
-            t9 = t8/t4
-            t7 = xp.sin(t7)
-            t11 = t7 - 0.5*t9
-            t12 = 0.5*t6
-            t13 = between(xp, part, straight(xp, t9, t11, whole, t12),
-                straight(xp, t9, t11, t4, t12))
-            t15 = xp.sin(t12)
-            t12 = xp.cos(t12)
-            t12 = delta/(0.5*t13 + 0.5*square_root(xp, part*(1.0 - part)*
-                (4.0*(t7*t7)*(t15*t15) + (t12*t12)*(t8*t8)/(t4*t4)) + (t13*t13)))
-            return t12*t9, t11*t12, t6
+            t5 = whole + 1.0
+            t7 = passive_angle(xp, whole, part)
+            t8 = touching(xp, t7, whole, part)
+            t9 = xp.cos(t8)
+            t10 = t9/t5
+            t8 = xp.sin(t8)
+            t12 = t8 - 0.5*t10
+            t13 = 0.5*t7
+            t14 = between(xp, part, straight(xp, t10, t12, whole, t13),
+                straight(xp, t10, t12, t5, t13))
+            t16 = xp.sin(t13)
+            t13 = xp.cos(t13)
+            t13 = delta/(0.5*t14 + 0.5*square_root(xp, part*(1.0 - part)*
+                (4.0*(t8*t8)*(t16*t16) + (t13*t13)*(t9*t9)/(t5*t5)) + (t14*t14)))
+            return t10*t13, t12*t13, t7
 
         return select(xp, part == 0.0, yes, (d, delta), no, (delta, part, whole))
 

@@ -1503,19 +1503,20 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     }
     const float whole = floorf(d), part = d - whole;
     if (part == 0.0f) {
-        const float t0 = 3.1415927f/(d + 1.0f), t1 = tanf(0.25f*t0), t2 = 0.5f*t0;
-        *alpha_out = 2.0f*delta*t1;
-        *beta_out = delta*(-t1 + 2.0f/(3.1415927f*sinc(t2))); *theta_out = t2; return;
+        const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1);
+        const float t3 = 0.5f*t1;
+        *alpha_out = 2.0f*delta*t2; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t3)));
+        *theta_out = t3; return;
     }
-    const float t4 = whole + 1.0f, t6 = passive_angle(whole, part);
-    const float t7 = touching(t6, whole, part), t8 = cosf(t7), t9 = t8/t4;
-    const float t10 = sinf(t7), t11 = t10 - 0.5f*t9, t12 = 0.5f*t6;
-    const float t13 = between(part, straight(t9, t11, whole, t12), straight(t9, t11, t4, t12));
-    const float t15 = sinf(t12), t16 = cosf(t12);
-    const float t14 = delta/(0.5f*t13 + 0.5f*
-        sqrtf(part*(1.0f - part)*(4.0f*(t10*t10)*(t15*t15) + (t16*t16)*(t8*t8)/(t4*t4)) +
-        (t13*t13)));
-    *alpha_out = t14*t9; *beta_out = t11*t14; *theta_out = t6; return;
+    const float t5 = whole + 1.0f, t7 = passive_angle(whole, part);
+    const float t8 = touching(t7, whole, part), t9 = cosf(t8), t10 = t9/t5;
+    const float t11 = sinf(t8), t12 = -0.5f*t10 + t11, t13 = 0.5f*t7;
+    const float t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
+    const float t16 = sinf(t13), t17 = cosf(t13);
+    const float t15 = delta/(0.5f*t14 + 0.5f*
+        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) +
+        (t14*t14)));
+    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
 }
 
 float haptic_single_linear_limit(float beta, float delta, float d) {
