@@ -58,6 +58,7 @@ class ArrayApi(Target):
         "plant work inside limits guarded most yes no add series value crossing"
     )
     modules = standard.PYTHON
+    leaves_zeros_out = False  # both precisions are written as one
     operations = single = called(
         "xp.",
         Infinity="xp.inf",

@@ -174,8 +174,7 @@ def functional(block: Block, known: Mapping[Symbol, Expr] = MappingProxyType({})
         elif isinstance(statement, Join):
             names = statement.names or _set_in(statement.yes)
             yes, no = (
-                functional((*side, Return(names)), known)
-                for side in (statement.yes, statement.no)
+                functional((*side, Return(names)), known) for side in (statement.yes, statement.no)
             )
             found.append(Join(names, statement.condition.xreplace(known), yes, no))
         elif isinstance(statement, Choice):

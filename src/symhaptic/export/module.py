@@ -29,6 +29,7 @@ from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.shared import routine
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
+from symhaptic.export.zeros import without_zeros
 from symhaptic.forms.stable import Form
 
 
@@ -124,6 +125,17 @@ def _called(routine: Routine) -> frozenset[str]:
     return calls(routine) | operations(routine)
 
 
+def _reached(helpers: Mapping[str, Routine], public: Iterable[Routine]) -> set[str]:
+    """The helpers that are called, and operations that are written out."""
+    left = list(public)
+    found: set[str] = set()
+    while left:
+        asked = _called(left.pop()) & helpers.keys() - found
+        found |= asked
+        left += (helpers[name] for name in asked)
+    return found
+
+
 def library(
     name: str, title: str, forms: Iterable[Form], target: Target, merges: bool = True
 ) -> Library:
@@ -151,6 +163,9 @@ def library(
 
     for one in public:
         add(one)
+    if merges and target.leaves_zeros_out:
+        found, public = without_zeros(ordered, public)
+        ordered = {name: found[name] for name in ordered if name in _reached(found, public)}
     for one in (*ordered.values(), *public):
         for missing in sorted(operations(one) - set(target.operations)):
             raise Refused(f"{target.name}: has no operation {missing!r}, which {one.name} needs")

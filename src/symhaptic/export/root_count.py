@@ -209,7 +209,7 @@ def stable(precision: Precision = DOUBLE) -> Routine:
     """No root outside, none at 1, and no device that swings on whatever the wall does."""
     do = Steps()
     swing = do("swing", sqrt(gamma))
-    free = And(sp.Eq(alpha, 0), sp.Eq(beta, 0), sp.Eq(delta, 0))
+    free = And(sp.Eq(alpha, 0), sp.Eq(beta, 0), sp.Eq(delta, 0), gamma > 0)
     bound = 2 * precision.last * swing
     stuck = And(delta < 5 * precision.last, gamma > 1, sp.Abs(sp.sin(swing)) <= bound)
     good = And(sp.Eq(roots, 0), alpha > -gamma, sp.Not(free), sp.Not(stuck))

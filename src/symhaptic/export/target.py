@@ -140,6 +140,8 @@ class Target:
         """What declares a variable that gets its value later."""
         return "let"
 
+    leaves_zeros_out = True
+    """Whether helpers have no arguments that are 0 in all calls."""
     shares = False
     """Whether one statement declares several names, in a language with braces."""
     changing = ""

@@ -730,7 +730,7 @@ static inline Delayed late_device(double gamma, double delta, double part) {
 // 1 where the loop is stable, else 0
 static inline double stable(double roots, double alpha, double beta, double gamma, double delta) {
     const double swing = sqrt(gamma);
-    if ((!((alpha == 0.0) && (beta == 0.0) && (delta == 0.0))) &&
+    if ((!((alpha == 0.0) && (beta == 0.0) && (delta == 0.0) && (gamma > 0.0))) &&
         (!((delta < 1.1102230246251565e-15) && (gamma > 1.0) &&
         (swing >= 2251799813685248.0*fabs(sin(swing))))) && (alpha > -gamma) && (roots == 0.0)) {
         return 1.0;

@@ -1305,7 +1305,7 @@ def stable(xp, roots, alpha, beta, gamma, delta):
         1.1102230246251565e-15, 2251799813685248.0)
     swing = square_root(xp, gamma)
     return xp.where((alpha > -gamma) & (roots == 0.0) &
-        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0))) &
+        (~((alpha == 0.0) & (beta == 0.0) & (delta == 0.0) & (gamma > 0.0))) &
         (~((delta < number) & (gamma > 1.0) & (swing >= number2*xp.abs(xp.sin(swing))))),
         xp.full_like(alpha, 1.0), 0.0)
 

@@ -726,7 +726,7 @@ static inline Delayed late_device(float gamma, float delta, float part) {
 // 1 where the loop is stable, else 0
 static inline float stable(float roots, float alpha, float beta, float gamma, float delta) {
     const float swing = sqrtf(gamma);
-    if ((!((alpha == 0.0f) && (beta == 0.0f) && (delta == 0.0f))) &&
+    if ((!((alpha == 0.0f) && (beta == 0.0f) && (delta == 0.0f) && (gamma > 0.0f))) &&
         (!((delta < 5.9604645e-07f) && (gamma > 1.0f) &&
         (swing >= 4.194304e+06f*fabsf(sinf(swing))))) && (alpha > -gamma) && (roots == 0.0f)) {
         return 1.0f;
