@@ -333,7 +333,12 @@ class Scope:
     def _there(self, expr: Expr) -> set[Symbol]:
         """The variables of a call, and of calls whose results it is handed."""
         found: set[Symbol] = set()
-        handed = {n: s.call for i in self.handed for s in [self.block[i]] for n in s.names}
+        handed = {
+            name: s.call
+            for i, s in enumerate(self.block)
+            if isinstance(s, Several) and i in self.handed
+            for name in s.names
+        }
         for symbol in expr.free_symbols:
             found |= self._there(handed[symbol]) if symbol in handed else {symbol}
         return found

@@ -52,7 +52,7 @@ STIFF = sp.Integer(4)
 # -- the motion: w = delta^2/4 - gamma and both poles, to twice the precision -----------------
 
 HALF, ROOT, REACH = sp.symbols("half root reach")
-W = sp.symbols("w w_low")
+W: Pair = sp.symbols("w w_low")
 MOTION = (HALF, *W, ROOT, REACH)
 """delta/2, w, sqrt |w|, and the size of the poles in parts of that up to which series serve."""
 
@@ -80,7 +80,8 @@ class Motion:
 
 def motion(do: Steps) -> Motion:
     """The steps that find it."""
-    return Motion(*do.several(_NAMES, "DeviceMotion", gamma, delta))
+    half, w, w_low, root, reach = do.several(_NAMES, "DeviceMotion", gamma, delta)
+    return Motion(half, w, w_low, root, reach)
 
 
 _SWINGING, _CREEPING = ("Motion", "Swinging"), ("Motion", "Creeping")
@@ -109,8 +110,8 @@ def device_motion() -> Routine:
     root = do("root", sqrt(sp.Abs(w)))
     reach = do("reach", choose(w < 0, gamma / STIFF, (half + root) / NEAR))
     found = half, w, w_low, root, reach
-    return do.routine("DeviceMotion", "half = delta/2, w = half^2 - gamma, its root and the size of "
-                      "the poles", (gamma, delta), dict(zip(_NAMES, found, strict=True)),
+    return do.routine("DeviceMotion", "half = delta/2, w = half^2 - gamma, its root and the size "
+                      "of the poles", (gamma, delta), dict(zip(_NAMES, found, strict=True)),
                       "Motion")  # fmt: skip
 
 
@@ -244,7 +245,7 @@ ENVELOPE = sp.Symbol("envelope")
 WAVE = Wave(sp.symbols("even even_low"), sp.symbols("wave wave_low"))
 NEAR_TURNS, RISEN, SUNK, MOVED = sp.symbols("near risen sunk moved")
 SWING = (ENVELOPE, *WAVE.even, *WAVE.odd, NEAR_TURNS, RISEN, SUNK, MOVED)
-"""exp(-delta/2); cos(root), sin(root)/root; whether it is near whole turns, n1, n0, n1 + n0 there."""
+"""exp(-half); cos(root), sin(root)/root; whether it is near whole turns, n1, n0, n1 + n0 there."""
 
 
 def swinging_device() -> Routine:
@@ -463,16 +464,16 @@ def numerator_gap() -> Routine:
     v = shared(do)
     small = v.m.reach < 1
     near = _gap_near(small, v.m.half, v.m.w)
-    return _whole(do, "NumeratorGap", "(n1 - n0)/delta",
-                  choose(small, near, v.called(numerator_gap_swing, numerator_gap_creep)))  # fmt: skip
+    found = v.called(numerator_gap_swing, numerator_gap_creep)
+    return _whole(do, "NumeratorGap", "(n1 - n0)/delta", choose(small, near, found))
 
 
 ROUTINES = (
-    device_motion, real_poles, creeping_device, swinging_device, plant_n1_creep, plant_n0_creep, numerator_at_one_creep,
-    denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep, plant_n1_swing,
-    plant_n0_swing, half_squares, numerator_at_one_swing, denominator_at_minus_one_swing,
-    plant_trace_swing, numerator_gap_swing, slow_fade, plant_n0_near, plant_n1, plant_n0,
-    numerator_at_one,
-    denominator_at_minus_one, plant_trace, numerator_gap,
+    device_motion, real_poles, creeping_device, swinging_device, plant_n1_creep, plant_n0_creep,
+    numerator_at_one_creep, denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep,
+    plant_n1_swing, plant_n0_swing, half_squares, numerator_at_one_swing,
+    denominator_at_minus_one_swing, plant_trace_swing, numerator_gap_swing, slow_fade,
+    plant_n0_near, plant_n1, plant_n0, numerator_at_one, denominator_at_minus_one, plant_trace,
+    numerator_gap,
 )  # fmt: skip
 PRECISE: tuple[Callable[[Precision], Routine], ...] = ()

@@ -120,15 +120,14 @@ class Records:
         """Pairs whose two numbers stand in one call, as one of its pairs, and nowhere else."""
         used: Counter[str] = Counter()
         whole_: Counter[str] = Counter()
-        for step in (*routine.steps, *routine.results):
+        exprs = [(e, step) for step in routine.steps for e in computed(step)]
+        for expr, step in [*exprs, *((e, None) for _, e in routine.results)]:
             again = 2 if isinstance(step, (Repeat, Search)) else 1
-            exprs = computed(step) if step in routine.steps else step[1:]
-            for expr in exprs:
-                for part in sp.preorder_traversal(expr):
-                    if part.is_Symbol:
-                        used[part.name] += again
-                    elif (name := part.func.__name__) in self.routines:
-                        whole_.update(self._pairs(name, part.args, places))
+            for part in sp.preorder_traversal(expr):
+                if part.is_Symbol:
+                    used[part.name] += again
+                elif (name := part.func.__name__) in self.routines:
+                    whole_.update(self._pairs(name, part.args, places))
         if routine.name in self.routines:
             results = dict(routine.results)
             for part in (p for p in joined(_fields(routine)) if len(p) > 1):

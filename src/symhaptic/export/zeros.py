@@ -1,4 +1,4 @@
-"""Arguments that are 0 in every call, or idle then: a scene without a spring has no use for its stiffness."""
+"""Arguments that are 0 in every call, or idle then: those of a spring that a scene has not."""
 
 from __future__ import annotations
 
