@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.routine import Routine, Several, Step
+from symhaptic.export.routine import Repeat, Routine, Several, Step
 
 
 def without_zeros(
@@ -47,29 +47,21 @@ def _zeros(helpers: Mapping[str, Routine], public: Iterable[Routine]) -> dict[st
 
 def _left(routine: Routine, gone: tuple[int, ...]) -> Routine:
     """A helper with 0 for some of its arguments."""
+    if not gone:
+        return routine
     zero = {routine.arguments[i]: sp.S.Zero for i in gone}
-    steps = tuple(
-        (step[0], step[1].xreplace(zero)) if isinstance(step, tuple) else step.xreplace(zero)
-        for step in routine.steps
-    )
-    results = tuple((name, expr.xreplace(zero)) for name, expr in routine.results)
-    arguments = tuple(s for s in routine.arguments if s not in zero)
-    return _settled(replace(routine, arguments=arguments, steps=steps, results=results))
-
-
-def _settled(routine: Routine) -> Routine:
-    """With each step that has become a number in its place."""
-    known: dict[Expr, Expr] = {}
+    known: dict[Expr, Expr] = dict(zero)
     steps: list[Step] = []
     for step in routine.steps:
         if not isinstance(step, tuple):
-            steps.append(step.xreplace(known))
+            steps.append(_mapped(step, lambda expr: expr.xreplace(known)))
         elif (value := step[1].xreplace(known)) == 0:
             known[step[0]] = value
         else:
             steps.append((step[0], value))
     results = tuple((name, expr.xreplace(known)) for name, expr in routine.results)
-    return replace(routine, steps=tuple(steps), results=results)
+    arguments = tuple(s for s in routine.arguments if s not in zero)
+    return replace(routine, arguments=arguments, steps=tuple(steps), results=results)
 
 
 def _called(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
@@ -77,7 +69,7 @@ def _called(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
 
     def without(expr: Expr) -> Expr:
         return expr.replace(
-            lambda part: isinstance(part, sp.Function) and bool(gone.get(type(part).__name__)),
+            lambda part: isinstance(part, sp.Function) and type(part).__name__ in gone,
             lambda part: sp.Function(type(part).__name__)(
                 *(a for i, a in enumerate(part.args) if i not in gone[type(part).__name__])
             ),
@@ -85,13 +77,21 @@ def _called(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
 
     if not any(True for _ in _calls((routine,), gone)):
         return routine
-    steps: list[Step] = []
-    for step in routine.steps:
-        if isinstance(step, tuple):
-            steps.append((step[0], without(step[1])))
-        elif isinstance(step, Several):
-            steps.append(replace(step, call=without(step.call)))
-        else:
-            steps.append(step)
+    steps = tuple(_mapped(step, without) for step in routine.steps)
     results = tuple((name, without(expr)) for name, expr in routine.results)
-    return replace(routine, steps=tuple(steps), results=results)
+    return replace(routine, steps=steps, results=results)
+
+
+def _mapped(step: Step, change: Callable[[Expr], Expr]) -> Step:
+    """A step with all of its expressions changed."""
+    if isinstance(step, tuple):
+        return step[0], change(step[1])
+    if isinstance(step, Several):
+        return replace(step, call=change(step.call))
+    if isinstance(step, Repeat):
+        inner = tuple((name, change(expr)) for name, expr in step.steps)
+        start, done = tuple(map(change, step.start)), change(step.done)
+        return replace(step, start=start, steps=inner, done=done, brief=change(step.brief))
+    value, low, high, found = map(change, (step.value, step.low, step.high, step.found))
+    inner_steps = tuple(_mapped(s, change) for s in step.steps)
+    return replace(step, value=value, low=low, high=high, found=found, steps=inner_steps)
