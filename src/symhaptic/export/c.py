@@ -160,7 +160,8 @@ class C(Target):
         name, printer = call.func.__name__, self.printing()
         args = [printer.doprint(a) for a in call.args]
         if self.records is not None:
-            args = list(map(self._handed, self.records.given(name, args)))
+            given = self.records.given(name, args)
+            args = [self.places.variable(self._handed(a)) for a in given]
         return f"{self.call(name)}({', '.join(args)})"
 
     def received(self, several: Several) -> tuple[str, str]:
@@ -172,6 +173,13 @@ class C(Target):
             self.places.calls[variable] = several.call
             return "", ""
         return f"const {kind} ", f"{variable} = {self.called(several.call)};"
+
+    def waiting(self) -> list[tuple[str, str]]:
+        """Records that are made for what is written next."""
+        found = list(self.places.waiting)
+        self.places.waiting.clear()
+        self.places.made.clear()
+        return found
 
     def ended(self, ends: list[str], results: list[str]) -> list[str]:
         """Several results of a helper as a record."""

@@ -138,7 +138,8 @@ def zone_turns() -> Routine:
         ends = (cuts[i], cuts[i + 1], values[i], values[i + 1])
         found = do("found", found + piece(*TERMS, *ends, zone, *_LOOP))
     return do.routine("ZoneTurns", "what the crossings between two points add to the count",
-                      (*TERMS, low, high, at_low, at_high, zone, *_LOOP), found)  # fmt: skip
+                      (*TERMS, low, high, at_low, at_high, zone, *_LOOP), found,
+                      takes=("Loop",))  # fmt: skip
 
 
 def piece_turns() -> Routine:
@@ -156,7 +157,7 @@ def piece_turns() -> Routine:
     turned = do("turned", choose(inner, -2 * rises * found, 0))
     return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",
                       (*TERMS, low, high, at_low, at_high, zone, *_LOOP),
-                      choose(there, turned, 0))  # fmt: skip
+                      choose(there, turned, 0), takes=("Loop",))  # fmt: skip
 
 
 def cubic_root() -> Routine:

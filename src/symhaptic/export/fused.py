@@ -199,6 +199,9 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     results = tuple((name, last.get(s, s)) for name, s in results)
     order = [made for made in order if last.keys().isdisjoint(names(made))]
     about = "; ".join(routines[part].about for part in parts)
+    if set(arguments) == _PLANT:
+        *some, last_ = (name for name, _ in results)
+        about = f"{', '.join(some)} and {last_} of the device"
     record = "Response" if "Ahead" in parts else ""
     return Routine("_".join(parts), about, arguments, tuple(order), results, record=record)
 

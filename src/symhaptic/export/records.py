@@ -16,10 +16,14 @@ from itertools import groupby
 import sympy as sp
 from sympy import Expr, Piecewise
 
+from symhaptic.export.root_count import BEYOND, CENTER, LOOP
 from symhaptic.export.routine import Repeat, Routine, Search, Several, computed, fresh, names
 from symhaptic.export.target import Target
 
 PAIR = "Pair"
+
+MADE = {"Loop": tuple(s.name for s in (*LOOP, CENTER, BEYOND))}
+"""Records that no routine gives: who has their numbers makes them."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +38,23 @@ class Places:
     """Pairs that have no name of their own, as they are only handed on, once."""
     calls: dict[str, Expr] = field(default_factory=dict)
     """What gives such a pair."""
+    made: dict[str, str] = field(default_factory=dict)
+    """Records that the next statement makes, and their variables."""
+    names: set[str] = field(default_factory=set)
+    """Of all of these variables."""
+    waiting: list[tuple[str, str]] = field(default_factory=list)
+    """Declarations of these that are to stand before what is written next."""
+
+    def variable(self, written: str) -> str:
+        """Where a record is that is made, else what is written."""
+        kind = next((k for k in MADE if written.startswith(f"({k}){{")), "")
+        if not kind:
+            return written
+        if written not in self.made:
+            self.made[written] = fresh(kind.lower(), self.names).name
+            given = written.removeprefix(f"({kind})")
+            self.waiting.append((f"const {kind} ", f"{self.made[written]} = {given};"))
+        return f"&{self.made[written]}"
 
 
 class Records:
@@ -47,6 +68,10 @@ class Records:
         for helper in self.routines.values():
             if len(fields := _fields(helper)) > 1:
                 self.kinds.setdefault(fields, self._named(helper))
+        asked = {kind for helper in self.routines.values() for kind in helper.takes}
+        for kind in asked & MADE.keys():
+            given = {a for h in self.routines.values() if kind in h.takes for a in _arguments(h)}
+            self.kinds[tuple(name for name in MADE[kind] if name in given)] = kind
 
     def _named(self, routine: Routine) -> str:
         if len(joined(_fields(routine))) == 1:
@@ -93,7 +118,8 @@ class Records:
 
     def arguments(self, routine: Routine) -> list[str]:
         """Those of a routine, with their types; records stand before all others."""
-        records = [f"{kind} {self.target.rename(kind.lower())}" for kind in self._taken(routine)]
+        taken = self._taken(routine)
+        records = [f"const {kind} *{self.target.rename(kind.lower())}" for kind in taken]
         parts = self._parts(routine)
         others = [f"{self._kind(len(part))} {self.target.rename(part[0])}" for part in parts]
         return [*records, *others]
@@ -107,7 +133,7 @@ class Records:
             for kind, own in self._taken(routine).items():
                 variable = self.target.rename(kind.lower())
                 found.variables[variable] = kind
-                found.written.update({name: f"{variable}.{place}" for name, place in own.items()})
+                found.written.update({name: f"{variable}->{place}" for name, place in own.items()})
         taken = {s.name for s in routine.arguments}
         taken |= {s.name for step in routine.steps for s in names(step)} | set(found.variables)
         for step in routine.steps:
@@ -176,12 +202,15 @@ class Records:
     @staticmethod
     def _record(kind: str, places: dict[str, str], shown: dict[str, str]) -> str:
         """The record that has these numbers, made of them if there is none."""
-        ends = {name: f".{place}" for name, place in places.items()}
-        (first, end), *_ = ends.items()
-        variable = shown[first].removesuffix(end)
-        if all(shown[name] == variable + end for name, end in ends.items()):
-            return variable
-        return f"({kind}){{{', '.join(f'{end} = {shown[name]}' for name, end in ends.items())}}}"
+        (first, place), *_ = places.items()
+        for link, address in (("->", ""), (".", "&")):
+            variable = shown[first].removesuffix(link + place)
+            if all(shown[name] == f"{variable}{link}{place}" for name, place in places.items()):
+                return address + variable
+        if kind in MADE:
+            return f"({kind}){{{', '.join(shown[name] for name in places)}}}"
+        given = (f".{place} = {shown[name]}" for name, place in places.items())
+        return f"&({kind}){{{', '.join(given)}}}"
 
     def made(
         self, routine: Routine, results: Sequence[str], places: Places, handed: Callable[[str], str]
@@ -220,7 +249,7 @@ def whole(high: str, low: str) -> str:
     >>> whole("total.hi", "total.lo"), whole("2.0*total.hi", "2.0*total.lo")
     ('total', '')
     """
-    found = re.fullmatch(r"([\w.]+)\.hi", high)
+    found = re.fullmatch(r"(\w+(?:(?:\.|->)\w+)*)\.hi", high)
     return found[1] if found and low == f"{found[1]}.lo" else ""
 
 

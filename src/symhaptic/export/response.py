@@ -20,16 +20,24 @@ from symhaptic.export.pairs import (
     rounded,
     scaled,
     times,
+    two_diff,
 )
-from symhaptic.export.routine import Routine, Steps
+from symhaptic.export.routine import Routine, Steps, TwoProdError
 from symhaptic.notation import psi
 
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
 
 
-def less(do: Steps, one: Expr, factor: Expr, square: Pair) -> Pair:
-    """one - factor square, the larger part first."""
-    return fast_two_sum(do, *minus(do, exact(one), scaled(do, factor, square)))
+def less(do: Steps, one: Expr, factor: Expr, square: Expr, low: Expr) -> Pair:
+    """one - factor (square + low), the larger part first.
+
+    In numbers, not in pairs: the routine has to be short enough for compilers to find its tangent
+    together with that of its caller.
+    """
+    taken = do("taken", factor * square)
+    total, lost = two_diff(do, one, taken)
+    missed = do("missed", TwoProdError(factor, square) + factor * low)
+    return fast_two_sum(do, total, do("lost", lost - missed))
 
 
 @dataclass(frozen=True)
@@ -49,9 +57,9 @@ class _Force:
 def _force(do: Steps) -> _Force:
     at_one, at_minus_one, loss, together, apart, across = _DEVICE
     t = do("t", tan(psi))
-    square = scaled(do, t, exact(t))
-    above, above_low = less(do, at_one, at_minus_one, square)
-    below, below_low = less(do, together, apart, square)
+    square, low = do("square", t * t), do("low", TwoProdError(t, t))
+    above, above_low = less(do, at_one, at_minus_one, square, low)
+    below, below_low = less(do, together, apart, square, low)
     above_j, below_j = do("above_j", 2 * t * loss), do("below_j", t * across)
     rest = do("rest", below_j * below_j + 2 * below * below_low)
     size = do("size", below * below + rest)

@@ -125,6 +125,8 @@ _Y, _REST, _OFF = sp.symbols("y rest off")
 SLOPE, FAR = sp.symbols("slope far")
 LOOP = alpha, SLOPE, FAR, d, n1, loss, together, apart
 """What a crossing is told of wall and device."""
+CENTER, BEYOND = sp.symbols("center beyond")
+"""The own frequency of the device, as y and 4 - y."""
 
 
 def turns(y: Expr, rest: Expr, off: Expr, *loop: Expr) -> Expr:
@@ -151,13 +153,13 @@ def phase_turns() -> Routine:
     odd = sp.Eq(left, sp.S.Half)  # the sign of the rest decides, however small it is
     found = even + choose(odd, floor(share) + 1, floor(share + left + sp.S.Half))
     return do.routine("PhaseTurns", "the nearest whole number of turns in the phase at a crossing",
-                      (_Y, _REST, _OFF, *LOOP), found)  # fmt: skip
+                      (_Y, _REST, _OFF, *LOOP), found, takes=("Loop",))  # fmt: skip
 
 
 def crossing_turns() -> Routine:
     """From the point of expansion that is nearest."""
     do = Steps()
-    center, beyond = sp.symbols("center beyond")
+    center, beyond = CENTER, BEYOND
     small = _Y < _REST
     edge = do("edge", choose(small, _Y, _REST))
     there = And(_Y > 0, _REST > 0, edge < 4)
@@ -169,7 +171,8 @@ def crossing_turns() -> Routine:
     at, still = do("at", choose(there, at, 2)), do("still", choose(there, still, 2))
     return do.routine("CrossingTurns", "the turns at a crossing, if there is one",
                       (_Y, _REST, _OFF, center, beyond, *LOOP),
-                      choose(there, turns(at, still, away, *LOOP), 0))  # fmt: skip
+                      choose(there, turns(at, still, away, *LOOP), 0),
+                      takes=("Loop",))  # fmt: skip
 
 
 def _leads(k: _Quadratic) -> Expr:

@@ -19,15 +19,22 @@ def braces(
     """Statements in a language with braces; ``ends`` are the lines that return the results."""
     printer, pad = target.printing(), "    " * depth
     lines: list[str] = []
+
+    def prepared() -> None:
+        for head, given in target.waiting():
+            _declared(target, lines, pad + head, given)
+
     for statement in block:
         if isinstance(statement, Assign):
             name = target.rename(statement.name.name)
             given = f"{name} = {printer.doprint(statement.expr)};"
+            prepared()
             _declared(target, lines, f"{pad}{declare} ", given)
         elif isinstance(statement, Repeat):
             lines += [pad + line for line in _repeated(target, statement, declare)]
         elif isinstance(statement, Several):
             head, given = target.received(statement)
+            prepared()
             if head:
                 _declared(target, lines, pad + head, given)
             elif given:
@@ -58,11 +65,14 @@ def braces(
             lines.append(f"{pad}}} else {{")
             lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
         elif isinstance(statement, Set):
-            name = target.rename(statement.name.name)
-            _beside(target, lines, pad, f"{name} = {printer.doprint(statement.expr)};")
+            given = f"{target.rename(statement.name.name)} = {printer.doprint(statement.expr)};"
+            prepared()
+            _beside(target, lines, pad, given)
         elif isinstance(statement, Return):
             shown = [printer.doprint(r) for r in statement.results]
-            for end in target.ended(ends, shown):
+            ended = target.ended(ends, shown)
+            prepared()
+            for end in ended:
                 _beside(target, lines, pad, end)
     return lines
 

@@ -223,6 +223,10 @@ class Target:
         args = ", ".join(map(printer.doprint, call.args))
         return "", self.unpacked(names, self.call(call.func.__name__), args)
 
+    def waiting(self) -> list[tuple[str, str]]:
+        """Declarations that the statement needs which was written last, with what declares them."""
+        return []
+
     def ended(self, ends: list[str], results: list[str]) -> list[str]:
         """The lines that return the results, which are given as they are written."""
         return [end.format(*results) for end in ends]
