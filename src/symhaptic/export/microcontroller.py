@@ -13,18 +13,18 @@ from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused, Target, operations
 
 SIZES = {
-    "discretize": 4264,
-    "discretize_fractional": 5904,
-    "characteristic_polynomial": 4344,
-    "is_stable": 12652,
-    "unstable_roots": 12392,
-    "stability_conditions": 5360,
-    "stability_boundary": 8344,
-    "max_stable_stiffness": 18296,
-    "passivity_margin_at": 1336,
-    "passivity_margin": 3204,
-    "passivity_boundary": 3932,
-    "max_passive_stiffness": 4368,
+    "discretize": 3932,
+    "discretize_fractional": 4960,
+    "characteristic_polynomial": 4020,
+    "is_stable": 10836,
+    "unstable_roots": 10544,
+    "stability_conditions": 5076,
+    "stability_boundary": 7248,
+    "max_stable_stiffness": 15208,
+    "passivity_margin_at": 660,
+    "passivity_margin": 2416,
+    "passivity_boundary": 3204,
+    "max_passive_stiffness": 3688,
     "linear_limit": 100,
 }
 """Bytes of code of each function with all that it calls but the mathematical library, measured."""

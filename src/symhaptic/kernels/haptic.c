@@ -36,6 +36,7 @@ typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
 typedef struct { double at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
 typedef struct { double cosine, sine; } CosSin;
+typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
@@ -110,19 +111,19 @@ static inline double root_miss(Pair square, double root) {
 }
 
 // the poles p = half + root and q = gamma/p
-static inline Poles real_poles(Motion motion, double gamma) {
-    const Pair total = fast_two_sum(motion.half, motion.root);
-    const double p_low = total.lo + root_miss(motion.w, motion.root);
+static inline Poles real_poles(const Motion *motion, double gamma) {
+    const Pair total = fast_two_sum(motion->half, motion->root);
+    const double p_low = total.lo + root_miss(motion->w, motion->root);
     const double whole = (total.hi == 0.0 ? 1.0 : total.hi);
     return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0}, (Pair){whole, p_low})};
 }
 
 // of a creeping device the pole p, exp and mean of the other one and of their distance
-static inline Creeping creeping_device(Motion motion, double gamma) {
+static inline Creeping creeping_device(const Motion *motion, double gamma) {
     const Poles poles = real_poles(motion, gamma);
     const Fading fading = fading_pair(poles.q);
-    const double root_low = root_miss(motion.w, motion.root);
-    const Fading fading2 = fading_pair((Pair){2.0*motion.root, 2.0*root_low});
+    const double root_low = root_miss(motion->w, motion->root);
+    const Fading fading2 = fading_pair((Pair){2.0*motion->root, 2.0*root_low});
     return (Creeping){poles.p, fading.fall, fading.mean, fading2.fall, fading2.mean};
 }
 
@@ -189,11 +190,12 @@ static inline double plant_n0_near(Pair decayed, double gamma, double delta) {
 }
 
 // n0 of a creeping device
-static inline double plant_n0_creep(Motion motion, Creeping creeping, Pair decayed, double gamma,
-    double delta) {
-    if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
-    return rounded(pair_prod(creeping.slow,
-        pair_quot(pair_diff(creeping.even, pair_prod(creeping.ratio, creeping.mean)), creeping.p)));
+static inline double plant_n0_creep(const Motion *motion, const Creeping *creeping, Pair decayed,
+    double gamma, double delta) {
+    if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
+    return rounded(pair_prod(creeping->slow,
+        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        creeping->p)));
 }
 
 // x + y of pairs
@@ -204,13 +206,14 @@ static inline Pair pair_sum(Pair x, Pair y) {
 }
 
 // n0 of a swinging device
-static inline double plant_n0_swing(Motion motion, Swinging swinging, Pair decayed, double gamma) {
-    if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, 2.0*motion.half); }
-    if (swinging.near > 0.0) { return swinging.sunk; }
+static inline double plant_n0_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
+    double gamma) {
+    if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, 2.0*motion->half); }
+    if (swinging->near > 0.0) { return swinging->sunk; }
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    return rounded(pair_quot(wide_prod(swinging.envelope,
-        pair_sum(pair_diff(wide_prod(motion.half, swinging.wave), swinging.even),
-        (Pair){swinging.envelope, 0.0})), (Pair){whole, 0.0}));
+    return rounded(pair_quot(wide_prod(swinging->envelope,
+        pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
+        (Pair){swinging->envelope, 0.0})), (Pair){whole, 0.0}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -224,23 +227,24 @@ static inline double plant_n1_series(double h, double w) {
 }
 
 // n1 of a creeping device
-static inline double plant_n1_creep(Motion motion, Creeping creeping, Pair decayed) {
-    if (motion.reach < 0.5625) {
-        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
+static inline double plant_n1_creep(const Motion *motion, const Creeping *creeping, Pair decayed) {
+    if (motion->reach < 0.5625) {
+        return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
-    return rounded(pair_quot(pair_diff(creeping.mean, pair_prod(creeping.slow, creeping.even)),
-        creeping.p));
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+        creeping->p));
 }
 
 // n1 of a swinging device
-static inline double plant_n1_swing(Motion motion, Swinging swinging, Pair decayed, double gamma) {
-    if (motion.reach < 0.5625) {
-        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
+static inline double plant_n1_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
+    double gamma) {
+    if (motion->reach < 0.5625) {
+        return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
-    if (swinging.near > 0.0) { return swinging.risen; }
+    if (swinging->near > 0.0) { return swinging->risen; }
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    return rounded(pair_quot(one_minus(wide_prod(swinging.envelope,
-        pair_sum(swinging.even, wide_prod(motion.half, swinging.wave)))), (Pair){whole, 0.0}));
+    return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0}));
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -250,19 +254,19 @@ static inline Pair one_plus(Pair x) {
 }
 
 // a of a creeping device
-static inline double plant_trace_creep(Creeping creeping) {
-    return rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)));
+static inline double plant_trace_creep(const Creeping *creeping) {
+    return rounded(pair_prod(creeping->slow, one_plus(creeping->ratio)));
 }
 
 // a of a swinging device
-static inline double plant_trace_swing(Swinging swinging) {
-    return 2.0*rounded(wide_prod(swinging.envelope, swinging.even));
+static inline double plant_trace_swing(const Swinging *swinging) {
+    return 2.0*rounded(wide_prod(swinging->envelope, swinging->even));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static inline Pair slow_fade(Motion motion) {
-    if (motion.reach < 0.5625) {
-        const Fading fading = brief_fading((Pair){0.5*motion.half, 0.0});
+static inline Pair slow_fade(const Motion *motion) {
+    if (motion->reach < 0.5625) {
+        const Fading fading = brief_fading((Pair){0.5*motion->half, 0.0});
         return pair_square(fading.fall);
     }
     return (Pair){0.0, 0.0};
@@ -353,26 +357,25 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
 }
 
 // of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns
-static inline Swinging swinging_device(Motion motion, double gamma) {
-    const Wave wave = waving_pair(motion.w, motion.root);
-    const Turns turns = whole_turns(motion.half, motion.w, motion.root, gamma);
-    return (Swinging){exp(-motion.half), wave.even, wave.odd, turns.near, turns.risen, turns.sunk,
+static inline Swinging swinging_device(const Motion *motion, double gamma) {
+    const Wave wave = waving_pair(motion->w, motion->root);
+    const Turns turns = whole_turns(motion->half, motion->w, motion->root, gamma);
+    return (Swinging){exp(-motion->half), wave.even, wave.odd, turns.near, turns.risen, turns.sunk,
         turns.moved};
 }
 
-// n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
-// device in a period; a, the sum of the sampled device's poles
+// n0, n1 and trace of the device
 static inline DeviceN0N1Trace device_n0_n1_trace(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceN0N1Trace){plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma), plant_trace_swing(swinging)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceN0N1Trace){plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceN0N1Trace){plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed), plant_trace_creep(creeping)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceN0N1Trace){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -387,13 +390,13 @@ static inline double numerator_at_one_series(double h, double w) {
 }
 
 // n1 + n0 of a creeping device
-static inline double numerator_at_one_creep(Motion motion, Creeping creeping) {
-    if (motion.reach < 1.0) {
-        return 2.0*scaled_sum((Pair){exp(-motion.half), 0.0},
-            numerator_at_one_series(motion.half, motion.w.hi), 0.5);
+static inline double numerator_at_one_creep(const Motion *motion, const Creeping *creeping) {
+    if (motion->reach < 1.0) {
+        return 2.0*scaled_sum((Pair){exp(-motion->half), 0.0},
+            numerator_at_one_series(motion->half, motion->w.hi), 0.5);
     }
-    return rounded(pair_quot(pair_prod(creeping.mean,
-        one_minus(pair_prod(creeping.slow, creeping.ratio))), creeping.p));
+    return rounded(pair_quot(pair_prod(creeping->mean,
+        one_minus(pair_prod(creeping->slow, creeping->ratio))), creeping->p));
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
@@ -404,58 +407,59 @@ static inline Pair half_squares(double half, double envelope, double wave, doubl
 }
 
 // n1 + n0 of a swinging device
-static inline double numerator_at_one_swing(Motion motion, Swinging swinging, double gamma) {
-    if (motion.reach < 1.0) {
-        return 2.0*scaled_sum((Pair){swinging.envelope, 0.0},
-            numerator_at_one_series(motion.half, motion.w.hi), 0.5);
+static inline double numerator_at_one_swing(const Motion *motion, const Swinging *swinging,
+    double gamma) {
+    if (motion->reach < 1.0) {
+        return 2.0*scaled_sum((Pair){swinging->envelope, 0.0},
+            numerator_at_one_series(motion->half, motion->w.hi), 0.5);
     }
-    if (swinging.near > 0.0) { return swinging.moved; }
-    const double angle = 0.5*motion.root;
-    const double back = -0.5*root_miss(motion.w, motion.root)*cos(angle);
+    if (swinging->near > 0.0) { return swinging->moved; }
+    const double angle = 0.5*motion->root;
+    const double back = -0.5*root_miss(motion->w, motion->root)*cos(angle);
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
-    return 4.0*rounded(pair_quot(half_squares(motion.half, swinging.envelope, sin(angle), back),
+    return 4.0*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sin(angle), back),
         (Pair){whole, 0.0}));
 }
 
-// n1 + n0; a, the sum of the sampled device's poles
+// together and trace of the device
 static inline DeviceTogetherTrace device_together_trace(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceTogetherTrace){numerator_at_one_swing(motion, swinging, gamma),
-            plant_trace_swing(swinging)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceTogetherTrace){numerator_at_one_swing(&motion, &swinging, gamma),
+            plant_trace_swing(&swinging)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceTogetherTrace){numerator_at_one_creep(motion, creeping),
-        plant_trace_creep(creeping)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceTogetherTrace){numerator_at_one_creep(&motion, &creeping),
+        plant_trace_creep(&creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
 static inline double plant_n0(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return plant_n0_swing(motion, swinging, decayed, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return plant_n0_swing(&motion, &swinging, decayed, gamma);
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return plant_n0_creep(motion, creeping, decayed, gamma, delta);
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return plant_n0_creep(&motion, &creeping, decayed, gamma, delta);
 }
 
 // n1, how far a unit force moves the device in a period
 static inline double plant_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.reach < 0.5625) {
         return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5);
     }
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return plant_n1_swing(motion, swinging, decayed, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return plant_n1_swing(&motion, &swinging, decayed, gamma);
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return plant_n1_creep(motion, creeping, decayed);
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return plant_n1_creep(&motion, &creeping, decayed);
 }
 
 // (1 - exp(-x))/x
@@ -465,20 +469,21 @@ static inline double decay(double x) {
 }
 
 // 1 + a + e of a creeping device
-static inline double denominator_at_minus_one_creep(Creeping creeping) {
-    return rounded(pair_prod(one_plus(creeping.slow),
-        one_plus(pair_prod(creeping.slow, creeping.ratio))));
+static inline double denominator_at_minus_one_creep(const Creeping *creeping) {
+    return rounded(pair_prod(one_plus(creeping->slow),
+        one_plus(pair_prod(creeping->slow, creeping->ratio))));
 }
 
 // 1 + a + e of a swinging device
-static inline double denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
-    const Pair prod = wide_prod(2.0*swinging.envelope, swinging.even);
+static inline double denominator_at_minus_one_swing(const Motion *motion,
+    const Swinging *swinging) {
+    const Pair prod = wide_prod(2.0*swinging->envelope, swinging->even);
     if (prod.hi > 0.0) {
-        return rounded(pair_sum(one_plus((Pair){exp(-2.0*motion.half), 0.0}), prod));
+        return rounded(pair_sum(one_plus((Pair){exp(-2.0*motion->half), 0.0}), prod));
     }
-    const double angle = 0.5*motion.root;
-    return 4.0*rounded(half_squares(motion.half, swinging.envelope, cos(angle), 0.5*
-        root_miss(motion.w, motion.root)*sin(angle)));
+    const double angle = 0.5*motion->root;
+    return 4.0*rounded(half_squares(motion->half, swinging->envelope, cos(angle), 0.5*
+        root_miss(motion->w, motion->root)*sin(angle)));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -493,50 +498,50 @@ static inline double numerator_gap_series(double h, double w) {
 }
 
 // (n1 - n0)/delta of a creeping device
-static inline double numerator_gap_creep(Motion motion, Creeping creeping, double delta) {
-    if (motion.reach < 1.0) {
-        return scaled_sum((Pair){exp(-motion.half), 0.0},
-            numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
+static inline double numerator_gap_creep(const Motion *motion, const Creeping *creeping,
+    double delta) {
+    if (motion->reach < 1.0) {
+        return scaled_sum((Pair){exp(-motion->half), 0.0},
+            numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
-    const Pair diff = pair_diff(creeping.mean, wide_prod(2.0*creeping.slow.hi, creeping.even));
-    const Pair prod2 = wide_prod(creeping.ratio.hi*creeping.slow.hi, creeping.mean);
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
+    const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const double whole = (delta*creeping.p.hi == 0.0 ? 1.0 : delta*creeping.p.hi);
+    const double whole = (delta*creeping->p.hi == 0.0 ? 1.0 : delta*creeping->p.hi);
     return (low + top)/whole;
 }
 
 // (n1 - n0)/delta of a swinging device
-static inline double numerator_gap_swing(Motion motion, Swinging swinging, double gamma,
-    double delta) {
-    if (motion.reach < 1.0) {
-        return scaled_sum((Pair){swinging.envelope, 0.0},
-            numerator_gap_series(motion.half, motion.w.hi), 0.16666666666666666);
+static inline double numerator_gap_swing(const Motion *motion, const Swinging *swinging,
+    double gamma, double delta) {
+    if (motion->reach < 1.0) {
+        return scaled_sum((Pair){swinging->envelope, 0.0},
+            numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
     const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0},
-        wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0}));
 }
 
-// 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
-// exp(-delta); n1, how far a unit force moves the device in a period
+// at_minus_one, together, n_gap, n0 and n1 of the device
 static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
     double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        const Pair decayed = slow_fade(motion);
-        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(motion, swinging),
-            numerator_at_one_swing(motion, swinging, gamma),
-            numerator_gap_swing(motion, swinging, gamma, delta),
-            plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(&motion,
+            &swinging), numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    const Pair decayed = slow_fade(motion);
-    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(creeping),
-        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta),
-        plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // the root of a cubic on a piece where it bends one way
@@ -561,15 +566,14 @@ static inline Angle turn_angle(double x, double y) {
 }
 
 // the nearest whole number of turns in the phase at a crossing
-static inline double phase_turns(double y, double rest, double off, double alpha, double slope,
-    double far, double d, double n1, double loss, double together, double apart) {
+static inline double phase_turns(const Loop *loop, double y, double rest, double off) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
-    const Angle angle = turn_angle(off*(2.0*loss - 4.0), loss*sine);
-    const Angle angle2 = turn_angle(-apart*at + still*together, n1*sine);
-    const Angle angle3 = turn_angle(alpha*still - at*far, sine*slope);
+    const Angle angle = turn_angle(off*(2.0*loop->loss - 4.0), loop->loss*sine);
+    const Angle angle2 = turn_angle(-loop->apart*at + still*loop->together, loop->n1*sine);
+    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
     const double half = atan2((at > 2.0 ? sqrt(still) : sqrt(at)),
         (at > 2.0 ? sqrt(at) : sqrt(still)));
-    const double late = d + 2.0;
+    const double late = loop->d + 2.0;
     const double halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0 ? late : 0.0);
     const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
         angle3.rest)/3.141592653589793;
@@ -578,20 +582,18 @@ static inline double phase_turns(double y, double rest, double off, double alpha
 }
 
 // what the crossing on a piece, if there is one, adds
-static inline double piece_turns(double k0, double k1, double k2, double k3, double low,
-    double high, double at_low, double at_high, double zone, double alpha, double slope,
-    double far, double n1, double loss, double together, double apart, double center,
-    double beyond, double d) {
+static inline double piece_turns(const Loop *loop, double k0, double k1, double k2, double k3,
+    double low, double high, double at_low, double at_high, double zone) {
     if ((((at_high < 0.0) && (at_low >= 0.0)) || ((at_high >= 0.0) && (at_low < 0.0))) &&
         (high > low)) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
-        const double y = (zone == 0.0 ? x : (zone == 1.0 ? center + x : 4.0 - x));
-        const double rest = (zone == 0.0 ? 4.0 - x : (zone == 1.0 ? beyond - x : x));
+        const double y = (zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x));
+        const double rest = (zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x));
         double turned;
         if ((rest > 0.0) && (y > 0.0)) {
-            const double off = (zone == 0.0 ? -center + x : (zone == 1.0 ? x : beyond - x));
-            const double found = phase_turns(y, rest, off, alpha, slope, far, d, n1, loss,
-                together, apart);
+            const double off = (zone == 0.0 ? -loop->center + x :
+                (zone == 1.0 ? x : loop->beyond - x));
+            const double found = phase_turns(loop, y, rest, off);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             turned = -2.0*found*rises;
         } else {
@@ -603,10 +605,8 @@ static inline double piece_turns(double k0, double k1, double k2, double k3, dou
 }
 
 // what the crossings between two points add to the count
-static inline double zone_turns(double k0, double k1, double k2, double k3, double low,
-    double high, double at_low, double at_high, double zone, double alpha, double slope,
-    double far, double n1, double loss, double together, double apart, double center,
-    double beyond, double d) {
+static inline double zone_turns(const Loop *loop, double k0, double k1, double k2, double k3,
+    double low, double high, double at_low, double at_high, double zone) {
     const double disc = -3.0*k1*k3 + (k2*k2);
     const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at = -k2/some;
     const double cut = ((at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low);
@@ -626,14 +626,12 @@ static inline double zone_turns(double k0, double k1, double k2, double k3, doub
     const double height = first*(first*(first*k3 + k2) + k1) + k0;
     const double height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double height3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const double found = piece_turns(k0, k1, k2, k3, low, first, at_low, height, zone, alpha,
-        slope, far, n1, loss, together, apart, center, beyond, d);
-    const double found2 = found + piece_turns(k0, k1, k2, k3, first, middle2, height, height2,
-        zone, alpha, slope, far, n1, loss, together, apart, center, beyond, d);
-    const double found3 = found2 + piece_turns(k0, k1, k2, k3, middle2, last, height2, height3,
-        zone, alpha, slope, far, n1, loss, together, apart, center, beyond, d);
-    return found3 + piece_turns(k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope,
-        far, n1, loss, together, apart, center, beyond, d);
+    const double found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, height, zone);
+    const double found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, height,
+        height2, zone);
+    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, height2,
+        height3, zone);
+    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
 }
 
 // roots outside the unit circle, behind a fractional delay
@@ -669,14 +667,12 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double side = (slope >= 0.0 ? 1.0 : -1.0);
     const double end = -d + (wall_far > 0.0 ? side : 0.0) +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
     const double total = (((((((near2 == 0.0) && (near3 < 0.0)) || (near2 < 0.0)) &&
         (near1 == 0.0)) || (near1 < 0.0)) && (near0 == 0.0)) || (near0 < 0.0) ?
-        (alpha > 0.0 ? 0.0 : side) : 0.0) + zone_turns(far0, far1, far2, far3, zone, two2, far0,
-        after, 2.0, alpha, slope, wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope,
-        wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0, alpha, slope, wall_far,
-        across, loss, together, apart, middle, rest, d);
+        (alpha > 0.0 ? 0.0 : side) : 0.0) + zone_turns(&loop, far0, far1, far2, far3, zone, two2,
+        far0, after, 2.0) + zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0,
+        before, zone) + zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
     return total - (((((((far2 == 0.0) && (far3 < 0.0)) || (far2 < 0.0)) && (far1 == 0.0)) ||
         (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
 }
@@ -690,28 +686,26 @@ static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, do
         (Pair){2.0*prod3.hi, 2.0*prod3.lo}), (Pair){last, 0.0}), (Pair){turned, 0.0}));
 }
 
-// displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
-// n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
-// force moves the device in a period
+// kick, kick_low, n_gap, n0 and n1 of the device
 static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(double gamma,
     double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
         const Pair prod = wide_prod(swinging.envelope, swinging.wave);
-        const Pair decayed = slow_fade(motion);
+        const Pair decayed = slow_fade(&motion);
         return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
-            numerator_gap_swing(motion, swinging, gamma, delta),
-            plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma)};
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
+    const Creeping creeping = creeping_device(&motion, gamma);
     const Pair prod2 = pair_prod(creeping.slow, creeping.even);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
-        numerator_gap_creep(motion, creeping, delta),
-        plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed)};
+        numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
@@ -739,17 +733,16 @@ static inline double stable(double roots, double alpha, double beta, double gamm
 }
 
 // the turns at a crossing, if there is one
-static inline double crossing_turns(double y, double rest, double off, double center,
-    double beyond, double alpha, double slope, double far, double d, double n1, double loss,
-    double together, double apart) {
+static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
     const double edge = (rest > y ? y : rest);
     if ((edge < 4.0) && (rest > 0.0) && (y > 0.0)) {
-        const double inside = ((beyond - off > 0.0) && (center + off > 0.0) && (edge > fabs(off)) ?
-            1.0 : 0.0);
-        const double at = (inside > 0.0 ? center + off : (rest > y ? y : 4.0 - rest));
-        const double still = (inside > 0.0 ? beyond - off : (rest > y ? 4.0 - y : rest));
-        const double away = (inside > 0.0 ? off : (rest > y ? -center + y : beyond - rest));
-        return phase_turns(at, still, away, alpha, slope, far, d, n1, loss, together, apart);
+        const double inside = ((edge > fabs(off)) && (loop->beyond - off > 0.0) &&
+            (loop->center + off > 0.0) ? 1.0 : 0.0);
+        const double at = (inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest));
+        const double still = (inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest));
+        const double away = (inside > 0.0 ? off :
+            (rest > y ? -loop->center + y : loop->beyond - rest));
+        return phase_turns(loop, at, still, away);
     }
     return 0.0;
 }
@@ -796,10 +789,9 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        total = -2.0*crossing_turns(roots.high, roots3.low, roots2.high, center, beyond, alpha,
-            slope, wall_far, d, n1, loss, together, apart) + 2.0*
-            crossing_turns(roots.low, roots3.high, roots2.low, center, beyond, alpha, slope,
-            wall_far, d, n1, loss, together, apart);
+        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        total = -2.0*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0*
+            crossing_turns(&loop, roots.low, roots3.high, roots2.low);
     } else {
         total = 0.0;
     }
@@ -812,35 +804,36 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
 static inline Response ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
     double together, double apart, double across) {
-    const double t = tan(psi);
-    const Pair prod = two_prod(t, t);
-    const Pair diff = pair_diff((Pair){at_one, 0.0}, wide_prod(at_minus_one, prod));
-    const Pair total = fast_two_sum(diff.hi, diff.lo);
-    const Pair diff2 = pair_diff((Pair){together, 0.0}, wide_prod(apart, prod));
-    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo);
+    const double t = tan(psi), square = (t*t), low = fma(t, t, -(t*t));
+    const Pair diff = two_diff(at_one, at_minus_one*square);
+    const double missed = at_minus_one*low + fma(at_minus_one, square, -(at_minus_one*square));
+    const Pair total = fast_two_sum(diff.hi, diff.lo - missed);
+    const Pair diff2 = two_diff(together, apart*square);
+    const double missed2 = apart*low + fma(apart, square, -(apart*square));
+    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const double above_j = 2.0*loss*t, below_j = across*t;
     const double rest = (below_j*below_j) + 2.0*total2.hi*total2.lo;
     const double size = rest + (total2.hi*total2.hi);
-    const double low = above_j*total2.lo - below_j*total.lo;
-    const double found = above_j*total2.hi - below_j*total.hi, found2 = found + low;
-    const double low2 = total.hi*total2.lo + total2.hi*total.lo;
-    const double rest2 = above_j*below_j + low2, found3 = rest2 + total.hi*total2.hi;
+    const double low2 = above_j*total2.lo - below_j*total.lo;
+    const double found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
+    const double low22 = total.hi*total2.lo + total2.hi*total.lo;
+    const double rest2 = above_j*below_j + low22, found3 = rest2 + total.hi*total2.hi;
     return (Response){found2/size, found3/size};
 }
 
-// 1 + a + e; n1 + n0; (n1 - n0)/delta
+// at_minus_one, together and n_gap of the device
 static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(double gamma,
     double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(motion, swinging),
-            numerator_at_one_swing(motion, swinging, gamma),
-            numerator_gap_swing(motion, swinging, gamma, delta)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(creeping),
-        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
 // cos((k + 1) x) and sin((k + 1) x)

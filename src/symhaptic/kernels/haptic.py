@@ -764,9 +764,7 @@ def swinging_device(xp, gamma, half, w, w_low, root):
 
 
 def device_n0_n1_trace(xp, gamma, delta):
-    """n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force
-    moves the device in a period; a, the sum of the sampled device's poles
-    """
+    """n0, n1 and trace of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
     decayed, decayed_low = slow_fade(xp, reach, half)
 
@@ -855,7 +853,7 @@ def numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, move
 
 
 def device_together_trace(xp, gamma, delta):
-    """n1 + n0; a, the sum of the sampled device's poles"""
+    """together and trace of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(gamma, half, reach, root, w, w_low):
@@ -1008,9 +1006,7 @@ def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, del
 
 
 def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
-    """1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
-    exp(-delta); n1, how far a unit force moves the device in a period
-    """
+    """at_minus_one, together, n_gap, n0 and n1 of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
@@ -1247,10 +1243,7 @@ def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turne
 
 
 def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
-    """displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1
-    - n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a
-    unit force moves the device in a period
-    """
+    """kick, kick_low, n_gap, n0 and n1 of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
@@ -1418,11 +1411,19 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     j psi)
     """
     t = xp.tan(psi)
-    prod, prod_low = two_prod(xp, t, t)
-    total, total_low = fast_two_sum(xp, *pair_diff(xp, at_one, 0.0,
-        *wide_prod(xp, at_minus_one, prod, prod_low)))
-    total2, total_low2 = fast_two_sum(xp, *pair_diff(xp, together, 0.0,
-        *wide_prod(xp, apart, prod, prod_low)))
+    square = (t*t)
+    t_halves = halves(xp, t)
+    low = two_prod_error(square, t_halves, t_halves)
+    diff, diff_low = two_diff(xp, at_one, at_minus_one*square)
+    at_minus_one_halves = halves(xp, at_minus_one)
+    square_halves = halves(xp, square)
+    missed = at_minus_one*low + two_prod_error(at_minus_one*square, at_minus_one_halves,
+        square_halves)
+    total, total_low = fast_two_sum(xp, diff, diff_low - missed)
+    diff, diff_low = two_diff(xp, together, apart*square)
+    apart_halves = halves(xp, apart)
+    missed = apart*low + two_prod_error(apart*square, apart_halves, square_halves)
+    total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
     rest = (below_j*below_j) + 2.0*total2*total_low2
@@ -1437,7 +1438,7 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
 
 
 def device_at_minus_one_together_n_gap(xp, gamma, delta):
-    """1 + a + e; n1 + n0; (n1 - n0)/delta"""
+    """at_minus_one, together and n_gap of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):

@@ -33,6 +33,7 @@ typedef struct { float low, high; } Roots;
 typedef struct { float ahead, in_phase; } Response;
 typedef struct { float at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
 typedef struct { float cosine, sine; } CosSin;
+typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
@@ -102,19 +103,19 @@ static inline float root_miss(Pair square, float root) {
 }
 
 // the poles p = half + root and q = gamma/p
-static inline Poles real_poles(Motion motion, float gamma) {
-    const Pair total = fast_two_sum(motion.half, motion.root);
-    const float p_low = total.lo + root_miss(motion.w, motion.root);
+static inline Poles real_poles(const Motion *motion, float gamma) {
+    const Pair total = fast_two_sum(motion->half, motion->root);
+    const float p_low = total.lo + root_miss(motion->w, motion->root);
     const float whole = (total.hi == 0.0f ? 1.0f : total.hi);
     return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0f}, (Pair){whole, p_low})};
 }
 
 // of a creeping device the pole p, exp and mean of the other one and of their distance
-static inline Creeping creeping_device(Motion motion, float gamma) {
+static inline Creeping creeping_device(const Motion *motion, float gamma) {
     const Poles poles = real_poles(motion, gamma);
     const Fading fading = fading_pair(poles.q);
-    const float root_low = root_miss(motion.w, motion.root);
-    const Fading fading2 = fading_pair((Pair){2.0f*motion.root, 2.0f*root_low});
+    const float root_low = root_miss(motion->w, motion->root);
+    const Fading fading2 = fading_pair((Pair){2.0f*motion->root, 2.0f*root_low});
     return (Creeping){poles.p, fading.fall, fading.mean, fading2.fall, fading2.mean};
 }
 
@@ -183,11 +184,12 @@ static inline float plant_n0_near(Pair decayed, float gamma, float delta) {
 }
 
 // n0 of a creeping device
-static inline float plant_n0_creep(Motion motion, Creeping creeping, Pair decayed, float gamma,
-    float delta) {
-    if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
-    return rounded(pair_prod(creeping.slow,
-        pair_quot(pair_diff(creeping.even, pair_prod(creeping.ratio, creeping.mean)), creeping.p)));
+static inline float plant_n0_creep(const Motion *motion, const Creeping *creeping, Pair decayed,
+    float gamma, float delta) {
+    if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
+    return rounded(pair_prod(creeping->slow,
+        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        creeping->p)));
 }
 
 // x + y of pairs
@@ -198,13 +200,14 @@ static inline Pair pair_sum(Pair x, Pair y) {
 }
 
 // n0 of a swinging device
-static inline float plant_n0_swing(Motion motion, Swinging swinging, Pair decayed, float gamma) {
-    if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, 2.0f*motion.half); }
-    if (swinging.near > 0.0f) { return swinging.sunk; }
+static inline float plant_n0_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
+    float gamma) {
+    if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, 2.0f*motion->half); }
+    if (swinging->near > 0.0f) { return swinging->sunk; }
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    return rounded(pair_quot(wide_prod(swinging.envelope,
-        pair_sum(pair_diff(wide_prod(motion.half, swinging.wave), swinging.even),
-        (Pair){swinging.envelope, 0.0f})), (Pair){whole, 0.0f}));
+    return rounded(pair_quot(wide_prod(swinging->envelope,
+        pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
+        (Pair){swinging->envelope, 0.0f})), (Pair){whole, 0.0f}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -218,23 +221,24 @@ static inline float plant_n1_series(float h, float w) {
 }
 
 // n1 of a creeping device
-static inline float plant_n1_creep(Motion motion, Creeping creeping, Pair decayed) {
-    if (motion.reach < 0.5625f) {
-        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
+static inline float plant_n1_creep(const Motion *motion, const Creeping *creeping, Pair decayed) {
+    if (motion->reach < 0.5625f) {
+        return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
-    return rounded(pair_quot(pair_diff(creeping.mean, pair_prod(creeping.slow, creeping.even)),
-        creeping.p));
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+        creeping->p));
 }
 
 // n1 of a swinging device
-static inline float plant_n1_swing(Motion motion, Swinging swinging, Pair decayed, float gamma) {
-    if (motion.reach < 0.5625f) {
-        return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
+static inline float plant_n1_swing(const Motion *motion, const Swinging *swinging, Pair decayed,
+    float gamma) {
+    if (motion->reach < 0.5625f) {
+        return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
-    if (swinging.near > 0.0f) { return swinging.risen; }
+    if (swinging->near > 0.0f) { return swinging->risen; }
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    return rounded(pair_quot(one_minus(wide_prod(swinging.envelope,
-        pair_sum(swinging.even, wide_prod(motion.half, swinging.wave)))), (Pair){whole, 0.0f}));
+    return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0f}));
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -244,19 +248,19 @@ static inline Pair one_plus(Pair x) {
 }
 
 // a of a creeping device
-static inline float plant_trace_creep(Creeping creeping) {
-    return rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)));
+static inline float plant_trace_creep(const Creeping *creeping) {
+    return rounded(pair_prod(creeping->slow, one_plus(creeping->ratio)));
 }
 
 // a of a swinging device
-static inline float plant_trace_swing(Swinging swinging) {
-    return 2.0f*rounded(wide_prod(swinging.envelope, swinging.even));
+static inline float plant_trace_swing(const Swinging *swinging) {
+    return 2.0f*rounded(wide_prod(swinging->envelope, swinging->even));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
-static inline Pair slow_fade(Motion motion) {
-    if (motion.reach < 0.5625f) {
-        const Fading fading = brief_fading((Pair){0.5f*motion.half, 0.0f});
+static inline Pair slow_fade(const Motion *motion) {
+    if (motion->reach < 0.5625f) {
+        const Fading fading = brief_fading((Pair){0.5f*motion->half, 0.0f});
         return pair_square(fading.fall);
     }
     return (Pair){0.0f, 0.0f};
@@ -347,26 +351,25 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
 }
 
 // of a swinging device exp(-half), cos(root), sin(root)/root and what is near whole turns
-static inline Swinging swinging_device(Motion motion, float gamma) {
-    const Wave wave = waving_pair(motion.w, motion.root);
-    const Turns turns = whole_turns(motion.half, motion.w, motion.root, gamma);
-    return (Swinging){expf(-motion.half), wave.even, wave.odd, turns.near, turns.risen, turns.sunk,
-        turns.moved};
+static inline Swinging swinging_device(const Motion *motion, float gamma) {
+    const Wave wave = waving_pair(motion->w, motion->root);
+    const Turns turns = whole_turns(motion->half, motion->w, motion->root, gamma);
+    return (Swinging){expf(-motion->half), wave.even, wave.odd, turns.near, turns.risen,
+        turns.sunk, turns.moved};
 }
 
-// n0, the same device with its time reversed, times exp(-delta); n1, how far a unit force moves the
-// device in a period; a, the sum of the sampled device's poles
+// n0, n1 and trace of the device
 static inline DeviceN0N1Trace device_n0_n1_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceN0N1Trace){plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma), plant_trace_swing(swinging)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceN0N1Trace){plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceN0N1Trace){plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed), plant_trace_creep(creeping)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceN0N1Trace){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -381,13 +384,13 @@ static inline float numerator_at_one_series(float h, float w) {
 }
 
 // n1 + n0 of a creeping device
-static inline float numerator_at_one_creep(Motion motion, Creeping creeping) {
-    if (motion.reach < 1.0f) {
-        return 2.0f*scaled_sum((Pair){expf(-motion.half), 0.0f},
-            numerator_at_one_series(motion.half, motion.w.hi), 0.5f);
+static inline float numerator_at_one_creep(const Motion *motion, const Creeping *creeping) {
+    if (motion->reach < 1.0f) {
+        return 2.0f*scaled_sum((Pair){expf(-motion->half), 0.0f},
+            numerator_at_one_series(motion->half, motion->w.hi), 0.5f);
     }
-    return rounded(pair_quot(pair_prod(creeping.mean,
-        one_minus(pair_prod(creeping.slow, creeping.ratio))), creeping.p));
+    return rounded(pair_quot(pair_prod(creeping->mean,
+        one_minus(pair_prod(creeping->slow, creeping->ratio))), creeping->p));
 }
 
 // (1 - exp(-half))^2/4 + envelope (wave - back)^2 and what it misses
@@ -398,58 +401,59 @@ static inline Pair half_squares(float half, float envelope, float wave, float ba
 }
 
 // n1 + n0 of a swinging device
-static inline float numerator_at_one_swing(Motion motion, Swinging swinging, float gamma) {
-    if (motion.reach < 1.0f) {
-        return 2.0f*scaled_sum((Pair){swinging.envelope, 0.0f},
-            numerator_at_one_series(motion.half, motion.w.hi), 0.5f);
+static inline float numerator_at_one_swing(const Motion *motion, const Swinging *swinging,
+    float gamma) {
+    if (motion->reach < 1.0f) {
+        return 2.0f*scaled_sum((Pair){swinging->envelope, 0.0f},
+            numerator_at_one_series(motion->half, motion->w.hi), 0.5f);
     }
-    if (swinging.near > 0.0f) { return swinging.moved; }
-    const float angle = 0.5f*motion.root;
-    const float back = -0.5f*root_miss(motion.w, motion.root)*cosf(angle);
+    if (swinging->near > 0.0f) { return swinging->moved; }
+    const float angle = 0.5f*motion->root;
+    const float back = -0.5f*root_miss(motion->w, motion->root)*cosf(angle);
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
-    return 4.0f*rounded(pair_quot(half_squares(motion.half, swinging.envelope, sinf(angle), back),
-        (Pair){whole, 0.0f}));
+    return 4.0f*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sinf(angle),
+        back), (Pair){whole, 0.0f}));
 }
 
-// n1 + n0; a, the sum of the sampled device's poles
+// together and trace of the device
 static inline DeviceTogetherTrace device_together_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceTogetherTrace){numerator_at_one_swing(motion, swinging, gamma),
-            plant_trace_swing(swinging)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceTogetherTrace){numerator_at_one_swing(&motion, &swinging, gamma),
+            plant_trace_swing(&swinging)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceTogetherTrace){numerator_at_one_creep(motion, creeping),
-        plant_trace_creep(creeping)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceTogetherTrace){numerator_at_one_creep(&motion, &creeping),
+        plant_trace_creep(&creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
 static inline float plant_n0(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return plant_n0_swing(motion, swinging, decayed, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return plant_n0_swing(&motion, &swinging, decayed, gamma);
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return plant_n0_creep(motion, creeping, decayed, gamma, delta);
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return plant_n0_creep(&motion, &creeping, decayed, gamma, delta);
 }
 
 // n1, how far a unit force moves the device in a period
 static inline float plant_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     if (motion.reach < 0.5625f) {
         return scaled_sum(decayed, plant_n1_series(motion.half, motion.w.hi), 0.5f);
     }
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return plant_n1_swing(motion, swinging, decayed, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return plant_n1_swing(&motion, &swinging, decayed, gamma);
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return plant_n1_creep(motion, creeping, decayed);
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return plant_n1_creep(&motion, &creeping, decayed);
 }
 
 // (1 - exp(-x))/x
@@ -459,20 +463,20 @@ static inline float decay(float x) {
 }
 
 // 1 + a + e of a creeping device
-static inline float denominator_at_minus_one_creep(Creeping creeping) {
-    return rounded(pair_prod(one_plus(creeping.slow),
-        one_plus(pair_prod(creeping.slow, creeping.ratio))));
+static inline float denominator_at_minus_one_creep(const Creeping *creeping) {
+    return rounded(pair_prod(one_plus(creeping->slow),
+        one_plus(pair_prod(creeping->slow, creeping->ratio))));
 }
 
 // 1 + a + e of a swinging device
-static inline float denominator_at_minus_one_swing(Motion motion, Swinging swinging) {
-    const Pair prod = wide_prod(2.0f*swinging.envelope, swinging.even);
+static inline float denominator_at_minus_one_swing(const Motion *motion, const Swinging *swinging) {
+    const Pair prod = wide_prod(2.0f*swinging->envelope, swinging->even);
     if (prod.hi > 0.0f) {
-        return rounded(pair_sum(one_plus((Pair){expf(-2.0f*motion.half), 0.0f}), prod));
+        return rounded(pair_sum(one_plus((Pair){expf(-2.0f*motion->half), 0.0f}), prod));
     }
-    const float angle = 0.5f*motion.root;
-    return 4.0f*rounded(half_squares(motion.half, swinging.envelope, cosf(angle), 0.5f*
-        root_miss(motion.w, motion.root)*sinf(angle)));
+    const float angle = 0.5f*motion->root;
+    return 4.0f*rounded(half_squares(motion->half, swinging->envelope, cosf(angle), 0.5f*
+        root_miss(motion->w, motion->root)*sinf(angle)));
 }
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
@@ -487,50 +491,50 @@ static inline float numerator_gap_series(float h, float w) {
 }
 
 // (n1 - n0)/delta of a creeping device
-static inline float numerator_gap_creep(Motion motion, Creeping creeping, float delta) {
-    if (motion.reach < 1.0f) {
-        return scaled_sum((Pair){expf(-motion.half), 0.0f},
-            numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
+static inline float numerator_gap_creep(const Motion *motion, const Creeping *creeping,
+    float delta) {
+    if (motion->reach < 1.0f) {
+        return scaled_sum((Pair){expf(-motion->half), 0.0f},
+            numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
-    const Pair diff = pair_diff(creeping.mean, wide_prod(2.0f*creeping.slow.hi, creeping.even));
-    const Pair prod2 = wide_prod(creeping.ratio.hi*creeping.slow.hi, creeping.mean);
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
+    const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const float whole = (delta*creeping.p.hi == 0.0f ? 1.0f : delta*creeping.p.hi);
+    const float whole = (delta*creeping->p.hi == 0.0f ? 1.0f : delta*creeping->p.hi);
     return (low + top)/whole;
 }
 
 // (n1 - n0)/delta of a swinging device
-static inline float numerator_gap_swing(Motion motion, Swinging swinging, float gamma,
-    float delta) {
-    if (motion.reach < 1.0f) {
-        return scaled_sum((Pair){swinging.envelope, 0.0f},
-            numerator_gap_series(motion.half, motion.w.hi), 0.16666667f);
+static inline float numerator_gap_swing(const Motion *motion, const Swinging *swinging,
+    float gamma, float delta) {
+    if (motion->reach < 1.0f) {
+        return scaled_sum((Pair){swinging->envelope, 0.0f},
+            numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
     const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0f},
-        wide_prod(swinging.envelope, swinging.wave)), (Pair){whole, 0.0f}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0f}));
 }
 
-// 1 + a + e; n1 + n0; (n1 - n0)/delta; n0, the same device with its time reversed, times
-// exp(-delta); n1, how far a unit force moves the device in a period
+// at_minus_one, together, n_gap, n0 and n1 of the device
 static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
     float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        const Pair decayed = slow_fade(motion);
-        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(motion, swinging),
-            numerator_at_one_swing(motion, swinging, gamma),
-            numerator_gap_swing(motion, swinging, gamma, delta),
-            plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(&motion,
+            &swinging), numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    const Pair decayed = slow_fade(motion);
-    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(creeping),
-        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta),
-        plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // the root of a cubic on a piece where it bends one way
@@ -556,16 +560,15 @@ static inline Angle turn_angle(float x, float y) {
 }
 
 // the nearest whole number of turns in the phase at a crossing
-static inline float phase_turns(float y, float rest, float off, float alpha, float slope,
-    float far, float d, float n1, float loss, float together, float apart) {
+static inline float phase_turns(const Loop *loop, float y, float rest, float off) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest);
     const float sine = 2.0f*sqrtf(at*still);
-    const Angle angle = turn_angle(off*(2.0f*loss - 4.0f), loss*sine);
-    const Angle angle2 = turn_angle(-apart*at + still*together, n1*sine);
-    const Angle angle3 = turn_angle(alpha*still - at*far, sine*slope);
+    const Angle angle = turn_angle(off*(2.0f*loop->loss - 4.0f), loop->loss*sine);
+    const Angle angle2 = turn_angle(-loop->apart*at + still*loop->together, loop->n1*sine);
+    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
     const float half = atan2f((at > 2.0f ? sqrtf(still) : sqrtf(at)),
         (at > 2.0f ? sqrtf(at) : sqrtf(still)));
-    const float late = d + 2.0f;
+    const float late = loop->d + 2.0f;
     const float halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
     const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
         angle2.rest + angle3.rest)/3.1415927f;
@@ -574,19 +577,18 @@ static inline float phase_turns(float y, float rest, float off, float alpha, flo
 }
 
 // what the crossing on a piece, if there is one, adds
-static inline float piece_turns(float k0, float k1, float k2, float k3, float low, float high,
-    float at_low, float at_high, float zone, float alpha, float slope, float far, float n1,
-    float loss, float together, float apart, float center, float beyond, float d) {
+static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, float k3,
+    float low, float high, float at_low, float at_high, float zone) {
     if ((((at_high < 0.0f) && (at_low >= 0.0f)) || ((at_high >= 0.0f) && (at_low < 0.0f))) &&
         (high > low)) {
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
-        const float y = (zone == 0.0f ? x : (zone == 1.0f ? center + x : 4.0f - x));
-        const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? beyond - x : x));
+        const float y = (zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x));
+        const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x));
         float turned;
         if ((rest > 0.0f) && (y > 0.0f)) {
-            const float off = (zone == 0.0f ? -center + x : (zone == 1.0f ? x : beyond - x));
-            const float found = phase_turns(y, rest, off, alpha, slope, far, d, n1, loss, together,
-                apart);
+            const float off = (zone == 0.0f ? -loop->center + x :
+                (zone == 1.0f ? x : loop->beyond - x));
+            const float found = phase_turns(loop, y, rest, off);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
             turned = -2.0f*found*rises;
         } else {
@@ -598,9 +600,8 @@ static inline float piece_turns(float k0, float k1, float k2, float k3, float lo
 }
 
 // what the crossings between two points add to the count
-static inline float zone_turns(float k0, float k1, float k2, float k3, float low, float high,
-    float at_low, float at_high, float zone, float alpha, float slope, float far, float n1,
-    float loss, float together, float apart, float center, float beyond, float d) {
+static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, float k3, float low,
+    float high, float at_low, float at_high, float zone) {
     const float disc = -3.0f*k1*k3 + (k2*k2);
     const float some = (fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at = -k2/some;
     const float cut = ((at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low);
@@ -622,14 +623,12 @@ static inline float zone_turns(float k0, float k1, float k2, float k3, float low
     const float height = first*(first*(first*k3 + k2) + k1) + k0;
     const float height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const float height3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const float found = piece_turns(k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope,
-        far, n1, loss, together, apart, center, beyond, d);
-    const float found2 = found + piece_turns(k0, k1, k2, k3, first, middle2, height, height2, zone,
-        alpha, slope, far, n1, loss, together, apart, center, beyond, d);
-    const float found3 = found2 + piece_turns(k0, k1, k2, k3, middle2, last, height2, height3,
-        zone, alpha, slope, far, n1, loss, together, apart, center, beyond, d);
-    return found3 + piece_turns(k0, k1, k2, k3, last, high, height3, at_high, zone, alpha, slope,
-        far, n1, loss, together, apart, center, beyond, d);
+    const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, height, zone);
+    const float found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, height, height2,
+        zone);
+    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, height2,
+        height3, zone);
+    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
 }
 
 // roots outside the unit circle, behind a fractional delay
@@ -665,15 +664,13 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float side = (slope >= 0.0f ? 1.0f : -1.0f);
     const float end = -d + (wall_far > 0.0f ? side : 0.0f) +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
     const float total = (((((((near2 == 0.0f) && (near3 < 0.0f)) || (near2 < 0.0f)) &&
         (near1 == 0.0f)) || (near1 < 0.0f)) && (near0 == 0.0f)) || (near0 < 0.0f) ?
         (alpha > 0.0f ? 0.0f : side) : 0.0f) +
-        zone_turns(far0, far1, far2, far3, zone, two2, far0, after, 2.0f, alpha, slope, wall_far,
-        across, loss, together, apart, middle, rest, d) +
-        zone_turns(near0, near1, near2, near3, zone, one2, near0, before, zone, alpha, slope,
-        wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(own0, own1, own2, own3, -one2, two2, before, after, 1.0f, alpha, slope,
-        wall_far, across, loss, together, apart, middle, rest, d);
+        zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
+        zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
+        zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0f);
     return total - (((((((far2 == 0.0f) && (far3 < 0.0f)) || (far2 < 0.0f)) && (far1 == 0.0f)) ||
         (far1 < 0.0f)) && (far0 == 0.0f)) || (far0 < 0.0f) ? end : 0.0f);
 }
@@ -687,27 +684,25 @@ static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, floa
         (Pair){2.0f*prod3.hi, 2.0f*prod3.lo}), (Pair){last, 0.0f}), (Pair){turned, 0.0f}));
 }
 
-// displacement by a unit impulse after a period; what the last rounding of Kick takes; (n1 -
-// n0)/delta; n0, the same device with its time reversed, times exp(-delta); n1, how far a unit
-// force moves the device in a period
+// kick, kick_low, n_gap, n0 and n1 of the device
 static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
+        const Swinging swinging = swinging_device(&motion, gamma);
         const Pair prod = wide_prod(swinging.envelope, swinging.wave);
-        const Pair decayed = slow_fade(motion);
+        const Pair decayed = slow_fade(&motion);
         return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
-            numerator_gap_swing(motion, swinging, gamma, delta),
-            plant_n0_swing(motion, swinging, decayed, gamma),
-            plant_n1_swing(motion, swinging, decayed, gamma)};
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
+    const Creeping creeping = creeping_device(&motion, gamma);
     const Pair prod2 = pair_prod(creeping.slow, creeping.even);
-    const Pair decayed = slow_fade(motion);
+    const Pair decayed = slow_fade(&motion);
     return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
-        numerator_gap_creep(motion, creeping, delta),
-        plant_n0_creep(motion, creeping, decayed, gamma, delta),
-        plant_n1_creep(motion, creeping, decayed)};
+        numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
@@ -735,17 +730,16 @@ static inline float stable(float roots, float alpha, float beta, float gamma, fl
 }
 
 // the turns at a crossing, if there is one
-static inline float crossing_turns(float y, float rest, float off, float center, float beyond,
-    float alpha, float slope, float far, float d, float n1, float loss, float together,
-    float apart) {
+static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
     const float edge = (rest > y ? y : rest);
     if ((edge < 4.0f) && (rest > 0.0f) && (y > 0.0f)) {
-        const float inside = ((beyond - off > 0.0f) && (center + off > 0.0f) &&
-            (edge > fabsf(off)) ? 1.0f : 0.0f);
-        const float at = (inside > 0.0f ? center + off : (rest > y ? y : 4.0f - rest));
-        const float still = (inside > 0.0f ? beyond - off : (rest > y ? 4.0f - y : rest));
-        const float away = (inside > 0.0f ? off : (rest > y ? -center + y : beyond - rest));
-        return phase_turns(at, still, away, alpha, slope, far, d, n1, loss, together, apart);
+        const float inside = ((edge > fabsf(off)) && (loop->beyond - off > 0.0f) &&
+            (loop->center + off > 0.0f) ? 1.0f : 0.0f);
+        const float at = (inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest));
+        const float still = (inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest));
+        const float away = (inside > 0.0f ? off :
+            (rest > y ? -loop->center + y : loop->beyond - rest));
+        return phase_turns(loop, at, still, away);
     }
     return 0.0f;
 }
@@ -793,10 +787,9 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        total = -2.0f*crossing_turns(roots.high, roots3.low, roots2.high, center, beyond, alpha,
-            slope, wall_far, d, n1, loss, together, apart) + 2.0f*
-            crossing_turns(roots.low, roots3.high, roots2.low, center, beyond, alpha, slope,
-            wall_far, d, n1, loss, together, apart);
+        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        total = -2.0f*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0f*
+            crossing_turns(&loop, roots.low, roots3.high, roots2.low);
     } else {
         total = 0.0f;
     }
@@ -809,35 +802,36 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
 static inline Response ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
     float together, float apart, float across) {
-    const float t = tanf(psi);
-    const Pair prod = two_prod(t, t);
-    const Pair diff = pair_diff((Pair){at_one, 0.0f}, wide_prod(at_minus_one, prod));
-    const Pair total = fast_two_sum(diff.hi, diff.lo);
-    const Pair diff2 = pair_diff((Pair){together, 0.0f}, wide_prod(apart, prod));
-    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo);
+    const float t = tanf(psi), square = (t*t), low = fmaf(t, t, -(t*t));
+    const Pair diff = two_diff(at_one, at_minus_one*square);
+    const float missed = at_minus_one*low + fmaf(at_minus_one, square, -(at_minus_one*square));
+    const Pair total = fast_two_sum(diff.hi, diff.lo - missed);
+    const Pair diff2 = two_diff(together, apart*square);
+    const float missed2 = apart*low + fmaf(apart, square, -(apart*square));
+    const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const float above_j = 2.0f*loss*t, below_j = across*t;
     const float rest = (below_j*below_j) + 2.0f*total2.hi*total2.lo;
     const float size = rest + (total2.hi*total2.hi);
-    const float low = above_j*total2.lo - below_j*total.lo;
-    const float found = above_j*total2.hi - below_j*total.hi, found2 = found + low;
-    const float low2 = total.hi*total2.lo + total2.hi*total.lo;
-    const float rest2 = above_j*below_j + low2, found3 = rest2 + total.hi*total2.hi;
+    const float low2 = above_j*total2.lo - below_j*total.lo;
+    const float found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
+    const float low22 = total.hi*total2.lo + total2.hi*total.lo;
+    const float rest2 = above_j*below_j + low22, found3 = rest2 + total.hi*total2.hi;
     return (Response){found2/size, found3/size};
 }
 
-// 1 + a + e; n1 + n0; (n1 - n0)/delta
+// at_minus_one, together and n_gap of the device
 static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(float gamma,
     float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
-        const Swinging swinging = swinging_device(motion, gamma);
-        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(motion, swinging),
-            numerator_at_one_swing(motion, swinging, gamma),
-            numerator_gap_swing(motion, swinging, gamma, delta)};
+        const Swinging swinging = swinging_device(&motion, gamma);
+        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
-    const Creeping creeping = creeping_device(motion, gamma);
-    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(creeping),
-        numerator_at_one_creep(motion, creeping), numerator_gap_creep(motion, creeping, delta)};
+    const Creeping creeping = creeping_device(&motion, gamma);
+    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
 // cos((k + 1) x) and sin((k + 1) x)
