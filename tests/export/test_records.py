@@ -1,0 +1,87 @@
+"""Records of C hold what flat lists hold: each number is written where it is, once."""
+
+import re
+
+import pytest
+import sympy as sp
+
+from symhaptic.export import kernels, request
+from symhaptic.export.error_free import ROUTINES as PAIRS
+from symhaptic.export.pairs import plus, rounded, scaled
+from symhaptic.export.records import Records
+from symhaptic.export.routine import Steps
+from symhaptic.export.targets import TARGETS
+
+x, y, z = sp.symbols("x y z")
+FOUR = ["is_stable", "discretize", "stability_boundary", "max_passive_stiffness"]
+C = TARGETS["c"]
+
+
+def source(names=FOUR, **options):
+    _, files = request.built(C, request.chosen(names, **options), vectors=False)
+    return files["haptic.c"]
+
+
+def written(result, do, arguments=(x, y)):
+    """A helper of these steps as C, beside those of pairs."""
+    routines = [make() for make in PAIRS]
+    routine = do.routine("Tried", "what is tried", arguments, result)
+    target = type(C)()
+    target.records = Records(target, [*routines, routine])
+    return " ".join(line.strip() for line in target._helper(routine))
+
+
+def test_a_pair_that_is_only_handed_on_has_no_name():
+    do = Steps()
+    found = plus(do, scaled(do, x, (y, sp.S.Zero)), (z, sp.S.Zero))
+    line = written(rounded(found), do, (x, y, z))
+    assert "return rounded(pair_sum(two_prod(x, y), (Pair){z, 0.0}));" in line
+
+
+def test_a_pair_that_is_asked_for_twice_or_in_part_keeps_its_name():
+    """Handed on twice it would be computed twice; a part of it has to be called by its name."""
+    do = Steps()
+    found = scaled(do, x, (y, sp.S.Zero))
+    assert "const Pair prod = two_prod(x, y);" in written(rounded(plus(do, found, found)), do)
+    do = Steps()
+    high, low = scaled(do, x, (y, sp.S.Zero))
+    line = written(rounded((high, low)) * low, do)
+    assert "const Pair prod = two_prod(x, y);" in line
+    assert "prod.lo*rounded(prod)" in line
+
+
+def test_halves_of_two_pairs_are_no_pair():
+    do = Steps()
+    (one, _), (_, low) = scaled(do, x, (y, sp.S.Zero)), scaled(do, y, (y, sp.S.Zero))
+    line = written(rounded((one, low)), do)
+    assert "rounded((Pair){prod.hi, prod2.lo})" in line
+
+
+def test_a_pair_in_a_repetition_is_found_before_it():
+    """Inside it would be found each time anew."""
+    do = Steps()
+    high, low = scaled(do, x, (y, sp.S.Zero))
+    (state,) = do.repeat(
+        {"state": sp.S.Zero},
+        lambda _, states: [states[0] + rounded((high, low))],
+        lambda states: states[0] > 1,
+        9,
+    )
+    line = written(state, do)
+    assert line.index("const Pair prod = two_prod(x, y);") < line.index("for (")
+
+
+@pytest.mark.parametrize("options", [{}, {"whole_delays": True}], ids=["", "whole delays"])
+def test_no_helper_gives_a_result_through_a_pointer(options):
+    text = source(**options)
+    helpers = re.findall(r"^static inline [^{]*", text, re.M)
+    assert helpers
+    assert not [head for head in helpers if re.search(r"(?<!const )\b(double|Pair) \*", head)]
+
+
+def test_what_people_read_may_only_become_shorter():
+    """Lines of C, and of the committed kernels; the goals are 900, 150 and 2500."""
+    assert source().count("\n") <= 1062
+    scene = request.scene("no-stiffness")
+    assert source(parts=scene, whole_delays=True).count("\n") <= 281
+    assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2500
