@@ -56,7 +56,7 @@ def derive(page):
     page.show(
         "The damping of the stiffest passive wall has one function",
         beta,
-        r"\delta\left(\frac{2}{\pi\,\mathrm{Sinc}(\theta)}-\tan\tfrac\theta2\right)",
+        r"\delta\left(\frac{1}{(d+1)\sin\theta}-\tan\tfrac\theta2\right)",
         page.same(
             "stiffest",
             delta * (share / sin(WORST) - (1 - cos(WORST)) / sin(WORST)),

@@ -51,6 +51,7 @@ class Places:
         if not kind:
             return written
         if written not in self.made:
+            self.names.update(self.variables)
             self.made[written] = fresh(kind.lower(), self.names).name
             given = written.removeprefix(f"({kind})")
             self.waiting.append((f"const {kind} ", f"{self.made[written]} = {given};"))
@@ -199,18 +200,17 @@ class Records:
         records = [self._record(kind, own, shown) for kind, own in self._taken(called).items()]
         return [*records, *(_grouped(part, shown, f"({PAIR})") for part in self._parts(called))]
 
-    @staticmethod
-    def _record(kind: str, places: dict[str, str], shown: dict[str, str]) -> str:
+    def _record(self, kind: str, places: dict[str, str], shown: dict[str, str]) -> str:
         """The record that has these numbers, made of them if there is none."""
         (first, place), *_ = places.items()
         for link, address in (("->", ""), (".", "&")):
             variable = shown[first].removesuffix(link + place)
             if all(shown[name] == f"{variable}{link}{place}" for name, place in places.items()):
                 return address + variable
-        if kind in MADE:
+        if kind in MADE and len(places) == len(next(f for f, k in self.kinds.items() if k == kind)):
             return f"({kind}){{{', '.join(shown[name] for name in places)}}}"
         given = (f".{place} = {shown[name]}" for name, place in places.items())
-        return f"&({kind}){{{', '.join(given)}}}"
+        return f"{'&' * (kind not in MADE)}({kind}){{{', '.join(given)}}}"
 
     def made(
         self, routine: Routine, results: Sequence[str], places: Places, handed: Callable[[str], str]
