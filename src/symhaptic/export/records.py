@@ -2,7 +2,8 @@
 
 Routines have flat lists of arguments and results.  In C, a name and the one behind it that ends in
 ``_low`` are a ``Pair``, and several results are one struct, which has the name that the routine
-gives it, or that of the routine.  Results of the same names are the same struct.
+gives it; what is found of a device together is a ``Device``.  Results of the same names are the
+same struct.
 """
 
 from __future__ import annotations
@@ -77,8 +78,7 @@ class Records:
     def _named(self, routine: Routine) -> str:
         if len(joined(_fields(routine))) == 1:
             return PAIR
-        words = self.target.call(routine.name).split("_")
-        return routine.record or "".join(word.capitalize() for word in words)
+        return fresh(routine.record or "Device", set(self.kinds.values())).name
 
     def kind(self, routine: Routine) -> str:
         """The type of what a routine gives."""

@@ -26,15 +26,15 @@ typedef struct { double half; Pair w; double root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { double near, risen, sunk, moved; } Turns;
 typedef struct { double envelope; Pair even, wave; double near, risen, sunk, moved; } Swinging;
-typedef struct { double n0, n1, trace; } DeviceN0N1Trace;
-typedef struct { double together, trace; } DeviceTogetherTrace;
-typedef struct { double at_minus_one, together, n_gap, n0, n1; } DeviceAtMinusOneTogetherNGapN0N1;
+typedef struct { double n0, n1, trace; } Device;
+typedef struct { double together, trace; } Device2;
+typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { double halves, rest; } Angle;
-typedef struct { Pair kick; double n_gap, n0, n1; } DeviceKickKickLowNGapN0N1;
+typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
 typedef struct { double apart, m2, m0; } Delayed;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
-typedef struct { double at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
+typedef struct { double at_minus_one, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
 typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
@@ -365,16 +365,16 @@ static inline Swinging swinging_device(const Motion *motion, double gamma) {
 }
 
 // n0, n1 and trace of the device
-static inline DeviceN0N1Trace device_n0_n1_trace(double gamma, double delta) {
+static inline Device device_n0_n1_trace(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceN0N1Trace){plant_n0_swing(&motion, &swinging, decayed, gamma),
+        return (Device){plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceN0N1Trace){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+    return (Device){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
 }
 
@@ -422,16 +422,15 @@ static inline double numerator_at_one_swing(const Motion *motion, const Swinging
 }
 
 // together and trace of the device
-static inline DeviceTogetherTrace device_together_trace(double gamma, double delta) {
+static inline Device2 device_together_trace(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceTogetherTrace){numerator_at_one_swing(&motion, &swinging, gamma),
+        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma),
             plant_trace_swing(&swinging)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceTogetherTrace){numerator_at_one_creep(&motion, &creeping),
-        plant_trace_creep(&creeping)};
+    return (Device2){numerator_at_one_creep(&motion, &creeping), plant_trace_creep(&creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
@@ -524,21 +523,20 @@ static inline double numerator_gap_swing(const Motion *motion, const Swinging *s
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
-static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
-    double gamma, double delta) {
+static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
-        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(&motion,
-            &swinging), numerator_at_one_swing(&motion, &swinging, gamma),
+        return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
-    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(&creeping),
+    return (Device3){denominator_at_minus_one_creep(&creeping),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -687,14 +685,13 @@ static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, do
 }
 
 // kick, kick_low, n_gap, n0 and n1 of the device
-static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(double gamma,
-    double delta) {
+static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair prod = wide_prod(swinging.envelope, swinging.wave);
         const Pair decayed = slow_fade(&motion);
-        return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
+        return (Device4){fast_two_sum(prod.hi, prod.lo),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
@@ -702,7 +699,7 @@ static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(double 
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair prod2 = pair_prod(creeping.slow, creeping.even);
     const Pair decayed = slow_fade(&motion);
-    return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
+    return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -711,9 +708,9 @@ static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(double 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
 static inline Delayed late_device(double gamma, double delta, double part) {
     const double t0 = 1.0 - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
-    const DeviceKickKickLowNGapN0N1 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
+    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
     const double t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
-    const DeviceKickKickLowNGapN0N1 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
+    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
     const double t8 = device.n0*t4;
     return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
         (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
@@ -822,17 +819,16 @@ static inline Response ahead_in_phase(double psi, double at_one, double at_minus
 }
 
 // at_minus_one, together and n_gap of the device
-static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(double gamma,
-    double delta) {
+static inline Device5 device_at_minus_one_together_n_gap(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(&motion, &swinging),
+        return (Device5){denominator_at_minus_one_swing(&motion, &swinging),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(&creeping),
+    return (Device5){denominator_at_minus_one_creep(&creeping),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
@@ -1305,7 +1301,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
     if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    const DeviceN0N1Trace device = device_n0_n1_trace(gamma, delta);
+    const Device device = device_n0_n1_trace(gamma, delta);
     *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
     *e_out = exp(-delta); return;
 }
@@ -1316,7 +1312,7 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
         (gamma <= 1e+70) && (gamma >= 0.0))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    const DeviceTogetherTrace device = device_together_trace(gamma, delta);
+    const Device2 device = device_together_trace(gamma, delta);
     const double t0 = 1.0 - epsilon, t1 = (t0*t0), t2 = delta*t0;
     const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
     const double n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*exp(-t2);
@@ -1329,8 +1325,7 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return false;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta);
     if (part == 0.0) {
@@ -1347,8 +1342,7 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
         (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
         return -1.0;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta);
     if (part == 0.0) {
@@ -1366,7 +1360,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    const DeviceAtMinusOneTogetherNGap device = device_at_minus_one_together_n_gap(gamma, delta);
+    const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = 0.5*theta;
     const double t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tan(t1);
     const double t13 = sin(theta);
@@ -1394,8 +1388,7 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
         (gamma >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta), t16 = 2.0*t3;
     if (part == 0.0) {

@@ -23,15 +23,15 @@ typedef struct { float half; Pair w; float root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { float near, risen, sunk, moved; } Turns;
 typedef struct { float envelope; Pair even, wave; float near, risen, sunk, moved; } Swinging;
-typedef struct { float n0, n1, trace; } DeviceN0N1Trace;
-typedef struct { float together, trace; } DeviceTogetherTrace;
-typedef struct { float at_minus_one, together, n_gap, n0, n1; } DeviceAtMinusOneTogetherNGapN0N1;
+typedef struct { float n0, n1, trace; } Device;
+typedef struct { float together, trace; } Device2;
+typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { float halves, rest; } Angle;
-typedef struct { Pair kick; float n_gap, n0, n1; } DeviceKickKickLowNGapN0N1;
+typedef struct { Pair kick; float n_gap, n0, n1; } Device4;
 typedef struct { float apart, m2, m0; } Delayed;
 typedef struct { float low, high; } Roots;
 typedef struct { float ahead, in_phase; } Response;
-typedef struct { float at_minus_one, together, n_gap; } DeviceAtMinusOneTogetherNGap;
+typedef struct { float at_minus_one, together, n_gap; } Device5;
 typedef struct { float cosine, sine; } CosSin;
 typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
@@ -359,16 +359,16 @@ static inline Swinging swinging_device(const Motion *motion, float gamma) {
 }
 
 // n0, n1 and trace of the device
-static inline DeviceN0N1Trace device_n0_n1_trace(float gamma, float delta) {
+static inline Device device_n0_n1_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceN0N1Trace){plant_n0_swing(&motion, &swinging, decayed, gamma),
+        return (Device){plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceN0N1Trace){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+    return (Device){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
 }
 
@@ -416,16 +416,15 @@ static inline float numerator_at_one_swing(const Motion *motion, const Swinging 
 }
 
 // together and trace of the device
-static inline DeviceTogetherTrace device_together_trace(float gamma, float delta) {
+static inline Device2 device_together_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceTogetherTrace){numerator_at_one_swing(&motion, &swinging, gamma),
+        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma),
             plant_trace_swing(&swinging)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceTogetherTrace){numerator_at_one_creep(&motion, &creeping),
-        plant_trace_creep(&creeping)};
+    return (Device2){numerator_at_one_creep(&motion, &creeping), plant_trace_creep(&creeping)};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
@@ -517,21 +516,20 @@ static inline float numerator_gap_swing(const Motion *motion, const Swinging *sw
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
-static inline DeviceAtMinusOneTogetherNGapN0N1 device_at_minus_one_together_n_gap_n0_n1(
-    float gamma, float delta) {
+static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
-        return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_swing(&motion,
-            &swinging), numerator_at_one_swing(&motion, &swinging, gamma),
+        return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
-    return (DeviceAtMinusOneTogetherNGapN0N1){denominator_at_minus_one_creep(&creeping),
+    return (Device3){denominator_at_minus_one_creep(&creeping),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -685,13 +683,13 @@ static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, floa
 }
 
 // kick, kick_low, n_gap, n0 and n1 of the device
-static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta) {
+static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair prod = wide_prod(swinging.envelope, swinging.wave);
         const Pair decayed = slow_fade(&motion);
-        return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod.hi, prod.lo),
+        return (Device4){fast_two_sum(prod.hi, prod.lo),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
@@ -699,7 +697,7 @@ static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(float g
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair prod2 = pair_prod(creeping.slow, creeping.even);
     const Pair decayed = slow_fade(&motion);
-    return (DeviceKickKickLowNGapN0N1){fast_two_sum(prod2.hi, prod2.lo),
+    return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -708,9 +706,9 @@ static inline DeviceKickKickLowNGapN0N1 device_kick_kick_low_n_gap_n0_n1(float g
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
 static inline Delayed late_device(float gamma, float delta, float part) {
     const float t0 = 1.0f - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
-    const DeviceKickKickLowNGapN0N1 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
+    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
     const float t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
-    const DeviceKickKickLowNGapN0N1 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
+    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
     const float t8 = device.n0*t4;
     return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
         (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
@@ -820,17 +818,16 @@ static inline Response ahead_in_phase(float psi, float at_one, float at_minus_on
 }
 
 // at_minus_one, together and n_gap of the device
-static inline DeviceAtMinusOneTogetherNGap device_at_minus_one_together_n_gap(float gamma,
-    float delta) {
+static inline Device5 device_at_minus_one_together_n_gap(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_swing(&motion, &swinging),
+        return (Device5){denominator_at_minus_one_swing(&motion, &swinging),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (DeviceAtMinusOneTogetherNGap){denominator_at_minus_one_creep(&creeping),
+    return (Device5){denominator_at_minus_one_creep(&creeping),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
@@ -1319,7 +1316,7 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
     if (!((delta <= 1e+08f) && (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    const DeviceN0N1Trace device = device_n0_n1_trace(gamma, delta);
+    const Device device = device_n0_n1_trace(gamma, delta);
     *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
     *e_out = expf(-delta); return;
 }
@@ -1330,7 +1327,7 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
-    const DeviceTogetherTrace device = device_together_trace(gamma, delta);
+    const Device2 device = device_together_trace(gamma, delta);
     const float t0 = 1.0f - epsilon, t1 = (t0*t0), t2 = delta*t0;
     const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
     const float n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*expf(-t2);
@@ -1344,8 +1341,7 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
         (gamma >= 0.0f))) {
         return false;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta);
     if (part == 0.0f) {
@@ -1364,8 +1360,7 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
         (gamma >= 0.0f))) {
         return -1.0f;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta);
     if (part == 0.0f) {
@@ -1383,7 +1378,7 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    const DeviceAtMinusOneTogetherNGap device = device_at_minus_one_together_n_gap(gamma, delta);
+    const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = 0.5f*theta;
     const float t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tanf(t1);
     const float t13 = sinf(theta);
@@ -1411,8 +1406,7 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         (gamma <= 1e+08f) && (gamma >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const DeviceAtMinusOneTogetherNGapN0N1 device =
-        device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta), t16 = 2.0f*t3;
     if (part == 0.0f) {
