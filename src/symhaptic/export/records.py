@@ -78,7 +78,7 @@ class Records:
     def _named(self, routine: Routine) -> str:
         if len(joined(_fields(routine))) == 1:
             return PAIR
-        return fresh(routine.record or "Device", set(self.kinds.values())).name
+        return str(fresh(routine.record or "Device", set(self.kinds.values())).name)
 
     def kind(self, routine: Routine) -> str:
         """The type of what a routine gives."""
