@@ -174,6 +174,16 @@ class C(Target):
             return "", ""
         return f"const {kind} ", f"{variable} = {self.called(several.call)};"
 
+    def passed_on(self, several: Several) -> str:
+        """Where both are helpers and give the same record."""
+        assert self.records is not None
+        assert self.writes is not None
+        called = self.records.routines[several.call.func.__name__]
+        alike = self.records.kind(self.writes) == self.records.kind(called)
+        if self.writes.name not in self.records.routines or not alike:
+            return ""
+        return f"return {self.called(several.call)};"
+
     def waiting(self) -> list[tuple[str, str]]:
         """Records that are made for what is written next."""
         found = list(self.places.waiting)

@@ -24,7 +24,7 @@ def braces(
         for head, given in target.waiting():
             _declared(target, lines, pad + head, given)
 
-    for statement in block:
+    for i, statement in enumerate(block):
         if isinstance(statement, Assign):
             name = target.rename(statement.name.name)
             given = f"{name} = {printer.doprint(statement.expr)};"
@@ -33,6 +33,10 @@ def braces(
         elif isinstance(statement, Repeat):
             lines += [pad + line for line in _repeated(target, statement, declare)]
         elif isinstance(statement, Several):
+            ends_so = block[i + 1 :] == (Return(statement.names),)
+            if ends_so and (given := target.passed_on(statement)):
+                prepared()
+                return [*lines, pad + given]
             head, given = target.received(statement)
             prepared()
             if head:

@@ -223,6 +223,10 @@ class Target:
         args = ", ".join(map(printer.doprint, call.args))
         return "", self.unpacked(names, self.call(call.func.__name__), args)
 
+    def passed_on(self, several: Several) -> str:
+        """The line that returns all results of a routine at once; nothing if there is none."""
+        return ""
+
     def waiting(self) -> list[tuple[str, str]]:
         """Declarations that the statement needs which was written last, with what declares them."""
         return []

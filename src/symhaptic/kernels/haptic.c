@@ -93,10 +93,7 @@ static inline Pair pair_quot(Pair x, Pair y) {
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
 static inline Fading fading_pair(Pair rate) {
-    if (rate.hi < 0.75) {
-        const Fading fading = brief_fading(rate);
-        return fading;
-    }
+    if (rate.hi < 0.75) { return brief_fading(rate); }
     const double sunk = exp(-rate.hi), sunk_low = -rate.lo*sunk;
     return (Fading){{sunk, sunk_low}, pair_quot(one_minus((Pair){sunk, sunk_low}), rate)};
 }

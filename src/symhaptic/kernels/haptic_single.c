@@ -85,10 +85,7 @@ static inline Pair pair_quot(Pair x, Pair y) {
 
 // exp(-rate), (1 - exp(-rate))/rate and what they miss
 static inline Fading fading_pair(Pair rate) {
-    if (rate.hi < 0.75f) {
-        const Fading fading = brief_fading(rate);
-        return fading;
-    }
+    if (rate.hi < 0.75f) { return brief_fading(rate); }
     const float sunk = expf(-rate.hi), sunk_low = -rate.lo*sunk;
     return (Fading){{sunk, sunk_low}, pair_quot(one_minus((Pair){sunk, sunk_low}), rate)};
 }
