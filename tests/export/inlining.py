@@ -5,6 +5,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from symhaptic.export.module import named
 from symhaptic.export.routine import Repeat, Several, fresh
 
 
@@ -45,7 +46,7 @@ def inlined(routine, routines, kept=lambda _: False):
         return [called(expr.xreplace(known)) for _, expr in found.results]
 
     def results(call):
-        return written(routines[type(call).__name__], call.args)
+        return written(named(type(call).__name__, routines), call.args)
 
     def called(expr):
         """With every such call replaced by what it gives."""
