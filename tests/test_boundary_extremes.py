@@ -293,7 +293,7 @@ def largest(d):
 
 def test_largest_stiffness_for_long_delays():
     name = "s4d_free_mass_long_delay"
-    blocks = [b for b in chapter(name).page.blocks if b.title.startswith("In numbers")]
+    blocks = [b for b in chapter(name).page.blocks if b.title.endswith("are enclosed")]
     values = {str(left): number(right) for b in blocks for left, _, right in b.lines}
     with mpmath.workdps(40):
         angle = mpmath.findroot(lambda f: f * mpmath.tan(f) - 2, 1.08)
