@@ -102,6 +102,7 @@ Ltac nz_known :=
   | H : 0 < ?c |- ?e <> 0 =>
       solve [let E := fresh in intro E; rewrite E in H; clear - H; lra]
   | H : ?c <> 0 |- ?e <> 0 => exact H
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; rewrite E; ring]
   | H : ?c <> ?d |- ?e <> 0 => solve [let E := fresh in intro E; apply H; lra]
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
@@ -120,6 +121,7 @@ Ltac nz_with last :=
     | nz_known
     | solve [apply Rmult_integral_contrapositive_currified; nz_with last]
     | solve [apply pow_nonzero; nz_with last]
+    | solve [apply Ropp_neq_0_compat; nz_with last]
     | solve [apply Rinv_neq_0_compat; nz_with last]
     | match goal with H : ?c <> 0 |- ?e <> 0 =>
         solve [replace e with (c * c) by ring; apply Rmult_integral_contrapositive_currified; exact H]
@@ -617,11 +619,27 @@ Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
 Ltac unified :=
   alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
+(* With the squares of one or two roots. *)
+Ltac rooted_field :=
+  match goal with |- context [sqrt ?x] =>
+    let S := fresh in
+    pose proof (root_square x ltac:(rooted)) as S;
+    first
+      [ solve [ring [S]]
+      | solve [field [S]; nz_quick]
+      | match goal with |- context [sqrt ?y] =>
+          tryif constr_eq x y then fail
+          else let R := fresh in
+            pose proof (root_square y ltac:(rooted)) as R; first [solve [ring [S R]] | solve [field [S R]; nz_quick]]
+        end ]
+  end.
+
 Ltac same :=
   lazymatch goal with
   | |- @eq R _ _ =>
       first
         [ quick_field
+        | solve [rooted_field]
         | solve [known_values; quick_field]
         | solve [unified; quick_field]
         | solve [unified; reflected; valued; known_values; quick_field]
@@ -631,6 +649,29 @@ Ltac same :=
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
+
+(* A function where SymPy has written a term in place of a symbol: known values, other signs. *)
+Lemma sin_45 : sin (PI / 4) = sqrt 2 / 2.
+Proof. rewrite sin_PI4; field [(root_square 2 ltac:(lra))]; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
+Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
+Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
+Ltac special :=
+  match goal with |- ?f ?a = _ =>
+    first
+      [ replace a with (PI / 4) by argument
+      | replace a with (PI / 3) by argument
+      | replace a with (PI / 6) by argument
+      | replace a with (PI - PI / 4) by argument
+      | replace a with (PI - PI / 3) by argument
+      | replace a with (PI - PI / 6) by argument ]
+  end;
+  unfold tan; rewrite ?sin_minus, ?cos_minus, ?sin_PI, ?cos_PI, ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45;
+  first [quick_field | rooted_field].
+Ltac evaluated := first [reflexivity | solve [f_equal; argument] | solve [special] | same].
+Tactic Notation "rewritten" constr(old) constr(new) :=
+  try (replace old with new by (symmetry; opened; evaluated)).
+Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=
+  try (let E := fresh in assert (E : old = new) by (clear P; opened; evaluated); rewrite E in P; clear E).
 
 (* A relation from one that is known, by a tactic for the equality of their sides. *)
 Ltac from_known tac :=
@@ -806,6 +847,13 @@ Proof.
   apply Rle_lt_trans with (1 := M), I; lra.
 Qed.
 
+(* What is said of all points of an interval, at one. *)
+Ltac inside x :=
+  try match goal with H : forall y : R, ?a < y -> y < ?b -> _ |- _ =>
+    specialize (H x ltac:(assumption) ltac:(assumption))
+  end;
+  opened.
+
 Lemma below_its_end : forall (f : R -> R) (a b l : R),
   increasing f a b -> tends f b l -> forall x, a < x -> x < b -> f x < l.
 Proof.
@@ -833,6 +881,12 @@ Proof.
   - apply (below_its_end f a b); [exact I | apply T; lra | lra | lra].
 Qed.
 
+(* That what was derived is the slope that is wanted. *)
+Ltac derived :=
+  first
+    [ quick_field
+    | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
+    | same_field ].
 Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
 
 (* -- limits --------------------------------------------------------------------------- *)
