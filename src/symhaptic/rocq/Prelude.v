@@ -102,7 +102,7 @@ Ltac nz_known :=
   | H : 0 < ?c |- ?e <> 0 =>
       solve [let E := fresh in intro E; rewrite E in H; clear - H; lra]
   | H : ?c <> 0 |- ?e <> 0 => exact H
-  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; rewrite E; ring]
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; rewrite E; unfold Rdiv; ring]
   | H : ?c <> ?d |- ?e <> 0 => solve [let E := fresh in intro E; apply H; lra]
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
@@ -130,17 +130,22 @@ Ltac nz_with last :=
     | solve [apply Rlt_not_eq; interval]
     | last tt ].
 
-(* The last resort: another divisor would vanish. *)
+Ltac nz_none _ := fail.
+Ltac nz_quick := nz_with nz_none.
+
+(* The last resort: what is a multiple of it would vanish. *)
 Ltac nz_hard _ :=
-  match goal with
-  | H : ?c <> 0 |- ?e <> 0 =>
-      solve [let E := fresh in intro E; apply H; timeout 4 (field_simplify_eq in E; nsatz)]
-  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; timeout 4 nsatz]
+  match goal with H : ?c <> 0 |- ?e <> 0 =>
+    solve
+      [let E := fresh in intro E; apply H; field_simplify_eq;
+       [ first
+           [ transitivity e; [ring | exact E]
+           | transitivity (- e); [ring | rewrite E; ring]
+           | field_simplify_eq in E; [lra | nz_quick ..] ]
+       | nz_quick .. ]]
   end.
 
 Ltac nz := nz_with nz_hard.
-Ltac nz_none _ := fail.
-Ltac nz_quick := nz_with nz_none.
 
 Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]).
 
@@ -207,15 +212,6 @@ Ltac apart :=
 Ltac refuted :=
   first [lra | match goal with H : _ <> _ |- False => solve [apply H; lra] end].
 
-Ltac numeric :=
-  first
-    [ lra
-    | interval
-    | interval with (i_prec 100)
-    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | nz ].
-
 (* -- complex numbers ---------------------------------------------------------------- *)
 
 Lemma Cnumbers : ring_morph (RtoC 0) (RtoC 1) Cplus Cmult Cminus Copp (@eq C)
@@ -276,12 +272,16 @@ Proof.
   intros z v w N; unfold Craised; destruct (Ceq_dec z 0) as [E | _]; [contradiction |].
   rewrite <- Cexp_plus; f_equal; ring.
 Qed.
-Lemma Craised_apart : forall z w : C, z <> RtoC 0 -> Craised z w <> RtoC 0.
+Lemma Cexp_apart : forall z : C, Cexp z <> RtoC 0.
 Proof.
-  intros z w N E; unfold Craised in E; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
-  assert (W : (Cexp (w * Clog z) * Cexp (- (w * Clog z)))%C = RtoC 1).
+  intros z E; assert (W : (Cexp z * Cexp (- z))%C = RtoC 1).
   { rewrite <- Cexp_plus; apply Cexp_nought; ring. }
   rewrite E in W; apply (f_equal fst) in W; simpl in W; lra.
+Qed.
+Lemma Craised_apart : forall z w : C, z <> RtoC 0 -> Craised z w <> RtoC 0.
+Proof.
+  intros z w N; unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+  apply Cexp_apart.
 Qed.
 Lemma Craised_number : forall (z : C) n, Craised z (RtoC (INR n)) = (z ^ n)%C.
 Proof.
@@ -301,19 +301,47 @@ Lemma Cnot_zero : forall x : R, x <> 0 -> RtoC x <> RtoC 0.
 Proof. intros x H E; apply H, RtoC_inj, E. Qed.
 Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
 Proof. intros x y; apply Cmult_neq_0. Qed.
-Ltac Cnz :=
+Lemma Ci_apart : Ci <> RtoC 0.
+Proof. intro E; apply (f_equal snd) in E; simpl in E; lra. Qed.
+Ltac Cring := cbn [Cpower]; first [reflexivity | ring].
+Ltac Cnz_with last :=
   cbv beta; repeat split;
   first
     [ assumption
-    | apply Cnot_zero; nz
+    | apply Ci_apart
+    | apply Cexp_apart
     | apply Craised_apart; assumption
-    | solve [apply Cproduct_apart; Cnz]
+    | apply Cnot_zero; nz_with last
+    | solve [apply Cproduct_apart; Cnz_with last]
     | match goal with
       | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
-          solve [let E := fresh in intro E; apply H; replace c with e by Cring; exact E]
-      end ]
-with Cring := cbn [Cpower]; first [reflexivity | ring].
-Ltac Csame_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz]].
+          solve [let E := fresh in intro E; apply H;
+            first [replace c with e by Cring; exact E | replace c with (- e)%C by Cring; rewrite E; Cring]]
+      end
+    | last tt ].
+Ltac Cnz_quick := opened; Cnz_with nz_none.
+Ltac Cnz_hard _ :=
+  match goal with
+  | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
+      solve
+        [let E := fresh in intro E; apply H; cbn [Cpower]; field_simplify_eq;
+         [ first [transitivity e; [Cring | exact E] | transitivity (- e)%C; [Cring | rewrite E; Cring]]
+         | Cnz_quick .. ]]
+  | |- _ <> 0 => nz_hard tt
+  end.
+Ltac Cnz := Cnz_with Cnz_hard.
+Ltac Cquick_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz_quick]].
+Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; field; Cnz]].
+
+Ltac numeric :=
+  first
+    [ lra
+    | interval
+    | interval with (i_prec 100)
+    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | nz
+    | Cnz ].
 
 (* Both components, as real numbers. *)
 Ltac Ccompared := apply injective_projections; simpl; first [reflexivity | solve [ring] | solve [field; nz] | lra].
@@ -619,6 +647,17 @@ Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
 Ltac unified :=
   alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
+(* Part by part: what is divided by need not be known not to vanish. *)
+Ltac Ccongruent :=
+  first
+    [ Cquick_field
+    | solve [Cpushed; Cquick_field]
+    | match goal with
+      | |- (_ / _ = _ / _)%C => apply (f_equal2 Cdiv); Ccongruent
+      | |- (_ * _ = _ * _)%C => apply (f_equal2 Cmult); Ccongruent
+      | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
+      end ].
+
 (* With the squares of one or two roots. *)
 Ltac rooted_field :=
   match goal with |- context [sqrt ?x] =>
@@ -644,8 +683,8 @@ Ltac same :=
         | solve [unified; quick_field]
         | solve [unified; reflected; valued; known_values; quick_field]
         | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
-  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
-      | solve [Cpowers]]
+  | |- @eq C _ _ => first [Cquick_field | solve [Cpushed; Cquick_field] | solve [Ccongruent]
+      | solve [Cpushed; Csame_field] | solve [Ccompared] | solve [Cpowers]]
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
@@ -672,6 +711,10 @@ Tactic Notation "rewritten" constr(old) constr(new) :=
   try (replace old with new by (symmetry; opened; evaluated)).
 Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=
   try (let E := fresh in assert (E : old = new) by (clear P; opened; evaluated); rewrite E in P; clear E).
+Ltac tidied :=
+  rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l.
+Tactic Notation "tidied" "in" hyp(P) :=
+  rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l in P.
 
 (* A relation from one that is known, by a tactic for the equality of their sides. *)
 Ltac from_known tac :=

@@ -208,8 +208,8 @@ def _evaluated(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
     names.spelled |= {s: t if values[s].is_Symbol else f"({t})" for s, t in texts.items()}
     before = {f: real_text(f, names) for f in found}
     names.spelled = kept
-    pairs = sorted((before[f], after[f]) for f in found)
-    return [f"rewritten ({old}) ({new})" for old, new in pairs if old != new]
+    pairs = sorted((before[f], after[f]) for f in found if before[f] != after[f])
+    return [*(f"rewritten ({old}) ({new})" for old, new in pairs), "tidied"] if pairs else []
 
 
 @shows
