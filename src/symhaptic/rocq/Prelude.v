@@ -167,9 +167,30 @@ Proof. intros x H; apply sqrt_sqrt; exact H. Qed.
 
 Ltac rooted := opened; first [assumption | lra | nra | interval].
 
+Lemma sin_45 : sin (PI / 4) = sqrt 2 / 2.
+Proof. rewrite sin_PI4; field [(root_square 2 ltac:(lra))]; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
+Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
+Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
+(* With the squares of one or two roots. *)
+Ltac rooted_field :=
+  match goal with |- context [sqrt ?x] =>
+    let S := fresh in
+    pose proof (root_square x ltac:(rooted)) as S;
+    first
+      [ solve [ring [S]]
+      | solve [field [S]; nz_quick]
+      | match goal with |- context [sqrt ?y] =>
+          tryif constr_eq x y then fail
+          else let R := fresh in
+            pose proof (root_square y ltac:(rooted)) as R; first [solve [ring [S R]] | solve [field [S R]; nz_quick]]
+        end ]
+  end.
+Ltac special_values :=
+  rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0,
+    ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0; ring.
+  special_values; first [ring | rooted_field].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
@@ -658,21 +679,6 @@ Ltac Ccongruent :=
       | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
       end ].
 
-(* With the squares of one or two roots. *)
-Ltac rooted_field :=
-  match goal with |- context [sqrt ?x] =>
-    let S := fresh in
-    pose proof (root_square x ltac:(rooted)) as S;
-    first
-      [ solve [ring [S]]
-      | solve [field [S]; nz_quick]
-      | match goal with |- context [sqrt ?y] =>
-          tryif constr_eq x y then fail
-          else let R := fresh in
-            pose proof (root_square y ltac:(rooted)) as R; first [solve [ring [S R]] | solve [field [S R]; nz_quick]]
-        end ]
-  end.
-
 Ltac same :=
   lazymatch goal with
   | |- @eq R _ _ =>
@@ -690,10 +696,6 @@ Ltac same :=
   end.
 
 (* A function where SymPy has written a term in place of a symbol: known values, other signs. *)
-Lemma sin_45 : sin (PI / 4) = sqrt 2 / 2.
-Proof. rewrite sin_PI4; field [(root_square 2 ltac:(lra))]; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
-Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
-Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
 Ltac special :=
   match goal with |- ?f ?a = _ =>
     first
@@ -704,9 +706,23 @@ Ltac special :=
       | replace a with (PI - PI / 3) by argument
       | replace a with (PI - PI / 6) by argument ]
   end;
-  unfold tan; rewrite ?sin_minus, ?cos_minus, ?sin_PI, ?cos_PI, ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45;
-  first [quick_field | rooted_field].
-Ltac evaluated := first [reflexivity | solve [f_equal; argument] | solve [special] | same].
+  unfold tan; rewrite ?sin_minus, ?cos_minus; special_values; first [quick_field | rooted_field].
+Ltac shifted a b :=
+  first
+    [ replace a with (PI / 2 - b) by argument
+    | replace a with (PI / 2 + b) by argument
+    | replace a with (b - PI / 2) by argument ];
+  rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, sin_PI2, cos_PI2; ring.
+Ltac evaluated :=
+  first
+    [ reflexivity
+    | solve [f_equal; argument]
+    | match goal with
+      | |- sin ?a = ?r => match r with context [cos ?b] => solve [shifted a b] end
+      | |- cos ?a = ?r => match r with context [sin ?b] => solve [shifted a b] end
+      end
+    | solve [special]
+    | same ].
 Tactic Notation "rewritten" constr(old) constr(new) :=
   try (replace old with new by (symmetry; opened; evaluated)).
 Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=

@@ -53,8 +53,9 @@ class _Parts:
         for unit, count in _counted(angle, self.angles):
             if abs(count) > _MOST_TURNS:
                 raise NotPrinted(f"the sine of {count} times an angle")
-            if unit == sp.pi / 2:
-                one = (sp.cos(unit * count), sp.sin(unit * count))
+            known = sp.cos(unit * count), sp.sin(unit * count)
+            if not any(value.atoms(sp.sin, sp.cos) for value in known):
+                one = self.image(known[0]), self.image(known[1])
             else:
                 c1, s1 = self.variable(sp.cos(unit)), self.variable(sp.sin(unit))
                 one = _multiple(c1, s1, count)

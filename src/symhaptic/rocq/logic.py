@@ -221,9 +221,11 @@ def instance(proof: Proof, theorem: Theorem) -> None:
     found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
     turns = _evaluated(proof, claim.body, values)
     if turns:
-        name = proof.new("P")
-        proof.say(f"pose proof ({found}) as {name}.")
-        proof.say(*(f"{turn} in {name}." for turn in turns), f"finish {name}.")
+        given, name = proof.new("G"), proof.new("P")
+        implied = isinstance(theorem.conclusion, Implies)
+        proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
+        proof.say(*(f"{turn} in {name}." for turn in turns))
+        proof.say(*[f"feed {name} {given}."] * implied, f"finish {name}.")
     else:
         proof.say(f"finish ({found}).")
 
