@@ -668,6 +668,8 @@ Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
 Ltac unified :=
   alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
+Lemma Cover_one : forall x y z : C, x = z -> y = RtoC 1 -> (x / y)%C = z.
+Proof. intros x y z E F; rewrite E, F; field; apply Cnot_zero; lra. Qed.
 (* Part by part: what is divided by need not be known not to vanish. *)
 Ltac Ccongruent :=
   first
@@ -677,6 +679,8 @@ Ltac Ccongruent :=
       | |- (_ / _ = _ / _)%C => apply (f_equal2 Cdiv); Ccongruent
       | |- (_ * _ = _ * _)%C => apply (f_equal2 Cmult); Ccongruent
       | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
+      | |- (_ / _ = _)%C => apply Cover_one; [Ccongruent | solve [Cpowers]]
+      | |- (_ = _ / _)%C => symmetry; apply Cover_one; [Ccongruent | solve [Cpowers]]
       end ].
 
 Ltac same :=
@@ -722,6 +726,7 @@ Ltac evaluated :=
       | |- cos ?a = ?r => match r with context [sin ?b] => solve [shifted a b] end
       end
     | solve [special]
+    | solve [rewrite sqrt_pow2; [ring | first [lra | interval]]]
     | same ].
 Tactic Notation "rewritten" constr(old) constr(new) :=
   try (replace old with new by (symmetry; opened; evaluated)).
@@ -762,7 +767,8 @@ Ltac atom :=
           first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
       end
     | from_known by_same
-    | Cmixed ].
+    | Cmixed
+    | lazymatch goal with |- _ <= _ => interval end ].
 
 (* One relation from just one other. *)
 Ltac direct H :=
@@ -1049,6 +1055,11 @@ Proof.
   intros f a p q P N Q; apply N.
   apply is_lim_unique in P; apply is_lim_unique in Q; rewrite P in Q; injection Q; intro E; exact E.
 Qed.
+
+Ltac no_other_limit :=
+  match goal with P : tends ?f ?a ?p, N : ?p <> ?q, Q : tends ?f ?a ?q |- False =>
+    exact (unique_limit f a p q P N Q)
+  end.
 
 Lemma weak_at_the_lower_end : forall (f : R -> R) (a b l : R), a < b ->
   (forall x, a < x -> x < b -> 0 <= f x) -> tends f a l -> 0 <= l.

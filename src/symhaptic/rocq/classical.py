@@ -290,7 +290,7 @@ def no_other_limit(proof: Proof, theorem: Theorem) -> None:
     """A limit is unique."""
     for premise in theorem.premises:
         proof.keep(premise)
-    proof.say("opened; intro Q; opened; eapply unique_limit; eassumption.")
+    proof.say("opened; intro Q; opened; no_other_limit.")
 
 
 @shows
