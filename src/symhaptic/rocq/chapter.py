@@ -50,7 +50,8 @@ class File:
         """The text: byte by byte the same from run to run."""
         head = [*map(_paragraph, self._head()), "From Symhaptic Require Import Prelude.", ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
-        ends = []
+        # where it is cut short, it names what it has not read yet among the axioms
+        ends = ["Unset Default Timeout."] if self.statements else []
         for id, names in self.statements.items():
             ends.append(_paragraph(f"{id}: on what Rocq says that it rests."))
             what = names[0]

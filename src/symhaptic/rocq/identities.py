@@ -185,7 +185,11 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     push, nz = ("cbn [Cpower]; ", "Cnz") if of_complex else ("", "nz")
-    last = " | field_simplify_eq; [first [lra | nra] | nz ..]" if any(v.is_Pow for v in parts.values) else ""
+    last = (
+        " | field_simplify_eq; [first [lra | nra] | nz ..]"
+        if any(v.is_Pow for v in parts.values)
+        else ""
+    )
     return [*lines, f"{push}first [solve [ring{by}] | solve [field{by}; {nz}]{last}]."]
 
 
