@@ -10,7 +10,13 @@ from sympy import I, Lt, Rational, S, cos, exp, pi, sin, symbols, tan
 
 from symhaptic.notation import X, s, z
 from symhaptic.notation.proposition import Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import grows, increases, induction
+from symhaptic.proof.theorems.analysis import (
+    above_its_start,
+    grows,
+    increases,
+    induction,
+    no_other_limit,
+)
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import axiom
 from symhaptic.proof.theorems.kernel import (
@@ -38,6 +44,7 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
+from symhaptic.proof.theorems.tactics import one, over
 from symhaptic.rocq import compiled
 from symhaptic.rocq.chapter import printed
 
@@ -65,6 +72,16 @@ def sum_of_whole():
     start = is_whole(S.Zero)
     step = discharged(is_whole(n + 1, assume(whole(n))), whole(n), whole(n))
     return induction(whole(n), n, start, step)
+
+
+def squared():
+    """0 < x^2 for 1 < x."""
+    return combined(x**2 > 0, [assume(x > 1)] * 2, [2, assume(x > 1)], [less(S.Zero, S.One)])
+
+
+def apart():
+    """x != 0 for 1 < x."""
+    return [combined(Relation(x, "!=", S.Zero), [assume(x > 1)], [less(S.Zero, S.One)])]
 
 
 def chosen_number():
@@ -222,6 +239,60 @@ ATTACKS = {
     "an angle over d + 1": (
         lambda: identity(cos(pi * y / (y + 1)), -cos(pi / (y + 1))),
         [("-cos", "cos"), ("-cos(PI/(y", "-cos(2*PI/(y"), ("= -cos", "= sin")],
+    ),
+    "an angle that has a known sine": (
+        lambda: placed(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 4}),
+        [("(0 < y) -> ", ""), ("y + sqrt(2)/2", "y + sqrt(2)/3"), ("(sqrt(2)/2 <", "(sqrt(3)/2 <")],
+    ),
+    "a sine a quarter further": (
+        lambda: placed(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 2 - n}),
+        [("y + cos(n)", "y - cos(n)"), ("(cos(n) <", "(sin(n) <")],
+    ),
+    "equals in a sine": (
+        lambda: substituted(
+            proposition(x < sin(2 * y)),
+            y,
+            assume(proposition(x < 1)),
+            assume(Relation(pi / 4, "=", n)),
+        ),
+        [("(PI/4 = n)", "(PI/3 = n)"), ("x < sin(2*n)", "x < sin(3*n)"), ("(x < 1) -> ", "")],
+    ),
+    "a growing function that divides": (
+        lambda: grows(-1 / x, x, S.One, y, over(1 / x**2 > 0, one(), squared()), *apart()),
+        [("-1 < -1/y", "-1 < -2/y"), ("(1 < y) -> ", "")],
+    ),
+    "above its start": (
+        lambda: above_its_start(
+            increases(-1 / x, x, S.One, S(3), over(1 / x**2 > 0, one(), squared()), *apart()),
+            tends(-1 / x, x, S.One, S(-1)),
+        ),
+        [("(1 < x) -> ", ""), ("-1 < -1/x", "-1 < 1/x - 2"), ("(x < 3) -> ", "(x < 4) -> ")],
+    ),
+    "a limit that another excludes": (
+        lambda: no_other_limit(
+            tends(sin(3 * x) / sin(x), x, S.Zero, S(3)),
+            number(Relation(S(3), "!=", S(2))),
+        ),
+        [("(0) (2)", "(0) (3)"), ("(~ (", "(("), ("sin(3*x)", "sin(2*x)")],
+    ),
+    "an imaginary number": (
+        lambda: number(Relation(2 * I * pi, "!=", S.Zero)),
+        [("2*Ci*PI", "0*Ci*PI"), ("<> 0", "<> 2*Ci*PI")],
+    ),
+    "a multiple of a complex number": (
+        lambda: combined(
+            Relation(-2 * z * y, "!=", S.Zero),
+            [2, assume(Relation(z, "!=", S.Zero)), assume(Relation(y, "!=", S.Zero))],
+        ),
+        [("((z <> 0 :> C)%C) -> ", ""), ("(y <> 0) -> ", ""), ("-2*y*z <> 0", "-2*y*z <> -2")],
+    ),
+    "other units": (
+        lambda: axiom("units", x, y, n, S.Zero, z, X, S(2), S(2), Rational(1, 4)),
+        [("2*s*y", "3*s*y"), ("X/4", "X/3"), ("4*n", "2*n")],
+    ),
+    "no delay": (
+        lambda: axiom("passive wall", x, y, n, S(2), S.Zero),
+        [("(n/2)", "(n/3)"), ("x + y", "x - y"), ("(passive_wall (x)", "(passive_wall (y)")],
     ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),

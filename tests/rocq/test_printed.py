@@ -5,13 +5,13 @@ import subprocess
 import sys
 
 import pytest
-from sympy import Function, Rational, exp, pi, sin, sqrt, symbols
+from sympy import Eq, Function, Rational, cos, exp, pi, sin, sqrt, symbols
 
 from symhaptic.book.chapters import folder, run
 from symhaptic.notation import z
-from symhaptic.notation.proposition import ForAll, Implies, Predicate, proposition
+from symhaptic.notation.proposition import ForAll, Implies, Predicate, Relation, proposition
 from symhaptic.rocq.chapter import printed
-from symhaptic.rocq.propositions import text
+from symhaptic.rocq.propositions import half_said, text
 from symhaptic.rocq.steps import comment
 from symhaptic.rocq.terms import Names, NotPrinted, real_text
 
@@ -51,6 +51,29 @@ def test_what_has_no_name_is_refused(term):
 def test_a_relation_stands_beside_what_it_divides_by():
     assert said(proposition(x / y < 1), x, y) == r"(y <> 0 /\ x/y < 1)"
     assert said(proposition(x < sqrt(y)), x, y) == r"(0 <= y /\ x < sqrt(y))"
+
+
+@pytest.mark.parametrize(
+    ("claim", "less"),
+    [
+        (proposition(Eq(x, sqrt(y))), False),  # x is real: neither holds for y < 0
+        (proposition(x < sqrt(y)), False),
+        (Relation(x, "!=", sqrt(y)), True),  # holds for y = -1, where Rocq would ask for 0 <= y
+        (Relation(z, "=", sqrt(y)), True),
+        (proposition(Eq(sqrt(x) * sqrt(y), -1)), True),  # i i = -1
+        (proposition(cos(sqrt(y)) > 1), True),  # cos(i) = cosh(1)
+        (Implies((proposition(Eq(z, sqrt(y))), proposition(x > 0))), True),
+        (proposition(x < sqrt(2)), False),
+    ],
+)
+def test_a_root_that_may_be_imaginary_is_seen(claim, less):
+    assert half_said(claim) is less
+
+
+def test_a_statement_of_roots_that_may_be_imaginary_is_not_called_printed():
+    file = printed(run(folder() / "s4b_polynomial_degree.py"))
+    assert "s4d-degree" in file.missing
+    assert "s4d-degree" not in file.statements
 
 
 def test_a_bound_symbol_gives_way_to_a_free_one():

@@ -102,6 +102,7 @@ Ltac nz_known :=
   | H : 0 < ?c |- ?e <> 0 =>
       solve [let E := fresh in intro E; rewrite E in H; clear - H; lra]
   | H : ?c <> 0 |- ?e <> 0 => exact H
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; rewrite E; unfold Rdiv; ring]
   | H : ?c <> ?d |- ?e <> 0 => solve [let E := fresh in intro E; apply H; lra]
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
@@ -120,6 +121,7 @@ Ltac nz_with last :=
     | nz_known
     | solve [apply Rmult_integral_contrapositive_currified; nz_with last]
     | solve [apply pow_nonzero; nz_with last]
+    | solve [apply Ropp_neq_0_compat; nz_with last]
     | solve [apply Rinv_neq_0_compat; nz_with last]
     | match goal with H : ?c <> 0 |- ?e <> 0 =>
         solve [replace e with (c * c) by ring; apply Rmult_integral_contrapositive_currified; exact H]
@@ -128,17 +130,22 @@ Ltac nz_with last :=
     | solve [apply Rlt_not_eq; interval]
     | last tt ].
 
-(* The last resort: another divisor would vanish. *)
+Ltac nz_none _ := fail.
+Ltac nz_quick := nz_with nz_none.
+
+(* The last resort: what is a multiple of it would vanish. *)
 Ltac nz_hard _ :=
-  match goal with
-  | H : ?c <> 0 |- ?e <> 0 =>
-      solve [let E := fresh in intro E; apply H; timeout 4 (field_simplify_eq in E; nsatz)]
-  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; timeout 4 nsatz]
+  match goal with H : ?c <> 0 |- ?e <> 0 =>
+    solve
+      [let E := fresh in intro E; apply H; field_simplify_eq;
+       [ first
+           [ transitivity e; [ring | exact E]
+           | transitivity (- e); [ring | rewrite E; ring]
+           | field_simplify_eq in E; [lra | nz_quick ..] ]
+       | nz_quick .. ]]
   end.
 
 Ltac nz := nz_with nz_hard.
-Ltac nz_none _ := fail.
-Ltac nz_quick := nz_with nz_none.
 
 Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]).
 
@@ -160,9 +167,30 @@ Proof. intros x H; apply sqrt_sqrt; exact H. Qed.
 
 Ltac rooted := opened; first [assumption | lra | nra | interval].
 
+Lemma sin_45 : sin (PI / 4) = sqrt 2 / 2.
+Proof. rewrite sin_PI4; field [(root_square 2 ltac:(lra))]; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
+Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
+Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
+(* With the squares of one or two roots. *)
+Ltac rooted_field :=
+  match goal with |- context [sqrt ?x] =>
+    let S := fresh in
+    pose proof (root_square x ltac:(rooted)) as S;
+    first
+      [ solve [ring [S]]
+      | solve [field [S]; nz_quick]
+      | match goal with |- context [sqrt ?y] =>
+          tryif constr_eq x y then fail
+          else let R := fresh in
+            pose proof (root_square y ltac:(rooted)) as R; first [solve [ring [S R]] | solve [field [S R]; nz_quick]]
+        end ]
+  end.
+Ltac special_values :=
+  rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0,
+    ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0; ring.
+  special_values; first [ring | rooted_field].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
@@ -204,15 +232,6 @@ Ltac apart :=
 
 Ltac refuted :=
   first [lra | match goal with H : _ <> _ |- False => solve [apply H; lra] end].
-
-Ltac numeric :=
-  first
-    [ lra
-    | interval
-    | interval with (i_prec 100)
-    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | nz ].
 
 (* -- complex numbers ---------------------------------------------------------------- *)
 
@@ -274,12 +293,16 @@ Proof.
   intros z v w N; unfold Craised; destruct (Ceq_dec z 0) as [E | _]; [contradiction |].
   rewrite <- Cexp_plus; f_equal; ring.
 Qed.
-Lemma Craised_apart : forall z w : C, z <> RtoC 0 -> Craised z w <> RtoC 0.
+Lemma Cexp_apart : forall z : C, Cexp z <> RtoC 0.
 Proof.
-  intros z w N E; unfold Craised in E; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
-  assert (W : (Cexp (w * Clog z) * Cexp (- (w * Clog z)))%C = RtoC 1).
+  intros z E; assert (W : (Cexp z * Cexp (- z))%C = RtoC 1).
   { rewrite <- Cexp_plus; apply Cexp_nought; ring. }
   rewrite E in W; apply (f_equal fst) in W; simpl in W; lra.
+Qed.
+Lemma Craised_apart : forall z w : C, z <> RtoC 0 -> Craised z w <> RtoC 0.
+Proof.
+  intros z w N; unfold Craised; destruct (Ceq_dec z 0) as [F | _]; [contradiction |].
+  apply Cexp_apart.
 Qed.
 Lemma Craised_number : forall (z : C) n, Craised z (RtoC (INR n)) = (z ^ n)%C.
 Proof.
@@ -299,19 +322,47 @@ Lemma Cnot_zero : forall x : R, x <> 0 -> RtoC x <> RtoC 0.
 Proof. intros x H E; apply H, RtoC_inj, E. Qed.
 Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <> RtoC 0.
 Proof. intros x y; apply Cmult_neq_0. Qed.
-Ltac Cnz :=
+Lemma Ci_apart : Ci <> RtoC 0.
+Proof. intro E; apply (f_equal snd) in E; simpl in E; lra. Qed.
+Ltac Cring := cbn [Cpower]; first [reflexivity | ring].
+Ltac Cnz_with last :=
   cbv beta; repeat split;
   first
     [ assumption
-    | apply Cnot_zero; nz
+    | apply Ci_apart
+    | apply Cexp_apart
     | apply Craised_apart; assumption
-    | solve [apply Cproduct_apart; Cnz]
+    | apply Cnot_zero; nz_with last
+    | solve [apply Cproduct_apart; Cnz_with last]
     | match goal with
       | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
-          solve [let E := fresh in intro E; apply H; replace c with e by Cring; exact E]
-      end ]
-with Cring := cbn [Cpower]; first [reflexivity | ring].
-Ltac Csame_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz]].
+          solve [let E := fresh in intro E; apply H;
+            first [replace c with e by Cring; exact E | replace c with (- e)%C by Cring; rewrite E; Cring]]
+      end
+    | last tt ].
+Ltac Cnz_quick := opened; Cnz_with nz_none.
+Ltac Cnz_hard _ :=
+  match goal with
+  | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
+      solve
+        [let E := fresh in intro E; apply H; cbn [Cpower]; field_simplify_eq;
+         [ first [transitivity e; [Cring | exact E] | transitivity (- e)%C; [Cring | rewrite E; Cring]]
+         | Cnz_quick .. ]]
+  | |- _ <> 0 => nz_hard tt
+  end.
+Ltac Cnz := Cnz_with Cnz_hard.
+Ltac Cquick_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz_quick]].
+Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; field; Cnz]].
+
+Ltac numeric :=
+  first
+    [ lra
+    | interval
+    | interval with (i_prec 100)
+    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    | nz
+    | Cnz ].
 
 (* Both components, as real numbers. *)
 Ltac Ccompared := apply injective_projections; simpl; first [reflexivity | solve [ring] | solve [field; nz] | lra].
@@ -617,20 +668,74 @@ Ltac reflected := turned_by sin back_sin; turned_by cos back_cos.
 Ltac unified :=
   alike cos; alike sin; alike exp; alike tan; alike ln; alike sqrt; alike Rabs; alike atan.
 
+Lemma Cover_one : forall x y z : C, x = z -> y = RtoC 1 -> (x / y)%C = z.
+Proof. intros x y z E F; rewrite E, F; field; apply Cnot_zero; lra. Qed.
+(* Part by part: what is divided by need not be known not to vanish. *)
+Ltac Ccongruent :=
+  first
+    [ Cquick_field
+    | solve [Cpushed; Cquick_field]
+    | match goal with
+      | |- (_ / _ = _ / _)%C => apply (f_equal2 Cdiv); Ccongruent
+      | |- (_ * _ = _ * _)%C => apply (f_equal2 Cmult); Ccongruent
+      | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
+      | |- (_ / _ = _)%C => apply Cover_one; [Ccongruent | solve [Cpowers]]
+      | |- (_ = _ / _)%C => symmetry; apply Cover_one; [Ccongruent | solve [Cpowers]]
+      end ].
+
 Ltac same :=
   lazymatch goal with
   | |- @eq R _ _ =>
       first
         [ quick_field
+        | solve [rooted_field]
         | solve [known_values; quick_field]
         | solve [unified; quick_field]
         | solve [unified; reflected; valued; known_values; quick_field]
         | solve [unfold tan, cot, sinh, cosh, tanh, Rminus; unified; known_values; quick_field] ]
-  | |- @eq C _ _ => first [Csame_field | solve [Cpushed; Csame_field] | solve [Ccompared]
-      | solve [Cpowers]]
+  | |- @eq C _ _ => first [Cquick_field | solve [Cpushed; Cquick_field] | solve [Ccongruent]
+      | solve [Cpushed; Csame_field] | solve [Ccompared] | solve [Cpowers]]
   | |- @eq (_ -> _) _ _ =>
       let x := fresh in apply functional_extensionality; intro x; cbv beta; same
   end.
+
+(* A function where SymPy has written a term in place of a symbol: known values, other signs. *)
+Ltac special :=
+  match goal with |- ?f ?a = _ =>
+    first
+      [ replace a with (PI / 4) by argument
+      | replace a with (PI / 3) by argument
+      | replace a with (PI / 6) by argument
+      | replace a with (PI - PI / 4) by argument
+      | replace a with (PI - PI / 3) by argument
+      | replace a with (PI - PI / 6) by argument ]
+  end;
+  unfold tan; rewrite ?sin_minus, ?cos_minus; special_values; first [quick_field | rooted_field].
+Ltac shifted a b :=
+  first
+    [ replace a with (PI / 2 - b) by argument
+    | replace a with (PI / 2 + b) by argument
+    | replace a with (b - PI / 2) by argument ];
+  rewrite ?sin_minus, ?cos_minus, ?sin_plus, ?cos_plus, sin_PI2, cos_PI2; ring.
+Ltac evaluated :=
+  first
+    [ reflexivity
+    | solve [f_equal; argument]
+    | match goal with
+      | |- sin ?a = ?r => match r with context [cos ?b] => solve [shifted a b] end
+      | |- cos ?a = ?r => match r with context [sin ?b] => solve [shifted a b] end
+      end
+    | solve [special]
+    | solve [rewrite sqrt_pow2; [ring | first [lra | interval]]]
+    | same ].
+Tactic Notation "rewritten" constr(old) constr(new) :=
+  try (replace old with new by (symmetry; opened; evaluated)).
+Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=
+  try (let E := fresh in assert (E : old = new) by (clear P; opened; evaluated); rewrite E in P; clear E).
+Ltac tidied :=
+  rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l.
+Tactic Notation "tidied" "in" hyp(P) :=
+  rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l in P.
 
 (* A relation from one that is known, by a tactic for the equality of their sides. *)
 Ltac from_known tac :=
@@ -662,7 +767,8 @@ Ltac atom :=
           first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
       end
     | from_known by_same
-    | Cmixed ].
+    | Cmixed
+    | lazymatch goal with |- _ <= _ => interval end ].
 
 (* One relation from just one other. *)
 Ltac direct H :=
@@ -806,6 +912,13 @@ Proof.
   apply Rle_lt_trans with (1 := M), I; lra.
 Qed.
 
+(* What is said of all points of an interval, at one. *)
+Ltac inside x :=
+  try match goal with H : forall y : R, ?a < y -> y < ?b -> _ |- _ =>
+    specialize (H x ltac:(assumption) ltac:(assumption))
+  end;
+  opened.
+
 Lemma below_its_end : forall (f : R -> R) (a b l : R),
   increasing f a b -> tends f b l -> forall x, a < x -> x < b -> f x < l.
 Proof.
@@ -833,6 +946,12 @@ Proof.
   - apply (below_its_end f a b); [exact I | apply T; lra | lra | lra].
 Qed.
 
+(* That what was derived is the slope that is wanted. *)
+Ltac derived :=
+  first
+    [ quick_field
+    | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
+    | same_field ].
 Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
 
 (* -- limits --------------------------------------------------------------------------- *)
@@ -936,6 +1055,11 @@ Proof.
   intros f a p q P N Q; apply N.
   apply is_lim_unique in P; apply is_lim_unique in Q; rewrite P in Q; injection Q; intro E; exact E.
 Qed.
+
+Ltac no_other_limit :=
+  match goal with P : tends ?f ?a ?p, N : ?p <> ?q, Q : tends ?f ?a ?q |- False =>
+    exact (unique_limit f a p q P N Q)
+  end.
 
 Lemma weak_at_the_lower_end : forall (f : R -> R) (a b l : R), a < b ->
   (forall x, a < x -> x < b -> 0 <= f x) -> tends f a l -> 0 <= l.

@@ -14,6 +14,7 @@ from symhaptic.proof.theorems.kernel import NotShown, Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
 from symhaptic.rocq.leaves import LEAVES, SPELLED
 from symhaptic.rocq.logic import LOGIC
+from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
 
@@ -49,10 +50,15 @@ class File:
         """The text: byte by byte the same from run to run."""
         head = [*map(_paragraph, self._head()), "From Symhaptic Require Import Prelude.", ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
-        ends = []
+        # where it is cut short, it names what it has not read yet among the axioms
+        ends = ["Unset Default Timeout."] if self.statements else []
         for id, names in self.statements.items():
             ends.append(_paragraph(f"{id}: on what Rocq says that it rests."))
-            ends += [f"Print Assumptions {name}." for name in names]
+            what = names[0]
+            if names[1:]:
+                what = f"all_{slug(id)}"
+                ends.append(wrapped(f"Definition {what} := ({', '.join(names)}).", "  "))
+            ends.append(f"Print Assumptions {what}.")
         return "\n".join([*head, *steps, *ends]) + "\n"
 
     def _head(self) -> Iterator[str]:
@@ -128,7 +134,9 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
-            if said(theorem) in known:
+            if any(map(half_said, (*theorem.hypotheses, theorem.conclusion))):
+                file.missing.setdefault(id, "a root of what may be negative, in complex numbers")
+            elif said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
             else:
                 file.missing.setdefault(id, why.get(said(theorem), "a mere assumption"))

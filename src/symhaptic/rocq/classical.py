@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import Any
 
 import sympy as sp
@@ -71,6 +71,7 @@ def _slope(proof: Proof, expr: Expr, variable: Symbol, theorem: Theorem) -> tupl
         names = proof.names
         body, rate = real_text(expr, names), real_text(claim.right, names)
         shown = " ".join(same(sp.diff(expr, variable), claim.right, names))
+    shown = "derived." if shown == "same_field." else shown
     return f"(fun {v} : R => {body})", f"(fun {v} : R => {rate})", shown
 
 
@@ -108,7 +109,11 @@ def increases(proof: Proof, theorem: Theorem) -> None:
                 "{",
             )
         _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
-        proof.say("}", "split; [intros; apply Q; split; assumption |].")
+        proof.say(
+            "}",
+            "split; [intros y L U; generalize (Q y (conj L U)); clear; intros; opened; "
+            "repeat split; assumption |].",
+        )
     proof.say(f"apply (rises {f} {g}).")
     _inside(proof, variable, ends, defined, f"evar_last; [slope |]. {shown}")
     _inside(proof, variable, ends, [slope], "opened; assumption.")
@@ -126,25 +131,26 @@ def grows(proof: Proof, theorem: Theorem) -> None:
     expr, ends = term(expr), (term(x), term(y))
     f, g, shown = _slope(proof, expr, variable, slope)
     low, high = (f"({real_text(t, proof.names)})" for t in ends)
+    proof.say(f"assert (Ends : {low} < {high}) by (opened; assumption).")
+    claims = [c for c in conditions(expr) if variable in c.free]
+    if claims:
+        with proof.names.introduced(variable) as [v]:
+            told = " /\\ ".join(sorted(map(proof.text, claims)))
+        proof.say(f"assert (Q : forall {v} : R, {low} < {v} < {high} -> {told}).", "{")
+        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
+        proof.say("}")
     proof.say(
-        f"assert (Ends : {low} < {high}) by (opened; assumption).",
         f"assert (Goal : {f} {low} < {f} {high}).",
         "{",
         f"apply (grows {f} {g}); [exact Ends | | |].",
     )
     with proof.names.introduced(variable) as [v]:
         proof.say(f"- intros {v} [Lo Hi].")
-        claims = [c for c in sorted(conditions(expr), key=proof.text) if variable in c.free]
-        texts = [proof.text(c) for c in claims]
     if claims:
-        told = " /\\ ".join(texts)
-        proof.say(f"  assert (Q : forall {v} : R, {low} < {v} < {high} -> {told}).", "  {")
-        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
         proof.say(
-            "  }",
             "  destruct (Rle_lt_or_eq_dec _ _ Lo) as [Lo1 | Lo1];"
             " [destruct (Rle_lt_or_eq_dec _ _ Hi) as [Hi1 | Hi1] |].",
-            f"  + destruct (Q {v} (conj Lo1 Hi1)); slope.",
+            f"  + generalize (Q {v} (conj Lo1 Hi1)); intros; opened; slope.",
             f"  + clear Q; subst {v}; slope.",
             f"  + clear Q; subst {v}; slope.",
         )
@@ -171,7 +177,7 @@ def above_its_start(proof: Proof, theorem: Theorem) -> None:
         f"assert (Goal : {real_text(start.conclusion.of[2], proof.names)} < "  # type: ignore[attr-defined]
         f"{f} {proof.names[variable]}) by (apply (above_its_start {f} "
         f"({real_text(lower, proof.names)}) ({real_text(upper, proof.names)})); assumption).",
-        "cbv beta in Goal; defined; assumption.",
+        f"cbv beta in Goal; inside {proof.names[variable]}; defined; assumption.",
     )
 
 
@@ -213,13 +219,12 @@ def tends(proof: Proof, theorem: Theorem) -> None:
         with names.bound(variable) as [v]:
             return f"(fun {v} : R => {real_text(of, names)})"
 
-    if not is_zero(below.xreplace(there)):
-        _sine_apart(proof, below.xreplace(there))
+    chains = [_until(below, variable, at)]
+    _sine_apart(proof, chains[0][-1].xreplace(there))
     proof.say("opened; defined.")
-    if not is_zero(below.xreplace(there)):
+    if len(chains[0]) == 1:
         proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
         return
-    chains = [_until(below, variable, at)]
     order = len(chains[0]) - 1
     chains.insert(0, [sp.diff(above, variable, i) for i in range(order + 1)])
     if not all(is_zero(f.xreplace(there)) for f in chains[0][:-1]):
@@ -247,22 +252,27 @@ def tends(proof: Proof, theorem: Theorem) -> None:
 
 
 def _sine_apart(proof: Proof, divisor: Expr) -> None:
-    """A sine is not zero where a series' coefficient is said not to be, 2 j sin w exp(j w)."""
+    """A sine is not zero where a series' coefficient is said not to be, 2 j sin w exp(j n w)."""
     names = proof.names
     for claim, name in list(proof.scope.items()):
         if not (isinstance(claim, Relation) and claim.sign == "!=" and complex_(claim.left)):
             continue
-        for sine in divisor.atoms(sp.sin):
-            for turn in (2, -2, 2 * sp.I, -2 * sp.I):
-                share = turn * sp.exp(sp.I * sine.args[0])
-                if is_zero(claim.left - sine * share):
-                    proof.say(f"assert (Apart : {real_text(sine, names)} <> 0).")
-                    proof.say("{", f"intro Z; apply {name}.")
-                    sides = [complex_text(t, names) for t in (claim.left, sine * share)]
-                    proof.say(f"assert (F : ({sides[0]} = {sides[1]} :> C)%C).", "{")
-                    proof.say(*same(claim.left, sine * share, names), "}")
-                    proof.say("rewrite F, Z; ring.", "}")
-                    return
+        for sine, quarter, n in product(divisor.atoms(sp.sin), range(4), range(-3, 4)):
+            share = sine * 2 * sp.I**quarter * sp.exp(n * sp.I * sine.args[0])
+            if is_zero(claim.left - share):
+                sides = [complex_text(t, names) for t in (claim.left, share)]
+                proof.say(
+                    f"assert (Apart : {real_text(sine, names)} <> 0).",
+                    "{",
+                    f"intro Z; apply {name}.",
+                    f"assert (F : ({sides[0]} = {sides[1]} :> C)%C).",
+                    "{",
+                    *same(claim.left, share, names),
+                    "}",
+                    "rewrite F, Z; ring.",
+                    "}",
+                )
+                return
 
 
 def _until(expr: Expr, variable: Symbol, at: Expr) -> list[Expr]:
@@ -280,7 +290,7 @@ def no_other_limit(proof: Proof, theorem: Theorem) -> None:
     """A limit is unique."""
     for premise in theorem.premises:
         proof.keep(premise)
-    proof.say("opened; intro Q; opened; eapply unique_limit; eassumption.")
+    proof.say("opened; intro Q; opened; no_other_limit.")
 
 
 @shows

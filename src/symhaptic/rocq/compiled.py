@@ -237,12 +237,10 @@ def _error(said: str) -> str:
 def _rests(file: File, said: str) -> dict[str, list[str]]:
     """What each lemma that is asked for rests on."""
     blocks = re.split(r"^(?:Axioms:|Closed under the global context)$", said, flags=re.M)[1:]
-    asked = [(id, name) for id, names in file.statements.items() for name in names]
-    found: dict[str, list[str]] = {}
-    for (id, _), block in zip(asked, blocks, strict=True):
-        names = re.findall(r"^([\w.']+)(?= :|$)", block, flags=re.M)
-        found[id] = sorted({*found.get(id, []), *map(_short, names)})
-    return found
+    return {
+        id: sorted(set(map(_short, re.findall(r"^([\w.']+)(?= :|$)", block, flags=re.M))))
+        for id, block in zip(file.statements, blocks, strict=True)
+    }
 
 
 def _short(name: str) -> str:

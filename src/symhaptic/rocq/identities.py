@@ -53,8 +53,9 @@ class _Parts:
         for unit, count in _counted(angle, self.angles):
             if abs(count) > _MOST_TURNS:
                 raise NotPrinted(f"the sine of {count} times an angle")
-            if unit == sp.pi / 2:
-                one = (sp.cos(unit * count), sp.sin(unit * count))
+            known = sp.cos(unit * count), sp.sin(unit * count)
+            if not any(value.atoms(sp.sin, sp.cos) for value in known):
+                one = self.image(known[0]), self.image(known[1])
             else:
                 c1, s1 = self.variable(sp.cos(unit)), self.variable(sp.sin(unit))
                 one = _multiple(c1, s1, count)
@@ -184,7 +185,12 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     push, nz = ("cbn [Cpower]; ", "Cnz") if of_complex else ("", "nz")
-    return [*lines, f"{push}first [solve [ring{by}] | field{by}; {nz}]."]
+    last = (
+        " | field_simplify_eq; [first [lra | nra] | nz ..]"
+        if any(v.is_Pow for v in parts.values)
+        else ""
+    )
+    return [*lines, f"{push}first [solve [ring{by}] | solve [field{by}; {nz}]{last}]."]
 
 
 def same(left: Expr, right: Expr, names: Names) -> list[str]:

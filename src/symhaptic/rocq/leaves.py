@@ -198,7 +198,7 @@ def combined(proof: Proof, theorem: Theorem) -> None:
     lines = script(terms, difference, names)
     proof.say(f"- {lines[0]}", *(f"  {line}" for line in lines[1:]))
     zeros = [
-        f"replace {_way(p.equation, names, write)}{scope} with {nought} by {zeroed}"
+        f"replace ({_way(p.equation, names, write)}){scope} with {nought} by {zeroed}"
         for p in zero
         if p.equation
     ]

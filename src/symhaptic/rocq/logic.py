@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from sympy import Expr, Symbol
+from sympy import Expr, Symbol, sqrt
 
 from symhaptic.notation.proposition import (
     And,
@@ -15,6 +15,7 @@ from symhaptic.notation.proposition import (
     Implies,
     Or,
     Proposition,
+    Terms,
     is_complex,
     proposition,
     term,
@@ -180,13 +181,53 @@ def _value(proof: Proof, symbol: Symbol, value: Expr) -> str:
     return f"({real_text(value, proof.names)})"
 
 
+def _functions(claim: Proposition, bound: frozenset[Symbol] = frozenset()) -> Iterator[Expr]:
+    """Real values of functions in a proposition, without those of symbols that it binds."""
+    bound |= set(claim.bound)
+    left = list(claim.terms)
+    while left:
+        part = left.pop()
+        root = part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer
+        if not (part.is_Function or root):
+            left += part.args
+        elif not (part.free_symbols & bound or complex_(part)):
+            yield sqrt(part.base) if root else part
+    for inner in claim.parts:
+        yield from _functions(inner, bound)
+
+
+def _evaluated(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
+    """Tactics that write functions as SymPy does where terms stand in place of symbols."""
+    names, values = proof.names, {s: term(v) for s, v in values.items() if s != v}
+    if complex_(*values, *values.values()):
+        return []
+    found = {f for f in _functions(claim) if f.free_symbols & set(values)}
+    after = {f: real_text(f.xreplace(values), names) for f in found}
+    kept = dict(names.spelled)
+    texts = {s: real_text(v, names) for s, v in values.items()}
+    names.spelled |= {s: t if values[s].is_Symbol else f"({t})" for s, t in texts.items()}
+    before = {f: real_text(f, names) for f in found}
+    names.spelled = kept
+    pairs = sorted((before[f], after[f]) for f in found if before[f] != after[f])
+    return [*(f"rewritten ({old}) ({new})" for old, new in pairs), "tidied"] if pairs else []
+
+
 @shows
 def instance(proof: Proof, theorem: Theorem) -> None:
     """What holds for all holds for a term, in the form that SymPy gives it."""
     (premise,), values = theorem.premises, theorem.given[1]
     claim = premise.conclusion
     assert isinstance(claim, ForAll)
-    proof.say(f"finish ({proof.have(premise)} {' '.join(_values(proof, claim.over, values))}).")
+    found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
+    turns = _evaluated(proof, claim.body, values)
+    if turns:
+        given, name = proof.new("G"), proof.new("P")
+        implied = isinstance(theorem.conclusion, Implies)
+        proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
+        proof.say(*(f"{turn} in {name}." for turn in turns))
+        proof.say(*[f"feed {name} {given}."] * implied, f"finish {name}.")
+    else:
+        proof.say(f"finish ({found}).")
 
 
 @shows
@@ -212,6 +253,8 @@ def placed(proof: Proof, theorem: Theorem) -> None:
     args = [inner[s] if s in inner else _values(proof, [s], at)[0] for s in step.free]
     name = proof.new("P")
     proof.say(f"pose proof ({' '.join([step.name, *args])}) as {name}.")
+    whole = Implies((And(step.hypotheses), step.conclusion))
+    proof.say(*(f"{turn} in {name}." for turn in _evaluated(proof, whole, values)))
     for claim in step.hypotheses:
         moved = claim.at(values)
         known = proof.scope.get(moved, "I")
@@ -233,17 +276,25 @@ def substituted(proof: Proof, theorem: Theorem) -> None:
         raise NotPrinted("a real number that is written with j, in place of a symbol")
     scope = "%C" if kind == "C" else ""
     sides = [f"({write(t, proof.names)}){scope}" for t in (claim.left, claim.right)]
-    equal, before = proof.keep(equation), proof.have(known)
+    proof.keep(equation)
+    before = proof.have(known)
     with proof.names.bound(place) as [name]:
         body = proof.text(pattern)
     old, new, turned = proof.new("P"), proof.new("P"), proof.new("E")
+    there, here = (_evaluated(proof, pattern, {place: t}) for t in (claim.left, claim.right))
     proof.say(
-        f"assert ({old} : (fun {name} : {kind} => {body}) {sides[0]}) by finish {before}.",
+        f"assert ({old} : (fun {name} : {kind} => {body}) {sides[0]}).",
+        "{",
+        "cbv beta.",
+        *(f"{turn}." for turn in there),
+        f"finish {before}.",
+        "}",
         f"assert ({turned} : {sides[0]} = {sides[1]}) by (opened; assumed).",
         f"pose proof (eq_ind _ (fun {name} : {kind} => {body}) {old} _ {turned}) as {new}.",
-        f"cbv beta in {new}; clear {old}; finish {new}.",
+        f"cbv beta in {new}; clear {old}.",
+        *(f"{turn} in {new}." for turn in here),
+        f"finish {new}.",
     )
-    del equal
 
 
 @shows

@@ -90,6 +90,24 @@ def needed(*terms: Expr) -> list[Proposition]:
     return list(found)
 
 
+def half_said(claim: Proposition) -> bool:
+    """Whether the text says less: a root is real there, and here it may be imaginary.
+
+    A real number equals or exceeds no imaginary one: of a single root outside of functions an order
+    or an equation says the same.
+    """
+    if isinstance(claim, Relation):
+        roots = [r for t in claim.terms for r in _roots(t)]
+        once = len(roots) == 1 and not complex_(*claim.terms) and claim.sign != "!="
+        return bool(roots) and not (once and not any(t.has(sp.Function) for t in claim.terms))
+    return any(map(half_said, claim.parts)) or any(r for t in claim.terms for r in _roots(t))
+
+
+def _roots(expr: Expr) -> list[Expr]:
+    parts = (p for p in sp.preorder_traversal(expr) if p.is_Pow and p.base.free_symbols)
+    return [p for p in parts if p.exp.is_Rational and not p.exp.is_Integer]
+
+
 def _beside(terms: Sequence[Expr], said: str, names: Names) -> str:
     """What is said, beside what the terms divide by."""
     found = sorted({_relation(c, names) for c in needed(*terms) if isinstance(c, Relation)})
