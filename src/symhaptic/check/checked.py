@@ -40,6 +40,9 @@ DELAY: Range = (0.0, 8.0, (1.0,))
 FEW: Range = (0.0, 3.0, (1.0,))
 """A delay for what takes a polynomial."""
 
+FRACTION: Range = (0.0, 0.99, (0.5,))
+"""A part of a period."""
+
 GAMMA: Range = (0.0, 9.8, (1e-300, 1e-16, 1e-8, 1.0, 2.25))
 DELTA: Range = (0.0, 4.0, (1e-300, 1e-16, 1e-8, 2.0, 3.0))
 """With critical damping at (1, 2) and (2.25, 3)."""

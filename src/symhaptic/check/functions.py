@@ -17,6 +17,7 @@ from symhaptic.check.checked import (
     DELAY,
     DELTA,
     FEW,
+    FRACTION,
     GAMMA,
     SPRING,
     STIFFNESS,
@@ -29,8 +30,9 @@ from symhaptic.numeric.passivity import (
     max_passive_stiffness,
     passivity_boundary,
     passivity_margin,
+    passivity_margin_at,
 )
-from symhaptic.numeric.plant import discretize
+from symhaptic.numeric.plant import discretize, discretize_fractional
 from symhaptic.numeric.stability import is_stable, unstable_roots
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.numeric.tracing.margin import delay_margin
@@ -116,6 +118,14 @@ FUNCTIONS = (
         printed="eq14",
     ),
     Checked(
+        "discretize_fractional",
+        {"gamma": GAMMA, "delta": DELTA, "epsilon": FRACTION},
+        ("m2", "m1", "m0", "a", "e"),
+        EXACT["discretize_fractional"],
+        discretize_fractional,
+        lambda gamma, delta, epsilon: (0.5, 1.0, 0.5, 2.0, 0.0),
+    ),
+    Checked(
         "characteristic_polynomial",
         {"alpha": STIFFNESS, "beta": DAMPING, "gamma": GAMMA, "delta": DELTA},
         ("z4", "z3", "z2", "z1", "z0"),
@@ -186,6 +196,15 @@ FUNCTIONS = (
         _wall_size,
         whole=("d",),
         balls=1000,
+    ),
+    Checked(
+        "passivity_margin_at",
+        {"theta": ANGLE, "alpha": STIFFNESS, "beta": DAMPING, "delta": DAMPER, "d": DELAY},
+        ("margin",),
+        EXACT["passivity_margin_at"],
+        lambda *wall: (passivity_margin_at(*wall),),
+        lambda theta, *wall: _wall_size(*wall),
+        whole=("d",),
     ),
     Checked(
         "passivity_boundary",

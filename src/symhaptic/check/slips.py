@@ -160,6 +160,7 @@ def factor(ranges: Mapping[str, Any], columns: Columns, right: Any, mine: Any) -
     found_ = {
         name: sp.Rational(p).limit_denominator(2) for name, p in zip(ranges, powers, strict=True)
     }
-    near = sp.nsimplify(sign * constant, rational=True, tolerance=1e-7)
-    number = near if max(abs(near.p), near.q) <= 1000 else sp.Float(sign * constant, 6)
+    near = sp.Rational(constant).limit_denominator(1000)
+    plain = near.p <= 1000 and abs(near - constant) <= 1e-7 * constant
+    number = sign * (near if plain else sp.Float(constant, 6))
     return str(sp.Mul(number, *(Symbol(n, positive=True) ** p for n, p in found_.items())))
