@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import pytest
-from sympy import Eq, Function, Rational, cos, exp, pi, sin, sqrt, symbols
+from sympy import Eq, Function, Rational, Symbol, cos, exp, pi, sin, sqrt, symbols
 
 from symhaptic.book.chapters import folder, run
 from symhaptic.notation import z
@@ -58,6 +58,8 @@ def test_a_relation_stands_beside_what_it_divides_by():
     [
         (proposition(Eq(x, sqrt(y))), False),  # x is real: neither holds for y < 0
         (proposition(x < sqrt(y)), False),
+        (proposition(x < sqrt(y) / Symbol("T")), False),
+        (proposition(Eq(x * sqrt(y), 0)), True),  # holds for x = 0 and y = -1
         (Relation(x, "!=", sqrt(y)), True),  # holds for y = -1, where Rocq would ask for 0 <= y
         (Relation(z, "=", sqrt(y)), True),
         (proposition(Eq(sqrt(x) * sqrt(y), -1)), True),  # i i = -1

@@ -93,14 +93,22 @@ def needed(*terms: Expr) -> list[Proposition]:
 def half_said(claim: Proposition) -> bool:
     """Whether the text says less: a root is real there, and here it may be imaginary.
 
-    A real number equals or exceeds no imaginary one: of a single root outside of functions an order
-    or an equation says the same.
+    A real number equals or exceeds no imaginary one: of a single root, multiplied by nothing that may
+    vanish, an order or an equation says the same.
     """
     if isinstance(claim, Relation):
-        roots = [r for t in claim.terms for r in _roots(t)]
+        roots = [(t, r) for t in claim.terms for r in _roots(t)]
         once = len(roots) == 1 and not complex_(*claim.terms) and claim.sign != "!="
-        return bool(roots) and not (once and not any(t.has(sp.Function) for t in claim.terms))
+        return bool(roots) and not (once and _alone(*roots[0]))
     return any(map(half_said, claim.parts)) or any(r for t in claim.terms for r in _roots(t))
+
+
+def _alone(expr: Expr, root: Expr) -> bool:
+    """Whether beside the root there are numbers only, and what it is divided by."""
+    return all(
+        f == root or f.is_Rational or (f.is_Pow and f.exp.is_Integer and f.exp < 0)
+        for f in sp.Mul.make_args(expr)
+    )
 
 
 def _roots(expr: Expr) -> list[Expr]:
