@@ -93,8 +93,8 @@ def needed(*terms: Expr) -> list[Proposition]:
 def half_said(claim: Proposition) -> bool:
     """Whether the text says less: a root is real there, and here it may be imaginary.
 
-    A real number equals or exceeds no imaginary one: of a single root, multiplied by nothing that may
-    vanish, an order or an equation says the same.
+    A real number equals or exceeds no imaginary one: of a single root, multiplied by nothing that
+    may vanish, an order or an equation says the same.
     """
     if isinstance(claim, Relation):
         roots = [(t, r) for t in claim.terms for r in _roots(t)]
