@@ -241,9 +241,10 @@ def test_one_wall_beside_peers(benchmark, peer, name):
     function = getattr(symhaptic, name)
     assert np.allclose(work(name, ONE), benchmark.pedantic(function, given, rounds=1))
     slow, quick = [], []
+    known = {"work": work, "name": name, "ONE": ONE, "function": function, "given": given}
     for _ in range(30):
-        slow.append(timeit.timeit(lambda: work(name, ONE), number=5) / 5)
-        quick.append(timeit.timeit(lambda: function(*given), number=500) / 500)
+        slow.append(timeit.timeit("work(name, ONE)", number=5, globals=known) / 5)
+        quick.append(timeit.timeit("function(*given)", number=500, globals=known) / 500)
     say(
         f"{name}: {peer} {1e6 * min(slow):.0f} us, the package {1e6 * min(quick):.2f} us, "
         f"ratio {min(slow) / min(quick):.0f} (goal {goal})"

@@ -5,6 +5,7 @@ SYMHAPTIC_KERNELS=array leaves the compiled ones aside, SYMHAPTIC_KERNELS=compil
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -94,13 +95,10 @@ def at_once(
         outside: Callable[[], bool] = MODULE.outside
         one: Callable[..., Any] = getattr(MODULE, f"one_{name}") if work is None else _nothing
         names = [n for n in signature(function).parameters if n != "sheet"]
-        plain = into is None and not finite
-        kernel = ufunc if work is None else partial(work, ufunc)
+        rows = partial(_in_one_piece, ufunc) if ufunc.nout > 1 else ufunc
+        kernel = rows if work is None else partial(work, ufunc)
 
-        @wraps(function)
-        def called(*args: P.args, **named: P.kwargs) -> R:
-            if not named and (found := one(*args)) is not None and (plain or known(found)):
-                return cast(R, found if plain else made(found))
+        def many(*args: P.args, **named: P.kwargs) -> R:
             given = _numbers(names, args, named)
             if given is None:
                 return function(*args, **named)
@@ -112,6 +110,16 @@ def at_once(
                 return function(*args, **named)
             return cast(R, made(found))
 
+        def plain(*args: P.args, **named: P.kwargs) -> R:
+            found = None if named else one(*args)
+            return many(*args, **named) if found is None else cast(R, found)
+
+        def called(*args: P.args, **named: P.kwargs) -> R:
+            found = None if named else one(*args)
+            if found is None or not known(found):
+                return many(*args, **named)
+            return cast(R, made(found))
+
         def known(found: Any) -> bool:
             return not finite or _finite(found[0] if type(found) is tuple else found)
 
@@ -120,9 +128,25 @@ def at_once(
                 return found
             return into(*found) if type(found) is tuple else into(found)
 
-        return called
+        return wraps(function)(plain if into is None and not finite else called)
 
     return around
+
+
+_REUSED = 2**25
+"""Bytes up to which an allocator may keep what was freed; it takes more from the system anew."""
+
+
+def _in_one_piece(ufunc: np.ufunc, *given: Any) -> Any:
+    """All results of a ufunc as rows of one array: what is freed at once is reused at once.
+
+    Freed one by one, large ones go back to the system, whose fresh pages cost a sixth of the time.
+    """
+    shape = np.broadcast_shapes(*map(np.shape, given))
+    if 8 * math.prod(shape) * ufunc.nout > _REUSED:
+        return ufunc(*given)
+    rows = np.empty((ufunc.nout, *shape))
+    return ufunc(*given, out=tuple(rows)) if shape else ufunc(*given)
 
 
 def _nothing(*numbers: Any) -> None:

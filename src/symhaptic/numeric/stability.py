@@ -177,7 +177,7 @@ def unstable_roots(
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
     within rounding of the circle may be counted on either side.  NaN gives -1.
 
-    Inside ``jax.jit`` every branch is compiled, which takes XLA up to minutes; outside of it
+    Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
