@@ -27,9 +27,7 @@ FUNCTIONS = [form for form in kernels.forms() if hasattr(symhaptic, form.name)]
 def columns(form, count, fractions):
     """So many arguments of a function."""
     delay = RNG.integers(0, 6, count) + (0.5 if fractions else 0.0)
-    return [
-        delay if s.name == "d" else RNG.uniform(*RANGES[s.name], count) for s in form.arguments
-    ]
+    return [delay if s.name == "d" else RNG.uniform(*RANGES[s.name], count) for s in form.arguments]
 
 
 def clock(work, rounds=5):
