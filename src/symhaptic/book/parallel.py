@@ -32,6 +32,9 @@ MOST = 4
 SELDOM = 200_000
 """Objects made after which a derivation's process looks for cycles of them; SymPy makes few."""
 
+BEHIND = 5
+"""How far a derivation's process stands back: who derives anew what arrives is never waited for."""
+
 PAUSE = 0.5
 """Seconds after which who waits is told again what is under way."""
 
@@ -139,6 +142,8 @@ def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -
     """What the process of a derivation does; who started it ends it when interrupted."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     gc.set_threshold(SELDOM)
+    if hasattr(os, "nice"):
+        os.nice(BEHIND)
     result: Result | BadChapter
     try:
         result = work(path)
