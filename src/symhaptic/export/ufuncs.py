@@ -11,6 +11,9 @@ from symhaptic.export.wrapping import wrapped
 
 MODULE = "_compiled"
 
+UNSTAMPED = "of no sources"
+"""In the module's source, for what tells the sources that it is compiled of."""
+
 
 def ufuncs(
     double: Library, single: Library, in_double: Target, in_single: Target
@@ -25,6 +28,7 @@ def ufuncs(
     declared = [f"Loop {_name(library, r)};" for library, _ in both for r in library.public]
     numbers = {
         "module": MODULE,
+        "stamp": UNSTAMPED,
         "double": double.name,
         "single": single.name,
         "loops": "\n".join(declared),
@@ -40,7 +44,7 @@ def ufuncs(
     typed = [
         "from typing import Any\n\nfrom numpy import ufunc\n",
         *(f"{routine.name}: ufunc" for routine in double.public),
-        "\ndef outside() -> bool: ...",
+        "\nSTAMP: str\n\ndef outside() -> bool: ...",
         *(f"def one_{routine.name}(*numbers: Any) -> Any: ..." for routine in double.public),
     ]
     return made | {f"{MODULE}.pyi": "\n".join([*typed, ""])}
@@ -244,6 +248,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
+    if (PyModule_AddStringConstant(module, "STAMP", "%(stamp)s")) return -1;
     return filled(module);
 }
 
