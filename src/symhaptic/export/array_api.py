@@ -90,6 +90,9 @@ class ArrayApi(Target):
             for symbol, condition in zip(form.arguments, form.within, strict=True):
                 if condition not in conditions:
                     conditions[condition] = fresh(symbol.name, taken).name
+        for form in library.forms:
+            for made in filter(None, (_in_terms_of(form, other) for other in library.forms)):
+                conditions[_counts_none(made)] = fresh(made.arguments[0].name, taken).name
         if conditions:
             lines += [*self._conditions(conditions), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
@@ -140,7 +143,7 @@ class ArrayApi(Target):
             if (made := _in_terms_of(form, other)) is not None:
                 plant, work = None, made
                 counted = f"{self.call(other.name)}({', '.join(names)})"
-                lines.append(f"    {self.rename(made.arguments[-1].name)} = {counted}")
+                lines.append(f"    {self.rename(made.arguments[0].name)} = {counted}")
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue
@@ -161,6 +164,8 @@ class ArrayApi(Target):
 
     def _asked(self, form: Form, part: Routine, conditions: Mapping[Boolean, str]) -> Iterable[str]:
         """What its arguments are asked for, by the names of the conditions."""
+        if part.arguments[0] not in form.arguments:
+            return [conditions[_counts_none(part)]]
         known = zip(form.arguments, form.within, strict=True)
         return (conditions[c] for s, c in known if s in part.arguments)
 
@@ -207,7 +212,8 @@ class ArrayApi(Target):
 def _in_terms_of(form: Form, other: Form) -> Routine | None:
     """The verdict of a form, made of what another one of the same arguments counts, if it is.
 
-    Outside of its domain that one counts -1, of which the verdict is no.
+    That is its first argument.  Outside of its domain that one counts -1, of which, as of all but
+    0, the verdict is no.
     """
     if not form.truth or other.outside != -1 or form.arguments != other.arguments:
         return None
@@ -218,8 +224,13 @@ def _in_terms_of(form: Form, other: Form) -> Routine | None:
     if len(verdicts) > 1:
         return None
     (verdict,) = verdicts
-    given = (*(s for s in form.arguments if verdict.has(s)), Symbol(name))
+    given = (Symbol(name), *(s for s in form.arguments if verdict.has(s)))
     return Steps().routine(form.name, form.title, given, verdict)
+
+
+def _counts_none(made: Routine) -> Boolean:
+    """Where there is anything left to ask for a verdict."""
+    return sp.Eq(made.arguments[0], 0)
 
 
 def _without_gap(body: list[str]) -> list[str]:
