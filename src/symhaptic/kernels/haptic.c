@@ -1264,23 +1264,22 @@ static inline double touching(double theta, double l, double epsilon) {
     return NAN;
 }
 
-// whether another angle allows more stiffness, at a fraction
-static inline double passive_slope(double psi, double l, double epsilon) {
-    const double turned = turn(psi, l, epsilon), wall = cos(turned)/(l + 1.0);
-    const double wall2 = sin(turned) - 0.5*cos(turned)/(l + 1.0);
-    const double need = damping_at(wall, wall2, l, epsilon, psi);
-    return -epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(sin(psi)*sin(psi)) + need*
-        (epsilon*(-cos_next(l, 2.0*psi) + cos_next(l + 1.0, 2.0*psi)) + cos_next(l, 2.0*psi));
+// whether a larger angle allows less stiffness, at a fraction
+static inline double passive_slope(double theta, double l, double epsilon) {
+    const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0, theta);
+    const double up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
+    const double along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    return (1.0 - up)*cos(theta) + (along*(epsilon + l + 1.0) - epsilon*(1.0 - epsilon)*
+        (cossin.cosine - cossin2.cosine))*sin(theta);
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
 static inline double passive_angle(double l, double epsilon) {
-    const double low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
-    const double above = passive_slope(low, l, epsilon);
-    if (above <= 0.0) { return 2.0*low; }
-    const double high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
+    const double low = 0.0, above = passive_slope(low, l, epsilon);
+    if (above <= 0.0) { return low; }
+    const double high = 3.141592653589793/(epsilon + l + 1.0);
     const double below = passive_slope(high, l, epsilon);
-    if (below >= 0.0) { return 2.0*high; }
+    if (below >= 0.0) { return high; }
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
@@ -1293,8 +1292,8 @@ static inline double passive_angle(double l, double epsilon) {
         const double next_c = (same > 0.0 ? a : b);
         fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    if (fabs(fa) < fabs(fb)) { return 2.0*a; }
-    return 2.0*b;
+    if (fabs(fa) < fabs(fb)) { return a; }
+    return b;
 }
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
@@ -1470,21 +1469,27 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const double whole = floor(d), part = d - whole;
+    const double whole = floor(d), part = d - whole, t3 = 2.0*delta;
     if (part == 0.0) {
         const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1);
-        const double t3 = 0.5*t1;
-        *alpha_out = 2.0*delta*t2; *beta_out = delta*(-t2 + 1.0/(t0*sin(t3)));
-        *theta_out = t3; return;
+        const double t4 = 0.5*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0/(t0*sin(t4))); *theta_out = t4;
+        return;
     }
-    const double t5 = whole + 1.0, t7 = passive_angle(whole, part);
-    const double t8 = touching(t7, whole, part), t9 = cos(t8), t10 = t9/t5;
-    const double t11 = sin(t8), t12 = -0.5*t10 + t11, t13 = 0.5*t7;
-    const double t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
-    const double t16 = sin(t13), t17 = cos(t13);
-    const double t15 = delta/(0.5*t14 + 0.5*
-        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) + (t14*t14)));
-    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
+    const double t7 = passive_angle(whole, part);
+    const CosSin cossin = next_wave(whole, t7);
+    const double t9 = whole + 1.0;
+    const CosSin cossin2 = next_wave(t9, t7);
+    const double t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
+    const double t12 = 0.5*t7, t13 = sin(t12), t14 = (t13*t13), t15 = 2.0*whole;
+    const double t16 = t15 + 2.0, sine_2 = sin_next(t16, t12), t17 = 2.0*sine_2*t13;
+    const double t18 = (t10*t17 + t14*(4.0*part + 4.0*whole + 4.0))/
+        (t10*cos(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0)*
+        sin(t7));
+    const double t19 = 2.0*part;
+    *alpha_out = t18*t3;
+    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0))/(t14*(t16 + t19));
+    *theta_out = t7; return;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {

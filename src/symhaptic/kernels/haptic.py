@@ -2054,26 +2054,21 @@ def touching(xp, theta, l, epsilon):
     return xp.where(found < 0.5*3.141592653589793, found, xp.nan)
 
 
-def passive_slope(xp, psi, l, epsilon):
-    """whether another angle allows more stiffness, at a fraction"""
-    turned = turn(xp, psi, l, epsilon)
-    wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
-    need = damping_at(xp, wall, wall2, l, epsilon, psi)
-    return (
-        need*(epsilon*(cos_next(xp, l + 1.0, 2.0*psi) - cos_next(xp, l, 2.0*psi)) +
-        cos_next(xp, l, 2.0*psi)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
-        (xp.sin(psi)*xp.sin(psi))
-    )
+def passive_slope(xp, theta, l, epsilon):
+    """whether a larger angle allows less stiffness, at a fraction"""
+    cosine, sine = next_wave(xp, l, theta)
+    cosine2, sine2 = next_wave(xp, l + 1.0, theta)
+    up = epsilon*(sine2 - sine) + sine
+    along = cosine + epsilon*(cosine2 - cosine)
+    return (1.0 - up)*xp.cos(theta) + (along*(epsilon + l + 1.0) - epsilon*(1.0 - epsilon)*
+        (cosine - cosine2))*xp.sin(theta)
 
 
 def passive_angle(xp, l, epsilon):
     """the worst angle of the stiffest passive wall, at a fraction"""
     close = 2.384185791015625e-07 if l.dtype == xp.float32 else 4.440892098500626e-16
-    low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    root = crossing(xp, lambda *v: passive_slope(xp, *v), low, high, close, (l, epsilon))
-    return 2.0*root
+    high = 3.141592653589793/(epsilon + l + 1.0)
+    return crossing(xp, lambda *v: passive_slope(xp, *v), 0.0, high, close, (l, epsilon))
 
 
 INSIDE = {
@@ -2084,6 +2079,7 @@ INSIDE = {
     "beta": lambda xp, most, beta: xp.abs(beta) <= most.size,
     "d": lambda xp, most, d: (d <= most.periods) & (d >= 0.0),
     "theta": lambda xp, most, theta: (theta <= most.angle) & (theta > 0.0),
+    "roots": lambda xp, most, roots: roots == 0.0,
 }
 """What is true of each argument inside its domain alone."""
 
@@ -2155,10 +2151,10 @@ def is_stable(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
     roots = unstable_roots(alpha, beta, gamma, delta, d)
 
-    def work(alpha, beta, gamma, delta, roots):
+    def work(roots, alpha, beta, gamma, delta):
         return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
 
-    return guarded(xp, work, "alpha beta gamma delta", 1, False, alpha, beta, gamma, delta, roots)
+    return guarded(xp, work, "roots", 1, False, roots, alpha, beta, gamma, delta)
 
 
 @by_value
@@ -2443,32 +2439,36 @@ def max_passive_stiffness(delta, d):
     def work(delta, d):
         whole = xp.floor(d)
         part = d - whole
+        t3 = 2.0*delta
 
-        def yes(d, delta):
+        def yes(d, delta, t3):
             t0 = d + 1.0
             t1 = 3.141592653589793/t0
             t2 = xp.tan(0.25*t1)
             t1 = 0.5*t1
-            return 2.0*delta*t2, delta*(1.0/(t0*xp.sin(t1)) - t2), t1
+            return t2*t3, delta*(1.0/(t0*xp.sin(t1)) - t2), t1
 
-        def no(delta, part, whole):
-            t5 = whole + 1.0
+        def no(delta, part, t3, whole):
             t7 = passive_angle(xp, whole, part)
-            t8 = touching(xp, t7, whole, part)
-            t9 = xp.cos(t8)
-            t10 = t9/t5
-            t8 = xp.sin(t8)
-            t12 = t8 - 0.5*t10
-            t13 = 0.5*t7
-            t14 = between(xp, part, straight(xp, t10, t12, whole, t13),
-                straight(xp, t10, t12, t5, t13))
-            t16 = xp.sin(t13)
-            t13 = xp.cos(t13)
-            t13 = delta/(0.5*t14 + 0.5*square_root(xp, part*(1.0 - part)*
-                (4.0*(t8*t8)*(t16*t16) + (t13*t13)*(t9*t9)/(t5*t5)) + (t14*t14)))
-            return t10*t13, t12*t13, t7
+            cosine, sine = next_wave(xp, whole, t7)
+            t9 = whole + 1.0
+            cosine_2, sine_3 = next_wave(xp, t9, t7)
+            t10 = cosine + part*(cosine_2 - cosine)
+            t12 = 0.5*t7
+            t13 = xp.sin(t12)
+            t14 = (t13*t13)
+            t15 = 2.0*whole
+            t16 = t15 + 2.0
+            sine_2 = sin_next(xp, t16, t12)
+            t13 = 2.0*sine_2*t13
+            t10 = (
+                (t10*t13 + t14*(4.0*part + 4.0*whole + 4.0))/
+                (t10*xp.cos(t7) + (part + t9)*(part*(sine_3 - sine) + sine + 1.0)*xp.sin(t7))
+            )
+            t9 = 2.0*part
+            return t10*t3, delta*(t13 - t10*(t14*(t15 + t9) + 1.0))/(t14*(t16 + t9)), t7
 
-        return select(xp, part == 0.0, yes, (d, delta), no, (delta, part, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t3), no, (delta, part, t3, whole))
 
     return guarded(xp, work, "delta d", 3, math.nan, delta, d)
 

@@ -1277,23 +1277,22 @@ static inline float touching(float theta, float l, float epsilon) {
     return NAN;
 }
 
-// whether another angle allows more stiffness, at a fraction
-static inline float passive_slope(float psi, float l, float epsilon) {
-    const float turned = turn(psi, l, epsilon), wall = cosf(turned)/(l + 1.0f);
-    const float wall2 = sinf(turned) - 0.5f*cosf(turned)/(l + 1.0f);
-    const float need = damping_at(wall, wall2, l, epsilon, psi);
-    return -epsilon*(1.0f - epsilon)*(wall + 2.0f*wall2)*(sinf(psi)*sinf(psi)) + need*
-        (epsilon*(-cos_next(l, 2.0f*psi) + cos_next(l + 1.0f, 2.0f*psi)) + cos_next(l, 2.0f*psi));
+// whether a larger angle allows less stiffness, at a fraction
+static inline float passive_slope(float theta, float l, float epsilon) {
+    const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0f, theta);
+    const float up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
+    const float along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    return (1.0f - up)*cosf(theta) + (along*(epsilon + l + 1.0f) - epsilon*(1.0f - epsilon)*
+        (cossin.cosine - cossin2.cosine))*sinf(theta);
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
 static inline float passive_angle(float l, float epsilon) {
-    const float low = 1e-06f*3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
-    const float above = passive_slope(low, l, epsilon);
-    if (above <= 0.0f) { return 2.0f*low; }
-    const float high = 3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
+    const float low = 0.0f, above = passive_slope(low, l, epsilon);
+    if (above <= 0.0f) { return low; }
+    const float high = 3.1415927f/(epsilon + l + 1.0f);
     const float below = passive_slope(high, l, epsilon);
-    if (below >= 0.0f) { return 2.0f*high; }
+    if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
@@ -1307,8 +1306,8 @@ static inline float passive_angle(float l, float epsilon) {
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return 2.0f*a; }
-    return 2.0f*b;
+    if (fabsf(fa) < fabsf(fb)) { return a; }
+    return b;
 }
 
 void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
@@ -1489,22 +1488,27 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const float whole = floorf(d), part = d - whole;
+    const float whole = floorf(d), part = d - whole, t3 = 2.0f*delta;
     if (part == 0.0f) {
         const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1);
-        const float t3 = 0.5f*t1;
-        *alpha_out = 2.0f*delta*t2; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t3)));
-        *theta_out = t3; return;
+        const float t4 = 0.5f*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t4)));
+        *theta_out = t4; return;
     }
-    const float t5 = whole + 1.0f, t7 = passive_angle(whole, part);
-    const float t8 = touching(t7, whole, part), t9 = cosf(t8), t10 = t9/t5;
-    const float t11 = sinf(t8), t12 = -0.5f*t10 + t11, t13 = 0.5f*t7;
-    const float t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
-    const float t16 = sinf(t13), t17 = cosf(t13);
-    const float t15 = delta/(0.5f*t14 + 0.5f*
-        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) +
-        (t14*t14)));
-    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
+    const float t7 = passive_angle(whole, part);
+    const CosSin cossin = next_wave(whole, t7);
+    const float t9 = whole + 1.0f;
+    const CosSin cossin2 = next_wave(t9, t7);
+    const float t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
+    const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = (t13*t13), t15 = 2.0f*whole;
+    const float t16 = t15 + 2.0f, sine_2 = sin_next(t16, t12), t17 = 2.0f*sine_2*t13;
+    const float t18 = (t10*t17 + t14*(4.0f*part + 4.0f*whole + 4.0f))/
+        (t10*cosf(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0f)*
+        sinf(t7));
+    const float t19 = 2.0f*part;
+    *alpha_out = t18*t3;
+    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0f))/(t14*(t16 + t19));
+    *theta_out = t7; return;
 }
 
 float haptic_single_linear_limit(float beta, float delta, float d) {
