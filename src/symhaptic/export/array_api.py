@@ -55,7 +55,7 @@ class ArrayApi(Target):
         "while with yield match case xp np numpy selftest math operator sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
-        "plant work inside limits guarded most yes no add series value crossing"
+        "plant work inside limits guarded settled most yes no add series value crossing"
     )
     modules = standard.PYTHON
     leaves_zeros_out = False  # both precisions are written as one
@@ -90,9 +90,6 @@ class ArrayApi(Target):
             for symbol, condition in zip(form.arguments, form.within, strict=True):
                 if condition not in conditions:
                     conditions[condition] = fresh(symbol.name, taken).name
-        for form in library.forms:
-            for made in filter(None, (_in_terms_of(form, other) for other in library.forms)):
-                conditions[_counts_none(made)] = fresh(made.arguments[0].name, taken).name
         if conditions:
             lines += [*self._conditions(conditions), "", ""]
         for form, routine in zip(library.forms, library.public, strict=True):
@@ -153,6 +150,9 @@ class ArrayApi(Target):
                 block = told(block)
             lines += ["", f"    def {name}({given}):", *self._written(block, 2)]
             lines.append("")
+            if part.arguments[0] not in form.arguments:
+                lines.append(f"    return settled(xp, {name}, {given})")
+                continue
             inside = " ".join(self._asked(form, part, conditions))
             outside = form.outside if part is work else sp.nan
             shown = {sp.nan: "math.nan", sp.false: "False"}.get(outside, str(outside))
@@ -164,8 +164,6 @@ class ArrayApi(Target):
 
     def _asked(self, form: Form, part: Routine, conditions: Mapping[Boolean, str]) -> Iterable[str]:
         """What its arguments are asked for, by the names of the conditions."""
-        if part.arguments[0] not in form.arguments:
-            return [conditions[_counts_none(part)]]
         known = zip(form.arguments, form.within, strict=True)
         return (conditions[c] for s, c in known if s in part.arguments)
 
@@ -226,11 +224,6 @@ def _in_terms_of(form: Form, other: Form) -> Routine | None:
     (verdict,) = verdicts
     given = (Symbol(name), *(s for s in form.arguments if verdict.has(s)))
     return Steps().routine(form.name, form.title, given, verdict)
-
-
-def _counts_none(made: Routine) -> Boolean:
-    """Where there is anything left to ask for a verdict."""
-    return sp.Eq(made.arguments[0], 0)
 
 
 def _without_gap(body: list[str]) -> list[str]:

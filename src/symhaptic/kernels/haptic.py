@@ -124,6 +124,12 @@ def guarded(xp, work, names, count, outside, *values):
     return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
 
 
+def settled(xp, work, count, *values):
+    """A verdict that is no where anything is counted, of a count and of values that are 0 there."""
+    none = count == 0.0
+    return xp.asarray(work(count, *(xp.where(none, v, 0.0) for v in values)))
+
+
 def _broadcast(xp, work, values):
     """All results of ``work`` on flat pieces of the arrays, in the shape that they broadcast to."""
     shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
@@ -2079,7 +2085,6 @@ INSIDE = {
     "beta": lambda xp, most, beta: xp.abs(beta) <= most.size,
     "d": lambda xp, most, d: (d <= most.periods) & (d >= 0.0),
     "theta": lambda xp, most, theta: (theta <= most.angle) & (theta > 0.0),
-    "roots": lambda xp, most, roots: roots == 0.0,
 }
 """What is true of each argument inside its domain alone."""
 
@@ -2154,7 +2159,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     def work(roots, alpha, beta, gamma, delta):
         return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
 
-    return guarded(xp, work, "roots", 1, False, roots, alpha, beta, gamma, delta)
+    return settled(xp, work, roots, alpha, beta, gamma, delta)
 
 
 @by_value
