@@ -230,7 +230,7 @@ def numerator_gap_creep() -> Routine:
     top, top_low = minus(do, s.mean, scaled(do, do("twice", 2 * slow), far.mean))
     more, more_low = scaled(do, do("fast", slow * ratio), s.mean)
     top, low = do("top", top + more), do("low", top_low + more_low)
-    found = (top + low) / do.nonzero(P[0] * delta)
+    found = (top + low) / do.divisor(P[0] * delta)
     known = slow, *s.mean, ratio, *far.mean
     given = REACH, HALF, W[0], P[0], *known, delta
     near = _gap_near(REACH < 1, HALF, W[0])
@@ -272,7 +272,7 @@ def plant_n1_swing() -> Routine:
     do, v = Steps(), WAVE
     both = plus(do, v.even, scaled(do, HALF, v.odd))
     top = one_minus(do, scaled(do, ENVELOPE, both))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     near = _n1_near(REACH < SOFT, *FADE, HALF, W[0])
     given = REACH, HALF, W[0], ENVELOPE, *v.even, *v.odd, NEAR_TURNS, RISEN, *FADE, gamma
     return do.routine("PlantN1Swing", "n1 of a swinging device", given,
@@ -284,7 +284,7 @@ def plant_n0_swing() -> Routine:
     do, v = Steps(), WAVE
     both = minus(do, scaled(do, HALF, v.odd), v.even)
     top = scaled(do, ENVELOPE, plus(do, both, exact(ENVELOPE)))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     near = _called("PlantN0Near", REACH < SOFT, *FADE, gamma, 2 * HALF)
     given = REACH, HALF, ENVELOPE, *v.even, *v.odd, NEAR_TURNS, SUNK, *FADE, gamma
     return do.routine("PlantN0Swing", "n0 of a swinging device", given,
@@ -314,7 +314,7 @@ def _squares(do: Steps, wave: type[sp.Function]) -> Pair:
 def numerator_at_one_swing() -> Routine:
     """Of a swinging device."""
     do = Steps()
-    found = rounded(over(do, _squares(do, sin), exact(do.nonzero(gamma))))
+    found = rounded(over(do, _squares(do, sin), exact(do.divisor(gamma))))
     near = _one_near(REACH < 1, HALF, W[0], ENVELOPE)
     given = REACH, HALF, *W, ROOT, ENVELOPE, NEAR_TURNS, MOVED, gamma
     return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
@@ -346,7 +346,7 @@ def numerator_gap_swing() -> Routine:
     do, v = Steps(), WAVE
     mean = do("mean", Decay(delta))
     top = minus(do, exact(mean), scaled(do, ENVELOPE, v.odd))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     given = REACH, HALF, W[0], ENVELOPE, *v.odd, gamma, delta
     near = _gap_near(REACH < 1, HALF, W[0], ENVELOPE)
     return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,

@@ -303,7 +303,7 @@ def sizes(form: Form, precision: Precision) -> str:
 def calls(routine: Routine) -> frozenset[str]:
     """Names of the routines that a routine calls."""
     found = {f.func.__name__ for e in routine.expressions for f in e.atoms(sp.Function)}
-    return frozenset(found - {*OPERATIONS, "Piecewise"})
+    return frozenset(found - {*OPERATIONS, "Piecewise", "Divisor"})
 
 
 @cache

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "d9d056e02cf52201"
+STAMP = "0127d4ce61404f09"
 """Of the sources in C, as the module that is compiled of them has it."""

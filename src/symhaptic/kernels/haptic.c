@@ -207,10 +207,9 @@ static inline double plant_n0_swing(const Motion *motion, const Swinging *swingi
     double gamma) {
     if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, 2.0*motion->half); }
     if (swinging->near > 0.0) { return swinging->sunk; }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(wide_prod(swinging->envelope,
         pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
-        (Pair){swinging->envelope, 0.0})), (Pair){whole, 0.0}));
+        (Pair){swinging->envelope, 0.0})), (Pair){gamma, 0.0}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -239,9 +238,8 @@ static inline double plant_n1_swing(const Motion *motion, const Swinging *swingi
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
     if (swinging->near > 0.0) { return swinging->risen; }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
-        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0}));
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){gamma, 0.0}));
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -322,9 +320,8 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const double turned_low = 1.4920070805839235e-31*turns;
         const double low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const double back = 2.4492935982947064e-16*count;
-        const double whole = (diff6.hi == 0.0 ? 1.0 : diff6.hi);
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
-            (Pair){whole, back + diff6.lo + missed + prod3.lo});
+            (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const double far = (quot.hi*quot.hi);
         if ((count > 0.0) && (far < 1.5)) {
             const Fading fading = brief_fading((Pair){half, 0.0});
@@ -339,14 +336,13 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
                 (Pair){root, missed});
             const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
                 wide_prod(half, pair_diff(fading.mean, quot2)));
-            const double whole2 = (stiff == 0.0 ? 1.0 : stiff);
             return (Turns){1.0, rounded(pair_quot(
                 pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
-                prod5), (Pair){whole2, 0.0})), rounded(
+                prod5), (Pair){stiff, 0.0})), rounded(
                 pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
-                (Pair){whole2, 0.0})), rounded(pair_quot(
+                (Pair){stiff, 0.0})), rounded(pair_quot(
                 pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
-                (Pair){2.0*prod5.hi, 2.0*prod5.lo}), (Pair){whole2, 0.0}))};
+                (Pair){2.0*prod5.hi, 2.0*prod5.lo}), (Pair){stiff, 0.0}))};
         }
         return (Turns){0.0, 0.0, 0.0, 0.0};
     }
@@ -413,9 +409,8 @@ static inline double numerator_at_one_swing(const Motion *motion, const Swinging
     if (swinging->near > 0.0) { return swinging->moved; }
     const double angle = 0.5*motion->root;
     const double back = -0.5*root_miss(motion->w, motion->root)*cos(angle);
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return 4.0*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sin(angle), back),
-        (Pair){whole, 0.0}));
+        (Pair){gamma, 0.0}));
 }
 
 // together and trace of the device
@@ -503,7 +498,7 @@ static inline double numerator_gap_creep(const Motion *motion, const Creeping *c
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const double whole = (delta*creeping->p.hi == 0.0 ? 1.0 : delta*creeping->p.hi);
+    const double whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -514,9 +509,8 @@ static inline double numerator_gap_swing(const Motion *motion, const Swinging *s
         return scaled_sum((Pair){swinging->envelope, 0.0},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0},
-        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0}));
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device

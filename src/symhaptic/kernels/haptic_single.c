@@ -201,10 +201,9 @@ static inline float plant_n0_swing(const Motion *motion, const Swinging *swingin
     float gamma) {
     if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, 2.0f*motion->half); }
     if (swinging->near > 0.0f) { return swinging->sunk; }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(wide_prod(swinging->envelope,
         pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
-        (Pair){swinging->envelope, 0.0f})), (Pair){whole, 0.0f}));
+        (Pair){swinging->envelope, 0.0f})), (Pair){gamma, 0.0f}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -233,9 +232,8 @@ static inline float plant_n1_swing(const Motion *motion, const Swinging *swingin
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
     if (swinging->near > 0.0f) { return swinging->risen; }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
-        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0f}));
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){gamma, 0.0f}));
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -316,9 +314,8 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const float turned_low = -1.1704737e-14f*turns;
         const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const float back = -1.7484555e-07f*count;
-        const float whole = (diff6.hi == 0.0f ? 1.0f : diff6.hi);
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
-            (Pair){whole, back + diff6.lo + missed + prod3.lo});
+            (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const float far = (quot.hi*quot.hi);
         if ((count > 0.0f) && (far < 1.5f)) {
             const Fading fading = brief_fading((Pair){half, 0.0f});
@@ -333,14 +330,13 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
                 (Pair){root, missed});
             const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
                 wide_prod(half, pair_diff(fading.mean, quot2)));
-            const float whole2 = (stiff == 0.0f ? 1.0f : stiff);
             return (Turns){1.0f, rounded(pair_quot(
                 pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
-                prod5), (Pair){whole2, 0.0f})), rounded(
+                prod5), (Pair){stiff, 0.0f})), rounded(
                 pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
-                (Pair){whole2, 0.0f})), rounded(pair_quot(
+                (Pair){stiff, 0.0f})), rounded(pair_quot(
                 pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
-                (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){whole2, 0.0f}))};
+                (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){stiff, 0.0f}))};
         }
         return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
     }
@@ -407,9 +403,8 @@ static inline float numerator_at_one_swing(const Motion *motion, const Swinging 
     if (swinging->near > 0.0f) { return swinging->moved; }
     const float angle = 0.5f*motion->root;
     const float back = -0.5f*root_miss(motion->w, motion->root)*cosf(angle);
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return 4.0f*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sinf(angle),
-        back), (Pair){whole, 0.0f}));
+        back), (Pair){gamma, 0.0f}));
 }
 
 // together and trace of the device
@@ -496,7 +491,7 @@ static inline float numerator_gap_creep(const Motion *motion, const Creeping *cr
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const float whole = (delta*creeping->p.hi == 0.0f ? 1.0f : delta*creeping->p.hi);
+    const float whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -507,9 +502,8 @@ static inline float numerator_gap_swing(const Motion *motion, const Swinging *sw
         return scaled_sum((Pair){swinging->envelope, 0.0f},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0f},
-        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0f}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0f}));
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
