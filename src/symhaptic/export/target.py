@@ -140,6 +140,11 @@ class Target:
         """What declares a variable that gets its value later."""
         return "let"
 
+    @property
+    def varying(self) -> str:
+        """What declares a variable that has a value and changes, in a language with braces."""
+        return self.changing or self.real
+
     leaves_zeros_out = True
     """Whether helpers have no arguments that are 0 in all calls."""
     shares = False

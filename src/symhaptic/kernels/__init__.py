@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "0127d4ce61404f09"
+STAMP = "bc1cf60a13f54950"
 """Of the sources in C, as the module that is compiled of them has it."""

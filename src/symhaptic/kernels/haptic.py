@@ -494,6 +494,12 @@ def device_motion(xp, gamma, delta):
         half + 0.4444444444444444*root)
 
 
+def one_plus(xp, x, x_low):
+    """1 + x of a pair, for |x| <= 1"""
+    total, total_low = fast_two_sum(xp, 1.0, x)
+    return total, total_low + x_low
+
+
 def pair_diff(xp, x, x_low, y, y_low):
     """x - y of pairs"""
     diff, diff_low = two_diff(xp, x, y)
@@ -633,22 +639,6 @@ def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
         (envelope, even, even_low, gamma, half, near, risen, wave, wave_low))
 
 
-def one_plus(xp, x, x_low):
-    """1 + x of a pair, for |x| <= 1"""
-    total, total_low = fast_two_sum(xp, 1.0, x)
-    return total, total_low + x_low
-
-
-def plant_trace_creep(xp, slow, slow_low, ratio, ratio_low):
-    """a of a creeping device"""
-    return rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
-
-
-def plant_trace_swing(xp, envelope, even, even_low):
-    """a of a swinging device"""
-    return 2.0*rounded(xp, *wide_prod(xp, envelope, even, even_low))
-
-
 def slow_fade(xp, reach, half):
     """exp(-half) of a device with slow poles, and what it misses"""
     def yes(half):
@@ -778,11 +768,11 @@ def device_n0_n1_trace(xp, gamma, delta):
         envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
             swinging_device(xp, gamma, half, w, w_low, root)
         )
+        rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return (
             plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
             decayed, decayed_low, gamma), plant_n1_swing(xp, reach, half, w, envelope, even,
-            even_low, wave, wave_low, near, risen, decayed, decayed_low, gamma),
-            plant_trace_swing(xp, envelope, even, even_low)
+            even_low, wave, wave_low, near, risen, decayed, decayed_low, gamma), 2.0*rounded_of
         )
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
@@ -794,7 +784,7 @@ def device_n0_n1_trace(xp, gamma, delta):
             even2, even_low2, decayed, decayed_low, gamma, delta),
             plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
             even_low2, decayed, decayed_low),
-            plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
+            rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
         )
 
     return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low), no,
@@ -866,15 +856,17 @@ def device_together_trace(xp, gamma, delta):
         envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
             swinging_device(xp, gamma, half, w, w_low, root)
         )
+        rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
-            gamma), plant_trace_swing(xp, envelope, even, even_low)
+            gamma), 2.0*rounded_of
 
     def no(gamma, half, reach, root, w, w_low):
         p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
             creeping_device(xp, gamma, half, w, w_low, root)
         )
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-            ratio, ratio_low), plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
+            ratio, ratio_low), rounded(xp, *pair_prod(xp, slow, slow_low,
+            *one_plus(xp, ratio, ratio_low)))
 
     return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no)
 
@@ -1137,26 +1129,19 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     together, apart, center, beyond, d):
     """what the crossings between two points add to the count"""
     disc = (k2*k2) - 3.0*k1*k3
+    root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
+    q = -k2 - xp.where(k2 < 0.0, -root, root)
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = -k2/some
     cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
-
-    def no(disc, high, k1, k2, k3, low):
-        root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
-        q = -k2 - xp.where(k2 < 0.0, -root, root)
-        some2 = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
-        at2 = q/some2
-        some2 = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
-        at3 = k1/some2
-        return (
-            xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low),
-            xp.where((at3 < high) & (at3 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at3, low)
-        )
-
-    one, two = select(xp, disc < 0.0, lambda low: (low, low), (low,), no,
-        (disc, high, k1, k2, k3, low))
-    less = xp.where(one < two, one, two)
-    more = xp.where(one > two, one, two)
+    some = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
+    at = q/some
+    cut2 = xp.where((at < high) & (at > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
+    some = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
+    at = k1/some
+    cut3 = xp.where((at < high) & (at > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
+    less = xp.where(cut2 < cut3, cut2, cut3)
+    more = xp.where(cut2 > cut3, cut2, cut3)
     first = xp.where(cut < less, cut, less)
     middle = xp.where(cut > less, cut, less)
     last = xp.where(middle > more, middle, more)
@@ -1180,20 +1165,19 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
     wall_far = alpha + 2.0*beta
     force = beta*slope
     across = m2 - m0
-    square = m0*m2
-    even = together*(m0 + m2)
-    linear = (across*across) - even
-    pushed_ = alpha*together
     lost = (loss*loss)
+    square = m0*m2
+    size = (across*across)
+    even = together*(m0 + m2)
+    linear = size - even
+    pushed_ = alpha*together
     near0 = (at_one - pushed_)*(at_one + pushed_)
     near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
     near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
     near3 = -force*square
-    square = m0*m2
     even = apart*(m0 + m2)
-    linear = (across*across) - even
+    linear = size - even
     pushed_ = apart*wall_far
-    lost = (loss*loss)
     far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
     far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
     far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
@@ -1203,17 +1187,14 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
     sine = 0.25*middle*rest
     tilt = 0.25*rest - 0.25*middle
     real = 0.25*rest*together - 0.25*apart*middle
-    size = (across*across)
-    lost = (loss*loss)
     one = (real*real) + sine*size
     two = size*tilt - real*(m0 + m2)
-    three = m0*m2
     wave = 0.25*alpha*rest - 0.25*middle*wall_far
     wall = sine*(slope*slope) + (wave*wave)
     own0 = lost*sine - one*wall
     own1 = lost*tilt - force*one - two*wall
-    own2 = 1.0 - force*two - loss - three*wall
-    own3 = -force*three
+    own2 = 1.0 - force*two - loss - square*wall
+    own3 = -force*square
     one = 0.5*middle
     two = 0.5*rest
     before = own0 - one*(own1 - one*(own2 - one*own3))
@@ -2223,40 +2204,29 @@ def stability_boundary(theta, gamma, delta, d):
 
     def plant(gamma, delta):
         at_minus_one, together, n_gap = device_at_minus_one_together_n_gap(xp, gamma, delta)
-        t6 = delta*n_gap
-        return at_minus_one, together, gamma*together, delta*decay(xp, delta), t6, together + t6
+        return at_minus_one, together, gamma*together, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, together, t3, t5, t6, t7 = (
-        guarded(xp, plant, "gamma delta", 6, math.nan, gamma, delta)
-    )
+    at_minus_one, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 5, math.nan, gamma,
+        delta)
 
-    def work(theta, gamma, delta, d, at_minus_one, together, t3, t5, t6, t7):
+    def work(theta, gamma, delta, d, at_minus_one, together, t4, t6, t7):
         whole = xp.floor(d)
+        cosine, sine = next_wave(xp, whole, theta)
         part = d - whole
-        t1 = 0.5*theta
-        t11 = xp.tan(t1)
-        t13 = xp.sin(theta)
+        t2 = 0.5*theta
 
-        def yes(d, at_minus_one, together, t1, t11, t13, t3, t5, t6, t7, theta):
-            cosine, sine = next_wave(xp, d, theta)
-            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, t6, t7)
-            t12 = ahead_of*cosine + in_phase_of*sine
-            return ahead_of*sine - cosine*in_phase_of + t11*t12, -t12/t13
-
-        def no(delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5, theta, whole):
-            cosine_2, sine_2 = next_wave(xp, whole, theta)
+        def no(delta, gamma, part):
             apart, m2, m0 = late_device(xp, gamma, delta, part)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, apart,
-                2.0*m2 - 2.0*m0)
-            t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2
-            return ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22, -t22/t13
+            return apart, 2.0*m2 - 2.0*m0
 
-        return select(xp, part == 0.0, yes, (d, at_minus_one, together, t1, t11, t13, t3, t5, t6,
-            t7, theta), no, (delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5,
-            theta, whole))
+        t10, t11 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
+            (together, t7), no, (delta, gamma, part))
+        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t11)
+        t15 = ahead_of*cosine + in_phase_of*sine
+        return ahead_of*sine - cosine*in_phase_of + t15*xp.tan(t2), -t15/xp.sin(theta)
 
     return guarded(xp, work, "theta gamma delta d", 2, math.nan, theta, gamma, delta, d,
-        at_minus_one, together, t3, t5, t6, t7)
+        at_minus_one, together, t4, t6, t7)
 
 
 @by_value

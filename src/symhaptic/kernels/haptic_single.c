@@ -136,6 +136,12 @@ static inline Motion device_motion(float gamma, float delta) {
         0.44444445f*root)};
 }
 
+// 1 + x of a pair, for |x| <= 1
+static inline Pair one_plus(Pair x) {
+    const Pair total = fast_two_sum(1.0f, x.hi);
+    return (Pair){total.hi, total.lo + x.lo};
+}
+
 // x - y of pairs
 static inline Pair pair_diff(Pair x, Pair y) {
     const Pair diff = two_diff(x.hi, y.hi);
@@ -236,27 +242,10 @@ static inline float plant_n1_swing(const Motion *motion, const Swinging *swingin
         pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){gamma, 0.0f}));
 }
 
-// 1 + x of a pair, for |x| <= 1
-static inline Pair one_plus(Pair x) {
-    const Pair total = fast_two_sum(1.0f, x.hi);
-    return (Pair){total.hi, total.lo + x.lo};
-}
-
-// a of a creeping device
-static inline float plant_trace_creep(const Creeping *creeping) {
-    return rounded(pair_prod(creeping->slow, one_plus(creeping->ratio)));
-}
-
-// a of a swinging device
-static inline float plant_trace_swing(const Swinging *swinging) {
-    return 2.0f*rounded(wide_prod(swinging->envelope, swinging->even));
-}
-
 // exp(-half) of a device with slow poles, and what it misses
 static inline Pair slow_fade(const Motion *motion) {
     if (motion->reach < 0.5625f) {
-        const Fading fading = brief_fading((Pair){0.5f*motion->half, 0.0f});
-        return pair_square(fading.fall);
+        return pair_square(brief_fading((Pair){0.5f*motion->half, 0.0f}).fall);
     }
     return (Pair){0.0f, 0.0f};
 }
@@ -338,7 +327,6 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
                 pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
                 (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){stiff, 0.0f}))};
         }
-        return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
     }
     return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
 }
@@ -357,12 +345,14 @@ static inline Device device_n0_n1_trace(float gamma, float delta) {
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
+        const float rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
         return (Device){plant_n0_swing(&motion, &swinging, decayed, gamma),
-            plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
+            plant_n1_swing(&motion, &swinging, decayed, gamma), 2.0f*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     return (Device){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
-        plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
+        plant_n1_creep(&motion, &creeping, decayed),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -412,11 +402,12 @@ static inline Device2 device_together_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma),
-            plant_trace_swing(&swinging)};
+        const float rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
+        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma), 2.0f*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (Device2){numerator_at_one_creep(&motion, &creeping), plant_trace_creep(&creeping)};
+    return (Device2){numerator_at_one_creep(&motion, &creeping),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
@@ -448,10 +439,7 @@ static inline float plant_n1(float gamma, float delta) {
 }
 
 // (1 - exp(-x))/x
-static inline float decay(float x) {
-    if (x == 0.0f) { return 1.0f; }
-    return -expm1f(-x)/x;
-}
+static inline float decay(float x) { return (x == 0.0f ? 1.0f : -expm1f(-x)/x); }
 
 // 1 + a + e of a creeping device
 static inline float denominator_at_minus_one_creep(const Creeping *creeping) {
@@ -573,17 +561,13 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = (zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x));
         const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x));
-        float turned;
         if ((rest > 0.0f) && (y > 0.0f)) {
             const float off = (zone == 0.0f ? -loop->center + x :
                 (zone == 1.0f ? x : loop->beyond - x));
             const float found = phase_turns(loop, y, rest, off);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
-            turned = -2.0f*found*rises;
-        } else {
-            turned = 0.0f;
+            return -2.0f*found*rises;
         }
-        return turned;
     }
     return 0.0f;
 }
@@ -591,22 +575,15 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
 // what the crossings between two points add to the count
 static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, float k3, float low,
     float high, float at_low, float at_high, float zone) {
-    const float disc = -3.0f*k1*k3 + (k2*k2);
+    const float disc = -3.0f*k1*k3 + (k2*k2), root = sqrtf(fmaxf(0.0f, disc));
+    const float q = -k2 - (k2 < 0.0f ? -root : root);
     const float some = (fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at = -k2/some;
     const float cut = ((at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low);
-    float one, two;
-    if (disc < 0.0f) {
-        one = low; two = low;
-    } else {
-        const float root = sqrtf(fmaxf(0.0f, disc));
-        const float q = -k2 - (k2 < 0.0f ? -root : root);
-        const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f);
-        const float at2 = q/some2, some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f);
-        const float at3 = k1/some3;
-        one = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
-        two = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
-    }
-    const float less = fminf(one, two), more = fmaxf(one, two);
+    const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at2 = q/some2;
+    const float cut2 = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
+    const float some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f), at3 = k1/some3;
+    const float cut3 = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
+    const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3);
     const float first = fminf(cut, less), middle = fmaxf(cut, less);
     const float last = fmaxf(middle, more), middle2 = fminf(middle, more);
     const float height = first*(first*(first*k3 + k2) + k1) + k0;
@@ -624,29 +601,28 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
     float at_one, float at_minus_one, float loss, float together, float apart) {
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
-    const float linear = (across*across) - even, pushed_ = alpha*together;
-    const float lost = (loss*loss), near0 = (at_one - pushed_)*(at_one + pushed_);
+    const float across = -m0 + m2, lost = (loss*loss), square = m0*m2;
+    const float size = (across*across), even = together*(m0 + m2);
+    const float linear = -even + size, pushed_ = alpha*together;
+    const float near0 = (at_one - pushed_)*(at_one + pushed_);
     const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
         lost;
     const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f;
-    const float near3 = -force*square, square2 = m0*m2, even2 = apart*(m0 + m2);
-    const float linear2 = (across*across) - even2, pushed2 = apart*wall_far;
-    const float lost2 = (loss*loss);
+    const float near3 = -force*square, even2 = apart*(m0 + m2), linear2 = -even2 + size;
+    const float pushed2 = apart*wall_far;
     const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
-        (wall_far*wall_far) + lost2;
-    const float far2 = force*linear2 - loss - square2*(wall_far*wall_far) + 1.0f;
-    const float far3 = force*square2, middle = 2.0f*at_one/(2.0f - loss);
+        (wall_far*wall_far) + lost;
+    const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
+    const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
     const float tilt = -0.25f*middle + 0.25f*rest;
     const float real = -0.25f*apart*middle + 0.25f*rest*together;
-    const float size = (across*across), lost3 = (loss*loss);
     const float one = (real*real) + sine*size, two = -real*(m0 + m2) + size*tilt;
-    const float three = m0*m2, wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
-    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost3*sine - one*wall;
-    const float own1 = -force*one + lost3*tilt - two*wall;
-    const float own2 = -force*two - loss - three*wall + 1.0f, own3 = -force*three;
+    const float wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
+    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - one*wall;
+    const float own1 = -force*one + lost*tilt - two*wall;
+    const float own2 = -force*two - loss - square*wall + 1.0f, own3 = -force*square;
     const float one2 = 0.5f*middle, two2 = 0.5f*rest;
     const float before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
     const float after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0f;
@@ -770,7 +746,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const float disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
         ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
-    float total;
+    float total = 0.0f;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
         const Roots roots = quadratic_roots(near0, near1, square, root);
@@ -779,8 +755,6 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
         total = -2.0f*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0f*
             crossing_turns(&loop, roots.low, roots3.high, roots2.low);
-    } else {
-        total = 0.0f;
     }
     const float total2 = total + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
         (near0 == 0.0f)) || (near0 < 0.0f) ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
@@ -842,12 +816,6 @@ static inline CosSin next_wave(float k, float x) {
         (turn_ >= 2.0f ? -value2 : value2)};
 }
 
-// cos((k + 1) x)
-static inline float cos_next(float k, float x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.cosine;
-}
-
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline float early_slope(float theta, float k4, float k3, float k2, float k1, float k0) {
     const float sine = sinf(0.5f*theta), cosine = cosf(0.5f*theta), up = (sine*sine);
@@ -883,13 +851,11 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
     const float width = -a + b, whole3 = (width == 0.0f ? 1.0f : width);
     const float edge = close*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/fabsf(whole3);
     const float edge2 = fminf(0.5f, edge);
-    float guess;
+    float guess = 0.5f;
     if (safe > 0.0f) {
         const float one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
         const float there = fc/two, other = fa/three, last = fb/two;
         guess = here*there + last*other*(-a + c)/whole3;
-    } else {
-        guess = 0.5f;
     }
     const float share = fminf(guess, 1.0f - edge2), share2 = fmaxf(edge2, share);
     return a + share2*width;
@@ -945,27 +911,21 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
             fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
             b = next_b;
         }
-        if (fabsf(fa) < fabsf(fb)) { return a; }
-        return b;
+        return (fabsf(fa) < fabsf(fb) ? a : b);
     }
     return 3.1415927f;
-}
-
-// sin((k + 1) x)
-static inline float sin_next(float k, float x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.sine;
 }
 
 // has the sign of the slope of the boundary's alpha
 static inline float boundary_slope(float theta, float l, float at_one, float at_minus_one,
     float loss, float together, float apart, float across) {
-    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = sin_next(t, t2), t4 = tanf(t2);
-    const float t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5, t8 = -t7 + together;
-    const float t9 = at_minus_one*t5, t10 = at_one - t9, t11 = across*loss*t6 + t10*t8;
-    const float t12 = cos_next(t, t2), t13 = -2.0f*across*t10*t4 + 2.0f*loss*t4*t8;
-    const float t14 = (across*across), t15 = t14*t6 + (t8*t8), t16 = (loss*loss);
-    const float t17 = (t10*t10) + t16*t6, t18 = t15*t17, t19 = t5 + 1.0f;
+    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = next_wave(t, t2).sine;
+    const float t4 = tanf(t2), t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5;
+    const float t8 = -t7 + together, t9 = at_minus_one*t5, t10 = at_one - t9;
+    const float t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
+    const float t13 = -2.0f*across*t10*t4 + 2.0f*loss*t4*t8, t14 = (across*across);
+    const float t15 = t14*t6 + (t8*t8), t16 = (loss*loss), t17 = (t10*t10) + t16*t6;
+    const float t18 = t15*t17, t19 = t5 + 1.0f;
     return -t4*(0.5f*t18 + t19*(t15*(-at_minus_one*t10 + 2.0f*t16) - t17*(-apart*t8 + 2.0f*t14)))*
         (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
         (t18*(l + 1.5f) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
@@ -1006,8 +966,7 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
             fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
             b = next_b;
         }
-        if (fabsf(fa) < fabsf(fb)) { return a; }
-        return b;
+        return (fabsf(fa) < fabsf(fb) ? a : b);
     }
     return NAN;
 }
@@ -1047,13 +1006,13 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         const float theta = (d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0f ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
             later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
-        const float t = sin_next(l, theta), t2 = 0.5f*theta, t3 = sinf(t2);
+        const float t = next_wave(l, theta).sine, t2 = 0.5f*theta, t3 = sinf(t2);
         const float t4 = cosf(t2), t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0f*t5*t6;
         const float t8 = -apart*t6 + t5*together;
         const float t9 = 1.0f/((across*across)*t7 + (t8*t8));
         const float t10 = -at_minus_one*t6 + at_one*t5;
         const float t11 = -2.0f*across*t10 + 2.0f*loss*t8;
-        const float t12 = across*loss*t7 + t10*t8, t13 = t9*cos_next(l, theta);
+        const float t12 = across*loss*t7 + t10*t8, t13 = t9*next_wave(l, theta).cosine;
         const float t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
         const float stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0f*t14*t6;
         float good;
@@ -1068,7 +1027,6 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0f) { return theta; }
-        return NAN;
     }
     return NAN;
 }
@@ -1097,10 +1055,10 @@ static inline float sinc(float x) {
 // the damping that the wall needs at the angle 2 psi
 static inline float damping_at(float alpha, float beta, float l, float epsilon, float psi) {
     const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
-        cos_next(l, 2.0f*psi);
+        next_wave(l, 2.0f*psi).cosine;
     if (epsilon == 0.0f) { return early; }
     const float n = early + epsilon*(0.5f*alpha*(2.0f*l + 3.0f)*sinc(psi*(2.0f*l + 3.0f))/
-        sinc(psi) - beta*cos_next(l + 1.0f, 2.0f*psi) - early);
+        sinc(psi) - beta*next_wave(l + 1.0f, 2.0f*psi).cosine - early);
     const float root = sqrtf(epsilon*(1.0f - epsilon)*
         ((alpha*alpha)*(cosf(psi)*cosf(psi)) + ((alpha + 2.0f*beta)*(alpha + 2.0f*beta))*
         (sinf(psi)*sinf(psi))) + (n*n));
@@ -1109,12 +1067,13 @@ static inline float damping_at(float alpha, float beta, float l, float epsilon, 
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
 static inline float chord(float k, float x) {
-    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f, along = cos_next(k, x);
+    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
+    const float along = next_wave(k, x).cosine;
     if (turn_ < 1.5f) {
         const float wave = sinc(0.5f*turn_), inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
     }
-    return (-along*order*sinf(x) + 2.0f*sin_next(k, x))/(x*x*x);
+    return (-along*order*sinf(x) + 2.0f*next_wave(k, x).sine)/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
@@ -1164,8 +1123,7 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return a; }
-    return b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 // the damping that the wall needs at its worst angle
@@ -1187,7 +1145,8 @@ static inline float between(float share, float early, float late) {
 // negative beyond the angle in phase with the delay
 static inline float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
-        const float early = sin_next(l, theta), late = sin_next(l + 1.0f, theta);
+        const float early = next_wave(l, theta).sine;
+        const float late = next_wave(l + 1.0f, theta).sine;
         return early + epsilon*(-early + late);
     }
     return -1.0f;
@@ -1203,7 +1162,7 @@ static inline float rated(float number, float value) {
 static inline float spread(float k, float x) {
     const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
     if (turn_ < 1.5f) { return order*((order*order)*gap(2.0f*turn_) - gap(x)); }
-    return (order*sinf(x) - 2.0f*cos_next(k, x)*sin_next(k, x))/(x*x*x);
+    return (order*sinf(x) - 2.0f*next_wave(k, x).cosine*next_wave(k, x).sine)/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
@@ -1211,7 +1170,7 @@ static inline float straight(float stiffness, float damping, float k, float angl
     const float order = 2.0f*k + 1.0f;
     return rounded(pair_diff(wide_prod(stiffness,
         pair_quot(two_prod(order, sinc(angle*order)), (Pair){2.0f*sinc(angle), 0.0f})),
-        two_prod(damping, cos_next(k, 2.0f*angle))));
+        two_prod(damping, next_wave(k, 2.0f*angle).cosine)));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1234,8 +1193,9 @@ static inline float turning(float phi, float l, float epsilon, float wave, float
 // the wall whose worst angle is 2 psi, as an angle
 static inline float turn(float psi, float l, float epsilon) {
     const float wave = sinf(psi), wave2 = cosf(psi), wave3 = chord(l, 2.0f*psi);
-    const float wave4 = chord(l + 1.0f, 2.0f*psi), wave5 = cos_next(l, 2.0f*psi);
-    const float wave6 = cos_next(l + 1.0f, 2.0f*psi), wave7 = sinc(psi);
+    const float wave4 = chord(l + 1.0f, 2.0f*psi);
+    const float wave5 = next_wave(l, 2.0f*psi).cosine;
+    const float wave6 = next_wave(l + 1.0f, 2.0f*psi).cosine, wave7 = sinc(psi);
     const float wave8 = sinc(2.0f*psi), wave9 = sinc(psi*(2.0f*l + 1.0f));
     const float wave10 = sinc(psi*(2.0f*l + 2.0f)), wave11 = sinc(psi*(2.0f*l + 3.0f));
     const float wave12 = sinc(psi*(2.0f*l + 4.0f)), low = 0.0f;
@@ -1260,8 +1220,7 @@ static inline float turn(float psi, float l, float epsilon) {
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return a; }
-    return b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 // the wall whose worst angle is theta, as an angle, or NaN
@@ -1300,8 +1259,7 @@ static inline float passive_angle(float l, float epsilon) {
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return a; }
-    return b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
@@ -1372,25 +1330,22 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         *alpha_out = NAN; *beta_out = NAN; return;
     }
     const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = 0.5f*theta;
-    const float t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tanf(t1);
-    const float t13 = sinf(theta);
+    const float whole = floorf(d);
+    const CosSin cossin = next_wave(whole, theta);
+    const float part = d - whole, t2 = 0.5f*theta;
+    float t10, t11;
     if (part == 0.0f) {
-        const CosSin cossin = next_wave(d, theta);
-        const float t6 = delta*device.n_gap;
-        const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-            t6, device.together + t6);
-        const float t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-        *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
-        *beta_out = -t12/t13; return;
+        const float t7 = delta*device.n_gap;
+        t10 = t7; t11 = device.together + t7;
+    } else {
+        const Delayed delayed = late_device(gamma, delta, part);
+        t10 = delayed.apart; t11 = 2.0f*delayed.m2 - 2.0f*delayed.m0;
     }
-    const CosSin cossin2 = next_wave(whole, theta);
-    const Delayed delayed = late_device(gamma, delta, part);
-    const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-        delayed.apart, 2.0f*delayed.m2 - 2.0f*delayed.m0);
-    const float t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
-    *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
-    *beta_out = -t22/t13; return;
+    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
+        decay(delta), device.together, t10, t11);
+    const float t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tanf(t2);
+    *beta_out = -t15/sinf(theta); return;
 }
 
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
@@ -1439,8 +1394,8 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         (theta > 0.0f))) {
         return NAN;
     }
-    const float t0 = 0.5f*theta, cosine = cos_next(d, theta);
-    const float sine = sin_next(2.0f*d, t0);
+    const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
+    const float sine = next_wave(2.0f*d, t0).sine;
     return -0.5f*alpha*sine/sinf(t0) + beta*cosine + delta;
 }
 
@@ -1461,7 +1416,7 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
     const float whole = floorf(d), part = d - whole, t2 = 0.5f*theta;
     if (part == 0.0f) {
         const float t0 = lead(theta, d, 0.0f), t1 = delta/spread(d, theta);
-        const float t15 = sinc(t2), sine = sin_next(d, theta);
+        const float t15 = sinc(t2), sine = next_wave(d, theta).sine;
         const float t3 = sine*(t15*t15)*(d + 1.0f)/theta;
         *alpha_out = rated(t0, 2.0f*t1*t3);
         *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
@@ -1495,7 +1450,8 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     const CosSin cossin2 = next_wave(t9, t7);
     const float t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
     const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = (t13*t13), t15 = 2.0f*whole;
-    const float t16 = t15 + 2.0f, sine_2 = sin_next(t16, t12), t17 = 2.0f*sine_2*t13;
+    const float t16 = t15 + 2.0f, sine_2 = next_wave(t16, t12).sine;
+    const float t17 = 2.0f*sine_2*t13;
     const float t18 = (t10*t17 + t14*(4.0f*part + 4.0f*whole + 4.0f))/
         (t10*cosf(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0f)*
         sinf(t7));
