@@ -16,7 +16,7 @@ from sympy import And, Expr, Max, atan2, pi, sqrt
 
 from symhaptic.export.precision import Precision
 from symhaptic.export.root_count import alpha, apart, at_minus_one, beta, d, loss, n0, n1, together
-from symhaptic.export.routine import Divisor, Routine, Steps, choose
+from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.forms.form import Form
 from symhaptic.forms.root_count import Stable, WholeRoots
 
@@ -50,8 +50,8 @@ def free_stable() -> Routine:
     push, pull = do("push", together * alpha), do("pull", apart * far)
     c, a = do("near0", push * push), do("square", 1 - loss + cross * force)
     b = do("near1", loss * loss + cross * alpha**2 - together**2 * force)
-    root = do("root", sqrt(Max(b * b + 4 * a * c, 0)))
-    y = do("y", choose(b < 0, (root - b) / Divisor(2 * a), 2 * c / Divisor(root + b)))
+    size = do("size", sp.Abs(b) + sqrt(Max(b * b + 4 * a * c, 0)))
+    y = do("y", choose(b < 0, size / (2 * do.divisor(a)), 2 * c / do.divisor(size)))
     s, r = do("sine", sqrt(y)), do("cosine", sqrt(Max(4 - y, 0)))
     late, across = y > 2, do("across", 2 * s * r)
     side = do("side", choose(late, -1, 1))
