@@ -74,7 +74,7 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         "passivity_boundary": Worst(
             6.9, "beta", (0.001163156122722045, 3.344357597164237e-07, 1220.0)
         ),
-        "max_passive_stiffness": Worst(6.83, "beta", (24.770446902362266, 9.546608463956133)),
+        "max_passive_stiffness": Worst(5.68, "beta", (5.452144812319781, 0.3408052141474169)),
         "linear_limit": Worst(
             2.17, "alpha", (0.003411095303636187, 32.84340004976249, 1.6193805311694287)
         ),
@@ -121,7 +121,7 @@ MEASURED: Mapping[Precision, Mapping[str, Worst]] = {
         "passivity_boundary": Worst(
             6.4, "beta", (0.00042266599484719336, 28.381996154785156, 899.0)
         ),
-        "max_passive_stiffness": Worst(6.18, "beta", (44.81534957885742, 272.5945739746094)),
+        "max_passive_stiffness": Worst(5.33, "alpha", (3.4068586826324463, 10.871851921081543)),
         "linear_limit": Worst(
             2.07, "alpha", (0.5071318745613098, 1.933349994942546e-05, 3.668694257736206)
         ),
