@@ -63,11 +63,19 @@ def derive(page):
             damping.subs(theta, WORST),
         ),
     )
+    page.say(
+        "Behind a fraction of a period it is the wall of \\chapter{s6f_stiffest_passive_wall} with "
+        "the least stiffness that an angle allows. Next to whole delays $1-S$, $C$ and "
+        "$\\varepsilon(1-\\varepsilon)$ vanish together there, so that the wall is made of what "
+        "does not: where the slope of the bound vanishes,"
+    )
     settle(
         page,
         "max_passive_stiffness",
         "behind whole delays the computed stiffest passive wall is the derived one, (11), with its "
-        "damping; behind a fraction of a period it is searched for by the need and its derivatives",
+        "damping; behind a fraction of a period the stiffest wall that an angle allows needs the "
+        "whole damping there, no damping of its own lets it need less, and where the slope of its "
+        "stiffness vanishes, which is searched for, the computed wall is this one",
     )
     need = passivity.margin().xreplace(UNITS)
     page.limit(

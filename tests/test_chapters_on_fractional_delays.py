@@ -16,6 +16,7 @@ SETTLED = {
     "fractional-plant": ("s6a_fractional_plant", "proved"),
     "fractional-limit-points": ("s6e_fractional_region", "proved"),
     "fractional-largest-stiffness": ("s6f_half_a_period_passive", "proved"),
+    "fractional-stiffness-bound": ("s6f_stiffest_passive_wall", "proved"),
     "fractional-longer-delay": ("s6f_half_a_period_passive", "proved"),
     "fractional-literal": ("s6h_fractional_letter", "proved"),
     "fractional-figures": ("s6h_fractional_letter", "proved"),

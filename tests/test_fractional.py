@@ -203,6 +203,7 @@ MUTANTS = [
     ("s6e_fractional_region", changed("margin", lambda m: m.subs(sp.Symbol("l"), 0))),
     ("s6e_fractional_passive_is_stable", late_with(m0=lambda v: 2 * v.m0)),
     ("s6f_half_a_period_passive", changed("margin", lambda m: m - sp.Symbol("B") ** 2 / 16)),
+    ("s6f_stiffest_passive_wall", changed("margin", lambda m: m.subs(PART, PART / 2))),
     ("s6g_next_whole_delay", changed("margin", lambda m: m.subs(PART, 1 - PART))),
     ("s6h_fractional_readings", changed("characteristic", lambda p: p + 1)),
 ]

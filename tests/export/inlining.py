@@ -6,7 +6,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from symhaptic.export.module import named
-from symhaptic.export.routine import Repeat, Several, fresh
+from symhaptic.export.routine import Repeat, Several, fresh, with_divisors
 
 
 def inlined(routine, routines, kept=lambda _: False):
@@ -19,6 +19,7 @@ def inlined(routine, routines, kept=lambda _: False):
 
     def written(found, arguments):
         """All results of a routine at these arguments."""
+        found = with_divisors(found, lambda divisor: divisor.anywhere)
         known = dict(zip(found.arguments, arguments, strict=True))
 
         def step(symbol, expr):

@@ -61,8 +61,35 @@ def test_two_names_are_not_asked_for_twice():
 
 @pytest.mark.parametrize("language", ["c", "cpp", "javascript"])
 def test_a_short_return_stands_beside_its_condition(language):
+    """And of two short ones one expression is made, but of NaN, whose type in C is another."""
     lines = written(language, Choice(x < 0, (Return((y,)),), (Return((x,)),)))
-    assert lines == ["if (x < 0.0) { return y; }", "return x;"]
+    assert lines == ["return (x < 0.0 ? y : x);"]
+    long = sp.Symbol("a_name_that_takes_more_than_half_of_a_short_line")
+    lines = written(language, Choice(x < 0, (Return((y,)),), (Return((long,)),)))
+    assert lines == ["if (x < 0.0) { return y; }", f"return {long};"]
+    lines = written(language, Choice(x < 0, (Return((y,)),), (Return((sp.nan,)),)))
+    assert lines[0] == "if (x < 0.0) { return y; }"
+
+
+@pytest.mark.parametrize("language", ["c", "cpp", "javascript", "rust"])
+def test_an_end_that_follows_anyway_is_not_written_inside(language):
+    inner = Choice(y < 0, (Assign(b, x * x + y), Return((b * b,))), (Return((x,)),))
+    lines = written(language, Choice(x < 0, (inner,), (Return((x,)),)))
+    assert [line for line in lines if "return x" in line] == lines[-1:]
+    other = Choice(y < 0, (Return((b * b,)),), (Return((y,)),))
+    lines = written(language, Choice(x < 0, (other,), (Return((x,)),)))
+    assert any("return y" in line or "y : x" in line or ": y" in line for line in lines)
+
+
+@pytest.mark.parametrize("language", ["c", "cpp", "javascript", "rust"])
+def test_a_number_that_another_side_changes_stands_first(language):
+    """A name whose other side is computed keeps both sides."""
+    square = Assign(b, x * x + y)
+    for value, both in ((sp.S.Zero, False), (x * y, True)):
+        join = Join((a,), x < 0, (square, Set(a, b * b)), (Set(a, value),))
+        text = " ".join(written(language, join, Return((a,))))
+        assert ("else" in text) is both
+        assert ("a = 0.0" in text) is not both
 
 
 def test_what_sets_something_else_is_no_value():

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import threading
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -295,6 +296,26 @@ def test_the_variable_is_refused_on_one_line_by_every_command(monkeypatch, capsy
             assert f"{compiled.CHOICE}: '{word}' is not allowed" in err
             assert "'array'" in err
         monkeypatch.undo()
+
+
+@pytest.mark.parametrize("stamp", [None, "of other sources"])
+def test_kernels_that_are_compiled_of_other_sources_are_left_aside(stamp, monkeypatch):
+    """One line says what to do; a module of a time before there was a stamp has no `outside`."""
+    other = ModuleType("symhaptic.kernels._compiled")
+    if stamp is not None:
+        other.STAMP = stamp
+    monkeypatch.setitem(sys.modules, other.__name__, other)
+    monkeypatch.setattr("symhaptic.kernels._compiled", other)
+    for choice in ("", "array", "compiled"):
+        monkeypatch.setenv(compiled.CHOICE, choice)
+        if choice == "compiled":
+            with pytest.raises(ValueError, match=r"^SYMHAPTIC_KERNELS: 'compiled' .*anew.*'array'"):
+                compiled._module()
+        elif choice == "array":
+            assert compiled._module() is None
+        else:
+            with pytest.warns(RuntimeWarning, match="`pip install -e .` compiles them anew; until"):
+                assert compiled._module() is None
 
 
 def test_one_count_is_a_number():

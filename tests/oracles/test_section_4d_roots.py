@@ -90,6 +90,70 @@ def test_the_count_is_that_of_the_eigenvalues():
         agrees(device, 2 * top, wall)
 
 
+FREE = "s4d_roots_counted_without_spring"
+
+
+@guards("s4d_roots_counted_without_spring")
+def test_without_a_spring_one_quadratic_says_which_part_is_larger():
+    def agrees(surplus, first, last, bend, real):
+        for alpha, beta, delta in ((0.7, -0.3, 0.4), (0.2, 1.5, 2.0)):
+            loop = Loop(alpha, beta, 0.0, delta)
+            found = []
+            for theta in (1e-9, 0.4, 1.9, np.pi):
+                device, top, wall = loop.parts(theta)
+                y = 4 * np.sin(theta / 2) ** 2
+                found.append(abs(device) ** 2 - abs(top * wall) ** 2)
+                given = {"y": y, "theta": theta, **loop.plant, **loop.wall}
+                assert number(surplus, **given) == pytest.approx(found[-1], abs=1e-12)
+                assert number(real, **given) == pytest.approx(device.real, abs=1e-12)
+            at = {**loop.plant, **loop.wall}
+            assert number(first, **at) == pytest.approx(found[0], abs=1e-8)
+            assert number(last, **at) == pytest.approx(found[-1], abs=1e-12)
+            ys = [4 * np.sin(t / 2) ** 2 for t in (0.4, 1.9, np.pi)]
+            square = np.polyfit(ys, found[1:], 2)[0]
+            assert number(bend, **at) == pytest.approx(16 * square - found[0], abs=1e-8)
+
+    titles = (
+        "What the plant has over the wall is a quadratic",
+        "At $z=1$ the wall leads",
+        "At $z=-1$ both are real",
+        "The quadratic is bent less than the lead at $z=1$ allows",
+        "The real part of $A/z$ is negative",
+    )
+    only(agrees, *(shown(FREE, title) for title in titles))
+
+
+@guards("s4d_roots_counted_without_spring")
+def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
+    """Also of walls that are as strong as the device at z = -1, of which none is stable."""
+    rng = np.random.default_rng(72)
+    found = [0, 0, 0]
+    for _ in range(1500):
+        d, delta = int(rng.integers(0, 6)), rng.choice([0.0, rng.uniform(0, 3), 30.0])
+        alpha = rng.choice([1, 1, 0.05]) * rng.uniform(-0.3, 2) / (d + 1) ** 2 * (1 + delta)
+        beta = rng.uniform(-1, 4) / (d + 1) * (1 + delta)
+        loop = Loop(alpha, beta, 0.0, delta)
+        plant, top, wall = (abs(part) for part in loop.parts(np.pi))
+        given = {**loop.plant, **loop.wall}
+        strong = top * wall >= plant
+        left = [number(shown(FREE, "What the plant has over the wall is a quadratic"), y=y, **given)
+                for y in np.linspace(0.01, 3.99, 25)]  # fmt: skip
+        stable = oracle.stable(alpha, beta, 0.0, delta, d)
+        if strong:
+            assert max(left) < 0
+            assert not stable
+        else:
+            angles = np.linspace(1e-4, np.pi, 4001)
+            sizes_ = np.array([abs(p) for p in loop.parts(angles)])
+            (first, *_) = np.flatnonzero(sizes_[0] > sizes_[1] * sizes_[2])
+            phase = np.sum(np.unwrap(np.angle(loop.parts(angles)), axis=1)
+                           * np.array([[-1], [1], [1]]), axis=0) - (d + 2) * angles  # fmt: skip
+            if abs(phase[first] + np.pi) > 0.02:
+                assert stable == (alpha > 0 and phase[first] > -np.pi)
+        found[0 if strong else 1 if stable else 2] += 1
+    assert min(found) > 20
+
+
 @guards("s4d_roots_delay_margin")
 def test_roots_leave_and_come_back_at_the_delays_that_are_said():
     """The sum of crossings up to a delay, against eigenvalues for whole delays up to 30."""

@@ -3,6 +3,7 @@
 import numpy as np
 import oracle
 import pytest
+import sympy as sp
 from oracles import energy
 from oracles.guarding import guards
 from oracles.search import edge
@@ -148,6 +149,58 @@ def test_the_stiffest_and_the_most_damped_wall_half_a_period_late():
         shown(STIFF, "The exact condition is a quadratic"),
         shown(STIFF, "Its discriminant bounds the upper part"),
     )
+
+
+WALLS = "s6f_stiffest_passive_wall"
+
+
+@guards("s6f_stiffest_passive_wall")
+def test_no_motion_lets_a_passive_wall_be_stiffer_than_an_angle_allows():
+    """By the energies of motions, and by the largest stiffness at one angle over all dampings."""
+
+    def allowed(left, right, late, theta):
+        at = {"K": 1, "B": 0, "b": 1, "T": 1, "l": int(late), "epsilon": late % 1, "theta": theta}
+        return number(right, **at) / number(left, **at)
+
+    def agrees(bound):
+        for late, theta in ((0.3, 0.9), (0.5, 1.4), (1.8, 0.7), (2.6, 2.0)):
+            stiffness = allowed(bound.lhs, bound.rhs, late, theta)
+            dampings = np.linspace(-30, 30, 4001)
+            here, beyond = (
+                max(energy.determinant(share * stiffness, B, late, theta) for B in dampings)
+                for share in (0.99, 1.01)
+            )
+            assert here > 0 > beyond
+
+    (bound,) = settled(WALLS, "fractional-stiffness-bound")
+    assert bound.rel_op == "<="
+    agrees(bound)
+    for wrong in (bound.rhs * 1.05, bound.rhs.subs(sp.Symbol("l"), sp.Symbol("l") + 0.05)):
+        with pytest.raises(AssertionError):
+            agrees(sp.Le(bound.lhs, wrong))
+    for late in (0.3, 1.5):
+        angles = np.linspace(0.05, np.pi / (late + 1), 200)
+        least = min(allowed(bound.lhs, bound.rhs, late, theta) for theta in angles)
+        tried = np.linspace(-0.2, 1, 61)
+        assert max(energy.left(0.99 * least, B, late=late) for B in tried) > 0
+        assert max(energy.left(1.02 * least, B, late=late) for B in tried) < 0
+
+    def turns(rest, slope):
+        for late, theta in ((0.3, 0.9), (2.6, 2.0)):
+            at = {"l": int(late), "epsilon": late % 1}
+            mean = np.exp(1j * theta * (int(late) + 1)) * (1 + late % 1 * np.expm1(1j * theta))
+            found = number(rest, theta=theta, **at)
+            assert found == pytest.approx(1 - abs(mean) ** 2, abs=1e-13)
+            near = [
+                allowed(bound.lhs, bound.rhs, late, theta + step) * (late % 1) * (1 - late % 1) / 2
+                for step in (-1e-5, 1e-5)
+            ]
+            found = number(slope, theta=theta, **at) / np.sin(theta) ** 2
+            assert found == pytest.approx((near[1] - near[0]) / 2e-5, rel=1e-6)
+
+    titles = ("Both means leave from 1 what the fraction turns",
+              "The slope of the bound has the sign of a sum")  # fmt: skip
+    only(turns, *(shown(WALLS, title) for title in titles))
 
 
 @guards("s6g_next_whole_delay")

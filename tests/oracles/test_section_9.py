@@ -256,7 +256,7 @@ def touched(theta, delta, delay):
 @guards("s9c_computed_walls")
 def test_the_passive_walls_solve_two_equations():
     (found,) = computed("s9c_computed_walls", "computed-passivity-boundary")
-    (stiffest,) = computed("s9c_computed_walls", "computed-max-passive-stiffness")
+    stiffest, _ = computed("s9c_computed_walls", "computed-max-passive-stiffness")
     for delay in (1, 4):
         for share in ("0.2", "0.5", "0.9"):
             theta = mpf(share) * mpmath.pi / (delay + 1)
@@ -269,6 +269,40 @@ def test_the_passive_walls_solve_two_equations():
         around = [touched(theta + x, mpf(2), delay)[0]
                   for theta in [mpmath.pi / (2 * delay + 2)] for x in (-0.01, 0, 0.01)]  # fmt: skip
         assert around[1] == max(around)
+
+
+@guards("s9c_computed_walls")
+def test_the_stiffest_wall_at_a_fraction_is_where_an_angle_allows_least():
+    """At the angle of the least stiffness, over all dampings, that the margin leaves."""
+    _, found = computed("s9c_computed_walls", "computed-max-passive-stiffness")
+    delay, part, delta = 2, LATES[1], mpf("1.7")
+
+    def edge(theta, damping):
+        """The stiffness at which the margin is 0: a quadratic in it."""
+        at = [margin(theta, mpf(k), damping, delta, delay, part) for k in (-1, 0, 1)]
+        square, slope = (at[0] + at[2]) / 2 - at[1], (at[2] - at[0]) / 2
+        return (-slope - mpmath.sqrt(slope**2 - 4 * square * at[1])) / (2 * square)
+
+    def best(theta):
+        """The wall with the largest one over all dampings."""
+        slope = lambda x: mpmath.diff(lambda y: edge(theta, y), x)  # noqa: E731
+        damping = mpmath.findroot(slope, (mpf("0.1"), mpf(1)), solver="secant")
+        return edge(theta, damping), damping
+
+    turn = mpmath.pi / (2 * (delay + part + 1))
+    least = mpmath.findroot(
+        lambda t: mpmath.diff(lambda y: best(y)[0], t), (turn, turn * mpf("1.1")), solver="secant"
+    )
+    at = {"delta": delta, "l": delay, "epsilon": part}
+    left, by_damping, slope, *computed_ = found
+    for theta in (turn, least):
+        agree(value(left, theta=theta, **at), mpf(0), digits=18)
+        agree(value(by_damping, theta=theta, **at), mpf(0), digits=18)
+        steep = mpmath.diff(lambda t: best(t)[0], theta)
+        agree(value(slope, theta=theta, **at), steep, digits=12)
+    stiffness, damping = best(least)
+    for expr, number in zip(computed_, (stiffness, stiffness + 2 * damping), strict=True):
+        agree(value(expr, theta=least, **at), number, digits=12)
 
 
 @guards("s9c_computed_walls")

@@ -55,7 +55,7 @@ class ArrayApi(Target):
         "while with yield match case xp np numpy selftest math operator sys array_namespace device "
         "is_array_api_obj is_lazy_array is_numpy_array is_torch_array arrays deferred elementwise "
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
-        "plant work inside limits guarded most yes no add series value crossing"
+        "plant work inside limits guarded settled most yes no add series value crossing"
     )
     modules = standard.PYTHON
     leaves_zeros_out = False  # both precisions are written as one
@@ -140,7 +140,7 @@ class ArrayApi(Target):
             if (made := _in_terms_of(form, other)) is not None:
                 plant, work = None, made
                 counted = f"{self.call(other.name)}({', '.join(names)})"
-                lines.append(f"    {self.rename(made.arguments[-1].name)} = {counted}")
+                lines.append(f"    {self.rename(made.arguments[0].name)} = {counted}")
         for name, part in (("plant", plant), ("work", work)):
             if part is None:
                 continue
@@ -150,6 +150,9 @@ class ArrayApi(Target):
                 block = told(block)
             lines += ["", f"    def {name}({given}):", *self._written(block, 2)]
             lines.append("")
+            if part.arguments[0] not in form.arguments:
+                lines.append(f"    return settled(xp, {name}, {given})")
+                continue
             inside = " ".join(self._asked(form, part, conditions))
             outside = form.outside if part is work else sp.nan
             shown = {sp.nan: "math.nan", sp.false: "False"}.get(outside, str(outside))
@@ -207,7 +210,8 @@ class ArrayApi(Target):
 def _in_terms_of(form: Form, other: Form) -> Routine | None:
     """The verdict of a form, made of what another one of the same arguments counts, if it is.
 
-    Outside of its domain that one counts -1, of which the verdict is no.
+    That is its first argument.  Outside of its domain that one counts -1, of which, as of all but
+    0, the verdict is no.
     """
     if not form.truth or other.outside != -1 or form.arguments != other.arguments:
         return None
@@ -218,7 +222,7 @@ def _in_terms_of(form: Form, other: Form) -> Routine | None:
     if len(verdicts) > 1:
         return None
     (verdict,) = verdicts
-    given = (*(s for s in form.arguments if verdict.has(s)), Symbol(name))
+    given = (Symbol(name), *(s for s in form.arguments if verdict.has(s)))
     return Steps().routine(form.name, form.title, given, verdict)
 
 

@@ -134,6 +134,12 @@ def guarded(xp, work, names, count, outside, *values):
     return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
 
 
+def settled(xp, work, count, *values):
+    """A verdict that is no where anything is counted, of a count and of values that are 0 there."""
+    none = count == 0.0
+    return xp.asarray(work(count, *(xp.where(none, v, 0.0) for v in values)))
+
+
 def _broadcast(xp, work, values):
     """All results of ``work`` on flat pieces of the arrays, in the shape that they broadcast to."""
     shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))

@@ -23,7 +23,7 @@ from symhaptic.export.blocks import (
     direct,
     expressions,
 )
-from symhaptic.export.routine import Routine, names, plain
+from symhaptic.export.routine import Routine, names, plain, with_divisors
 
 
 @cache
@@ -34,6 +34,7 @@ def lazy(routine: Routine) -> Block:
     decided are left out.  What is chosen again inside a branch has its own branches there, the
     cheapest question first; what all of them need is done before them.
     """
+    routine = with_divisors(routine, lambda divisor: divisor.anywhere)
     return direct(_Lazy(routine).returned(tuple(e for _, e in routine.results), set(), {}))
 
 
@@ -42,7 +43,7 @@ def guarded(routine: Routine) -> Block:
 
     NaN makes every comparison false: what is asked is what is true inside, and never its opposite.
     """
-    block = lazy(plain(routine))
+    block = lazy(with_divisors(plain(routine), lambda divisor: divisor.args[0]))
     block = told(block) if routine.truth else block
     if not routine.within:
         return block

@@ -119,7 +119,8 @@ class C(Target):
         if types := records.declared():
             lines += [*types, ""]
         for helper in library.helpers:
-            lines += [f"// {helper.about}", *own._helper(helper)]
+            if helper.name not in records.fields:
+                lines += [f"// {helper.about}", *own._helper(helper)]
         for routine in library.public:
             head = self._head(f"{library.name}_{routine.name}", routine)
             lines += own._written(routine, head)
@@ -162,6 +163,9 @@ class C(Target):
         if self.records is not None:
             given = self.records.given(name, args)
             args = [self.places.variable(self._handed(a)) for a in given]
+            if name in self.records.fields:
+                name, field = self.records.fields[name]
+                return f"{self.call(name)}({', '.join(args)}).{field}"
         return f"{self.call(name)}({', '.join(args)})"
 
     def received(self, several: Several) -> tuple[str, str]:
@@ -169,9 +173,10 @@ class C(Target):
         assert self.records is not None
         kind = self.records.kind(self.records.routines[several.call.func.__name__])
         variable, _, _ = self.rename(several.names[0].name).partition(".")
-        if variable in self.places.passed:
-            self.places.calls[variable] = several.call
-            return "", ""
+        for pair in self.places.passed:
+            if pair.partition(".")[0] == variable:
+                self.places.calls[pair] = several.call
+                return "", ""
         return f"const {kind} ", f"{variable} = {self.called(several.call)};"
 
     def passed_on(self, several: Several) -> str:
@@ -203,7 +208,8 @@ class C(Target):
     def _handed(self, pair: str) -> str:
         """A pair, or the call that gives it."""
         call = self.places.calls.get(pair)
-        return pair if call is None else self.called(call)
+        _, dot, field = pair.partition(".")
+        return pair if call is None else f"{self.called(call)}{dot}{field}"
 
     def _head(self, name: str, routine: Routine) -> str:
         args = [f"{self.real} {self.rename(s.name)}" for s in routine.arguments]

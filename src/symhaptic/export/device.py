@@ -215,14 +215,6 @@ def denominator_at_minus_one_creep() -> Routine:
                       (*s.fall, *far.fall), rounded(found), takes=_CREEPING)  # fmt: skip
 
 
-def plant_trace_creep() -> Routine:
-    """Of a creeping device."""
-    do, s, far = Steps(), SLOW, APART
-    found = times(do, s.fall, one_plus(do, far.fall))
-    return do.routine("PlantTraceCreep", "a of a creeping device",
-                      (*s.fall, *far.fall), rounded(found), takes=_CREEPING)  # fmt: skip
-
-
 def numerator_gap_creep() -> Routine:
     """Of a creeping device."""
     do, s, far = Steps(), SLOW, APART
@@ -230,7 +222,7 @@ def numerator_gap_creep() -> Routine:
     top, top_low = minus(do, s.mean, scaled(do, do("twice", 2 * slow), far.mean))
     more, more_low = scaled(do, do("fast", slow * ratio), s.mean)
     top, low = do("top", top + more), do("low", top_low + more_low)
-    found = (top + low) / do.nonzero(P[0] * delta)
+    found = (top + low) / do.divisor(P[0] * delta)
     known = slow, *s.mean, ratio, *far.mean
     given = REACH, HALF, W[0], P[0], *known, delta
     near = _gap_near(REACH < 1, HALF, W[0])
@@ -272,7 +264,7 @@ def plant_n1_swing() -> Routine:
     do, v = Steps(), WAVE
     both = plus(do, v.even, scaled(do, HALF, v.odd))
     top = one_minus(do, scaled(do, ENVELOPE, both))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     near = _n1_near(REACH < SOFT, *FADE, HALF, W[0])
     given = REACH, HALF, W[0], ENVELOPE, *v.even, *v.odd, NEAR_TURNS, RISEN, *FADE, gamma
     return do.routine("PlantN1Swing", "n1 of a swinging device", given,
@@ -284,7 +276,7 @@ def plant_n0_swing() -> Routine:
     do, v = Steps(), WAVE
     both = minus(do, scaled(do, HALF, v.odd), v.even)
     top = scaled(do, ENVELOPE, plus(do, both, exact(ENVELOPE)))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     near = _called("PlantN0Near", REACH < SOFT, *FADE, gamma, 2 * HALF)
     given = REACH, HALF, ENVELOPE, *v.even, *v.odd, NEAR_TURNS, SUNK, *FADE, gamma
     return do.routine("PlantN0Swing", "n0 of a swinging device", given,
@@ -314,7 +306,7 @@ def _squares(do: Steps, wave: type[sp.Function]) -> Pair:
 def numerator_at_one_swing() -> Routine:
     """Of a swinging device."""
     do = Steps()
-    found = rounded(over(do, _squares(do, sin), exact(do.nonzero(gamma))))
+    found = rounded(over(do, _squares(do, sin), exact(do.divisor(gamma))))
     near = _one_near(REACH < 1, HALF, W[0], ENVELOPE)
     given = REACH, HALF, *W, ROOT, ENVELOPE, NEAR_TURNS, MOVED, gamma
     return do.routine("NumeratorAtOneSwing", "n1 + n0 of a swinging device", given,
@@ -333,20 +325,12 @@ def denominator_at_minus_one_swing() -> Routine:
                       takes=_SWINGING)  # fmt: skip
 
 
-def plant_trace_swing() -> Routine:
-    """Of a swinging device."""
-    do, v = Steps(), WAVE
-    turn = scaled(do, ENVELOPE, v.even)
-    return do.routine("PlantTraceSwing", "a of a swinging device", (ENVELOPE, *v.even),
-                      2 * rounded(turn), takes=_SWINGING)  # fmt: skip
-
-
 def numerator_gap_swing() -> Routine:
     """Of a swinging device."""
     do, v = Steps(), WAVE
     mean = do("mean", Decay(delta))
     top = minus(do, exact(mean), scaled(do, ENVELOPE, v.odd))
-    swing = rounded(over(do, top, exact(do.nonzero(gamma))))
+    swing = rounded(over(do, top, exact(do.divisor(gamma))))
     given = REACH, HALF, W[0], ENVELOPE, *v.odd, gamma, delta
     near = _gap_near(REACH < 1, HALF, W[0], ENVELOPE)
     return do.routine("NumeratorGapSwing", "(n1 - n0)/delta of a swinging device", given,
@@ -382,6 +366,14 @@ class _Device:
     m: Motion
     swing: dict[Expr, Expr]
     creep: dict[Expr, Expr]
+
+    def swing_pair(self, pair: Pair) -> Pair:
+        """A number of a swinging device, and what it misses."""
+        return self.swing[pair[0]], self.swing[pair[1]]
+
+    def creep_pair(self, pair: Pair) -> Pair:
+        """The same of a creeping one."""
+        return self.creep[pair[0]], self.creep[pair[1]]
 
     def called(self, swing: Callable[[], Routine], creep: Callable[[], Routine]) -> Expr:
         """One of both, of what it takes."""
@@ -451,8 +443,12 @@ def denominator_at_minus_one() -> Routine:
 def plant_trace() -> Routine:
     """a, the sum of the poles of the sampled device."""
     do = Steps()
-    found = shared(do).called(plant_trace_swing, plant_trace_creep)
-    return _whole(do, "PlantTrace", "a, the sum of the sampled device's poles", found)
+    v = shared(do)
+    even, slow, ratio = v.swing_pair(WAVE.even), v.creep_pair(SLOW.fall), v.creep_pair(APART.fall)
+    swing = 2 * rounded(scaled(do, v.swing[ENVELOPE], even))
+    creep = rounded(times(do, slow, one_plus(do, ratio)))
+    return _whole(do, "PlantTrace", "a, the sum of the sampled device's poles",
+                  choose(v.m.w < 0, swing, creep))  # fmt: skip
 
 
 def numerator_gap() -> Routine:
@@ -470,9 +466,9 @@ def numerator_gap() -> Routine:
 
 ROUTINES = (
     device_motion, real_poles, creeping_device, swinging_device, plant_n1_creep, plant_n0_creep,
-    numerator_at_one_creep, denominator_at_minus_one_creep, plant_trace_creep, numerator_gap_creep,
+    numerator_at_one_creep, denominator_at_minus_one_creep, numerator_gap_creep,
     plant_n1_swing, plant_n0_swing, half_squares, numerator_at_one_swing,
-    denominator_at_minus_one_swing, plant_trace_swing, numerator_gap_swing, slow_fade,
+    denominator_at_minus_one_swing, numerator_gap_swing, slow_fade,
     plant_n0_near, plant_n1, plant_n0, numerator_at_one, denominator_at_minus_one, plant_trace,
     numerator_gap,
 )  # fmt: skip

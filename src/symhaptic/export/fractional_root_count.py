@@ -9,6 +9,7 @@ piece Newton's method goes to the root from the end from which it never overshoo
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import sympy as sp
 from sympy import And, Expr, Max, Min, Or, sqrt
@@ -40,13 +41,23 @@ def _value(k: Terms, y: Expr) -> Expr:
     return ((k[3] * y + k[2]) * y + k[1]) * y + k[0]
 
 
+@dataclass(frozen=True)
+class _Products:
+    """What all expansions have."""
+
+    lost: Expr
+    square: Expr
+    """m2 m0."""
+    size: Expr
+    """(m2 - m0)^2."""
+
+
 def _about(
-    do: Steps, name: str, across: Expr, at: Expr, top: Expr, force: Expr, tilt: Expr
+    do: Steps, name: str, both: _Products, at: Expr, top: Expr, force: Expr, tilt: Expr
 ) -> Terms:
     """|A|^2 - |M|^2 |W|^2 about an end, from the values of A, M and W there."""
-    square, even = do("square", m2 * m0), do("even", top * (m2 + m0))
-    linear = do("linear", across * across - even)
-    pushed, lost = do("pushed", top * force), do("lost", loss * loss)
+    lost, square, even = both.lost, both.square, do("even", top * (m2 + m0))
+    linear, pushed = do("linear", both.size - even), do("pushed", top * force)
     return (
         do(f"{name}0", (at - pushed) * (at + pushed)),
         do(f"{name}1", lost - at * (2 - loss) - linear * force**2 - top**2 * tilt),
@@ -55,14 +66,13 @@ def _about(
     )
 
 
-def _own(do: Steps, across: Expr, middle: Expr, rest: Expr, v: _Wall) -> Terms:
+def _own(do: Steps, both: _Products, middle: Expr, rest: Expr, v: _Wall) -> Terms:
     """The same about the device's own frequency."""
     sine, tilt = do("sine", middle * rest / 4), do("tilt", (rest - middle) / 4)
     real = do("real", (together * rest - apart * middle) / 4)
-    size, lost = do("size", across * across), do("lost", loss * loss)
+    size, lost, three = both.size, both.lost, both.square
     one = do("one", real**2 + size * sine)
     two = do("two", size * tilt - (m2 + m0) * real)
-    three = do("three", m2 * m0)
     wave = do("wave", (alpha * rest - v.far * middle) / 4)
     wall = do("wall", wave**2 + v.slope**2 * sine)
     return (
@@ -87,11 +97,14 @@ def fractional_roots() -> Routine:
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
     across = do("across", m2 - m0)
-    near = _about(do, "near", across, at_one, together, alpha, v.force)
-    far_ = _about(do, "far", across, at_minus_one, apart, v.far, -v.force)
+    both = _Products(
+        do("lost", loss * loss), do("square", m2 * m0), do("size", across * across)
+    )
+    near = _about(do, "near", both, at_one, together, alpha, v.force)
+    far_ = _about(do, "far", both, at_minus_one, apart, v.far, -v.force)
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))
-    own = _own(do, across, middle, rest, v)
+    own = _own(do, both, middle, rest, v)
     one, two = do("one", middle / 2), do("two", rest / 2)
     before, after = do("before", _value(own, -one)), do("after", _value(own, two))
     loop = (alpha, v.slope, v.far, across, loss, together, apart, middle, rest, d)
@@ -124,8 +137,7 @@ def zone_turns() -> Routine:
     root = do("root", sqrt(Max(disc, 0)))
     q = do("q", -(k2 + choose(k2 < 0, -root, root)))
     bend = _inside(do, -k2, 3 * k3)
-    one = do("one", choose(disc < 0, low, _inside(do, q, 3 * k3)))
-    two = do("two", choose(disc < 0, low, _inside(do, k1, q)))
+    one, two = _inside(do, q, 3 * k3), _inside(do, k1, q)  # without extrema, cuts like any other
     less, more = do("less", Min(one, two)), do("more", Max(one, two))
     first, middle = do("first", Min(less, bend)), do("middle", Max(less, bend))
     last = do("last", Max(middle, more))
@@ -154,7 +166,7 @@ def piece_turns() -> Routine:
     loop = alpha, slope, far, d, n1, loss, together, apart
     found = do("found", turns(y, rest, off, *loop))
     rises = do("rises", choose(at_high > at_low, 1, -1) * choose(sp.Eq(zone, FAR), -1, 1))
-    turned = do("turned", choose(inner, -2 * rises * found, 0))
+    turned = choose(inner, -2 * rises * found, 0)
     return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",
                       (*TERMS, low, high, at_low, at_high, zone, *_LOOP),
                       choose(there, turned, 0), takes=("Loop",))  # fmt: skip

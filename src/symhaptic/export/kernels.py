@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from difflib import unified_diff
+from hashlib import sha256
 from pathlib import Path
 
 from symhaptic.export import request
 from symhaptic.export.precision import SINGLE
 from symhaptic.export.targets import TARGETS
-from symhaptic.export.ufuncs import ufuncs
+from symhaptic.export.ufuncs import MODULE, UNSTAMPED, ufuncs
 from symhaptic.forms import stable
 from symhaptic.forms.stable import Form
 
@@ -24,6 +25,9 @@ _ABOUT = '''"""How large is it, bare?  The stable forms as functions of arrays o
 
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
+
+STAMP = "%s"
+"""Of the sources in C, as the module that is compiled of them has it."""
 '''
 
 
@@ -39,8 +43,10 @@ def files() -> dict[str, str]:
     in_double, in_single = TARGETS["c"], TARGETS["c"].at(SINGLE)
     double, in_c = request.built(in_double, every, vectors=False)
     single, more = request.built(in_single, every, name="haptic_single", vectors=False)
-    made |= in_c | more | ufuncs(double, single, in_double, in_single)
-    made = {"__init__.py": _ABOUT} | made
+    in_c |= more | ufuncs(double, single, in_double, in_single)
+    stamp = sha256("".join(in_c.values()).encode()).hexdigest()[:16]
+    in_c[f"{MODULE}.c"] = in_c[f"{MODULE}.c"].replace(UNSTAMPED, stamp)
+    made |= {"__init__.py": _ABOUT % stamp} | in_c
     return {
         name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text
         for name, text in made.items()

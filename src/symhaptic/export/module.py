@@ -14,6 +14,7 @@ from symhaptic.export import (
     elementary,
     error_free,
     fractional_root_count,
+    free_stable,
     late_device,
     max_stiffness,
     required_damping,
@@ -23,6 +24,7 @@ from symhaptic.export import (
     slopes,
     whole_turns,
 )
+from symhaptic.export.free_stable import with_free_verdict
 from symhaptic.export.fused import fused, merged
 from symhaptic.export.late_device import with_late_device
 from symhaptic.export.precision import DOUBLE, Precision
@@ -99,7 +101,7 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 _MODULES = (
     error_free, elementary, double_word, whole_turns, device, device_series, slopes, angle_slopes,
-    root_count, fractional_root_count, late_device, search, required_damping, response,
+    root_count, fractional_root_count, free_stable, late_device, search, required_damping, response,
     max_stiffness,
 )  # fmt: skip
 
@@ -144,7 +146,8 @@ def library(
     Raises :class:`Refused` for an operation that the target does not have.
     """
     forms = tuple(forms)
-    together = map(with_late_device, forms) if merges else forms
+    together = map(with_free_verdict, forms)
+    together = map(with_late_device, together) if merges else together
     public = tuple(routine(form, target.precision) for form in together)
     routines = known(target.precision)
     if merges:

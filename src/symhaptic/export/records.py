@@ -36,7 +36,8 @@ class Places:
     variables: dict[str, str] = field(default_factory=dict)
     """All records that the routine asks others for, with their types."""
     passed: set[str] = field(default_factory=set)
-    """Pairs that have no name of their own, as they are only handed on, once."""
+    """Pairs that have no name of their own, as they are only handed on, once; of a record that is
+    found for nothing else, too."""
     calls: dict[str, Expr] = field(default_factory=dict)
     """What gives such a pair."""
     made: dict[str, str] = field(default_factory=dict)
@@ -74,6 +75,20 @@ class Records:
         for kind in asked & MADE.keys():
             given = {a for h in self.routines.values() if kind in h.takes for a in _arguments(h)}
             self.kinds[tuple(name for name in MADE[kind] if name in given)] = kind
+        parts = ((name, self._field(helper)) for name, helper in self.routines.items())
+        self.fields = {name: found for name, found in parts if found}
+        """Routines that give one number of a record that another one gives, and both names."""
+
+    def _field(self, routine: Routine) -> tuple[str, str] | None:
+        if len(routine.steps) != 1 or len(routine.results) != 1:
+            return None
+        (only,), ((_, result),) = routine.steps, routine.results
+        if not isinstance(only, Several) or only.call.args != routine.arguments:
+            return None
+        called = self.routines[only.call.func.__name__]
+        if result not in only.names or self.kind(called) == PAIR or self._taken(called):
+            return None
+        return called.name, _fields(called)[only.names.index(result)]
 
     def _named(self, routine: Routine) -> str:
         if len(joined(_fields(routine))) == 1:
@@ -162,10 +177,10 @@ class Records:
                     whole_[whole(*(places.written.get(str(end), "") for end in ends))] += 1
         for step in routine.steps:
             if isinstance(step, Several):
-                high, low, *more = (s.name for s in step.names)
-                variable = places.written[high].removesuffix(".hi")
-                if not more and used[high] == used[low] == whole_[variable] == 1:
-                    yield variable
+                asked = [s.name for s in step.names if used[s.name]]
+                pair = whole(*(places.written[name] for name in asked)) if len(asked) == 2 else ""
+                if pair and {used[name] for name in asked} == {whole_[pair]} == {1}:
+                    yield pair
 
     def _pairs(self, name: str, args: Sequence[Expr], places: Places) -> Iterable[str]:
         """The pairs that a call is given, by their names."""

@@ -12,7 +12,7 @@ from symhaptic.export.pairs import exact, minus, over, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.export.search import crossing
-from symhaptic.forms import required_damping
+from symhaptic.forms import required_damping, stiffest_passive
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta
 
@@ -205,26 +205,29 @@ def touching() -> Routine:
 
 
 def passive_slope() -> Routine:
-    """Of the wall whose worst angle it is."""
+    """Of the largest stiffness that an angle allows."""
     do = Steps()
-    turned = do("turned", sp.Function("Turn")(psi, l, epsilon))
-    one = required_damping.of_size_one()
-    stiffness, damping = (do("wall", one[s].xreplace({phi: turned})) for s in (alpha, beta))
-    need = do("need", sp.Function("DampingAt")(stiffness, damping, l, epsilon, psi))
-    found = required_damping.favours(need).xreplace({alpha: stiffness, beta: damping})
-    return do.routine("PassiveSlope", "whether another angle allows more stiffness, at a fraction",
-                      (psi, l, epsilon), -found)  # fmt: skip
+    waves: dict[Expr, Expr] = {}
+    for periods in (l, l + 1):
+        both = do.several(("cosine", "sine"), "NextWave", periods, theta)
+        waves |= zip((CosNext(periods, theta), SinNext(periods, theta)), both, strict=True)
+    sine, cosine = (
+        do(name, mean.xreplace(waves))
+        for name, mean in (("up", stiffest_passive.sine()), ("along", stiffest_passive.cosine()))
+    )
+    found = stiffest_passive.falling(sine, cosine).xreplace(waves)
+    return do.routine("PassiveSlope", "whether a larger angle allows less stiffness, at a fraction",
+                      (theta, l, epsilon), found)  # fmt: skip
 
 
 def passive_angle(precision: Precision = DOUBLE) -> Routine:
     """The angle that is worst for the stiffest passive wall, at a fraction of a period."""
     do = Steps()
-    high = pi / (2 * (l + epsilon + 1))
+    high = pi / (l + epsilon + 1)
     slope = sp.Function("PassiveSlope")
-    low = high / 10**6
-    half = crossing(do, lambda _, at: slope(at, l, epsilon), low, high, precision.close)
+    angle = crossing(do, lambda _, at: slope(at, l, epsilon), sp.S.Zero, high, precision.close)
     return do.routine("PassiveAngle", "the worst angle of the stiffest passive wall, at a fraction",
-                      (l, epsilon), 2 * half)  # fmt: skip
+                      (l, epsilon), angle)  # fmt: skip
 
 
 def pushed() -> Routine:

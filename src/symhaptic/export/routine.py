@@ -28,6 +28,23 @@ class TwoProdError(Function):  # type: ignore[misc]
         return sp.S.Zero if {abs(one), abs(two)} & {sp.S.Zero, sp.S.One} else None
 
 
+class Divisor(Function):  # type: ignore[misc]
+    """The number itself, which is 0 only where another branch counts."""
+
+    nargs = 1
+
+    @classmethod
+    def eval(cls, value: Expr) -> Expr | None:
+        """1 stands for 0."""
+        return (value or sp.S.One) if value.is_number else None
+
+    @property
+    def anywhere(self) -> Expr:
+        """1 in place of 0, for who computes all branches."""
+        (value,) = self.args
+        return choose(sp.Eq(value, 0), sp.S.One, value)
+
+
 @dataclass(frozen=True)
 class Repeat:
     """``start`` put into ``states``, then ``steps`` and ``next`` until ``done``, or so many times.
@@ -158,6 +175,21 @@ def computed(step: Step) -> tuple[Expr, ...]:
     return (step.call,) if isinstance(step, Several) else step.expressions
 
 
+def mapped(step: Step, change: Callable[[Expr], Expr]) -> Step:
+    """A step with all of its expressions changed."""
+    if isinstance(step, tuple):
+        return step[0], change(step[1])
+    if isinstance(step, Several):
+        return replace(step, call=change(step.call))
+    if isinstance(step, Repeat):
+        inner = tuple((name, change(expr)) for name, expr in step.steps)
+        start, done = tuple(map(change, step.start)), change(step.done)
+        return replace(step, start=start, steps=inner, done=done, brief=change(step.brief))
+    value, low, high, found = map(change, (step.value, step.low, step.high, step.found))
+    inner_steps = tuple(mapped(s, change) for s in step.steps)
+    return replace(step, value=value, low=low, high=high, found=found, steps=inner_steps)
+
+
 @dataclass(frozen=True)
 class Routine:
     """A function with one result or several."""
@@ -197,6 +229,19 @@ class Routine:
         for step in self.steps:
             found += computed(step)
         return found + tuple(e for _, e in self.results)
+
+
+def with_divisors(routine: Routine, divided: Callable[[Divisor], Expr]) -> Routine:
+    """The routine with what is divided by made of each divisor."""
+
+    def change(expr: Expr) -> Expr:
+        return expr.replace(lambda e: isinstance(e, Divisor), lambda e: divided(e))
+
+    if not any(e.has(Divisor) for e in routine.expressions):
+        return routine
+    steps = tuple(mapped(step, change) for step in routine.steps)
+    results = tuple((name, change(expr)) for name, expr in routine.results)
+    return replace(routine, steps=steps, results=results)
 
 
 def plain(routine: Routine) -> Routine:
@@ -309,6 +354,10 @@ class Steps:
         """The value, or 1 in its place where it is 0."""
         return self("whole", choose(sp.Eq(value, 0), sp.S.One, value))
 
+    def divisor(self, value: Expr) -> Symbol:
+        """The value, which is 0 only where another branch counts."""
+        return self("whole", Divisor(value))
+
     def routine(
         self,
         name: str,
@@ -331,6 +380,7 @@ def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
 
 
 __all__ = [
+    "Divisor",
     "Repeat",
     "Routine",
     "Search",
@@ -341,5 +391,7 @@ __all__ = [
     "computed",
     "expm1",
     "fresh",
+    "mapped",
     "plain",
+    "with_divisors",
 ]

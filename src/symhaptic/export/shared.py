@@ -7,6 +7,7 @@ from functools import cache
 
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
+from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Step, choose
@@ -23,6 +24,9 @@ def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     done: list[Step] = []
     inverse: dict[Expr, Expr] = {}
     for name, expr in steps:
+        if isinstance(expr, Boolean):  # what is chosen by is asked where it is
+            inverse[name] = expr
+            continue
         if expr.is_Pow and expr.exp == -1 and (expr.base.is_Function or _is_count(expr.base)):
             # a product with what is rounded already would be rounded twice
             inverse[name], expr = 1 / name, expr.base
@@ -51,16 +55,20 @@ def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], 
         return list(exprs), lambda found: found
     first = chosen[0].args[0][1]
     count = len(exprs)
-    plain = [expr for expr in exprs if not isinstance(expr, Piecewise) and not expr.is_number]
     other = [expr for expr in chosen if expr.args[0][1] != first or len(expr.args) > 2]
-    if not isinstance(first, sp.Eq) or plain or other:
+    if not isinstance(first, sp.Eq) or other:
         raise ValueError(f"{first}: is not the one condition of all results")
 
     def together(found: list[Expr]) -> list[Expr]:
         pairs = zip(found[:count], found[count:-1], strict=True)
         return [choose(sp.Eq(found[-1], first.rhs), *pair) for pair in pairs]
 
-    sides = [e.args[k][0] if e in chosen else e for k in (0, 1) for e in exprs]
+    def side(expr: Expr, k: int) -> Expr:
+        return expr.replace(
+            lambda e: isinstance(e, Piecewise) and e.args[0][1] == first, lambda e: e.args[k][0]
+        )
+
+    sides = [side(e, k) for k in (0, 1) for e in exprs]
     return [*sides, first.lhs], together
 
 

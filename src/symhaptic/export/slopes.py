@@ -88,14 +88,8 @@ def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
 def _kick(do: Steps) -> tuple[Expr, Expr]:
     """The nearest float, and what it misses."""
     v = shared(do)
-    odd, fall, mean = (
-        (of[high], of[low])
-        for of, (high, low) in (
-            (v.swing, WAVE.odd),
-            (v.creep, device.SLOW.fall),
-            (v.creep, device.APART.mean),
-        )
-    )
+    odd = v.swing_pair(WAVE.odd)
+    fall, mean = v.creep_pair(device.SLOW.fall), v.creep_pair(device.APART.mean)
     swing, swing_low = fast_two_sum(do, *scaled(do, v.swing[ENVELOPE], odd))
     creep, creep_low = fast_two_sum(do, *times(do, fall, mean))
     return choose(v.m.w < 0, swing, creep), choose(v.m.w < 0, swing_low, creep_low)

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+import sympy as sp
 from sympy import Symbol
 
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, expressions
 from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
 from symhaptic.export.wrapping import WIDTH
@@ -43,18 +44,26 @@ def braces(
                 _declared(target, lines, pad + head, given)
             elif given:
                 lines.append(pad + given)
+        elif isinstance(statement, Choice) and (given := _returned(target, statement, ends)):
+            _beside(target, lines, pad, given)
         elif isinstance(statement, Choice):
             head = f"{pad}if ({printer.doprint(statement.condition)}) {{"
             inner = braces(target, statement.yes, ends, declare, depth + 1)
+            rest = braces(target, statement.no, ends, declare, depth)
+            inner = _without_end(inner, rest)
             short = f"{head} {inner[0].lstrip()} }}"
             if target.shares and len(inner) == 1 and len(short) <= WIDTH:
                 lines.append(short)
             else:
                 lines += [head, *inner, f"{pad}}}"]
-            lines += braces(target, statement.no, ends, declare, depth)
+            lines += rest
         elif isinstance(statement, Join) and (value := _chosen(target, statement)):
             (n,) = statement.names
             _declared(target, lines, f"{pad}{declare} ", f"{target.rename(n.name)} = {value};")
+        elif isinstance(statement, Join) and (given := _at_first(target, statement)):
+            _declared(target, lines, f"{pad}{target.varying} ", f"{given};")
+            lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
+            lines += [*braces(target, statement.yes, ends, declare, depth + 1), f"{pad}}}"]
         elif isinstance(statement, Join):
             for n in statement.names:
                 _declared(target, lines, f"{pad}{target.late} ", f"{target.rename(n.name)};")
@@ -81,11 +90,45 @@ def braces(
     return lines
 
 
+def _returned(target: Target, choice: Choice, ends: list[str]) -> str:
+    """The statement that returns one of two values, if that is short and all that is done."""
+    sides = choice.yes, choice.no
+    if not target.shares or ends[1:] or not ends:
+        return ""
+    if not all(len(s) == 1 and isinstance(s[0], Return) and len(s[0].results) == 1 for s in sides):
+        return ""
+    printer = target.printing()
+    found = [e for s in sides for e in expressions(s[0])]
+    if any(e in (sp.nan, sp.oo) for e in found):  # of C's own type
+        return ""
+    values = map(printer.doprint, found)
+    (end,) = ends
+    given = end.format(target.choice.format(printer.doprint(choice.condition), *values))
+    return given if len(given) <= _BRIEF else ""
+
+
+def _without_end(inner: list[str], rest: list[str]) -> list[str]:
+    """The lines of one side of a choice, without an end that is all that follows the choice."""
+    end = [line.lstrip() for line in rest]
+    last = [line.lstrip() for line in inner[-len(rest) :]]
+    return inner[: -len(rest)] if end == last and len(inner) > len(rest) else inner
+
+
 def _chosen(target: Target, join: Join) -> str:
     """The one value that a join sets, where nothing has to be done for it; else nothing."""
     if len(join.names) > 1 or not all(map(_plain, (join.yes, join.no))):
         return ""
     return _value(target, (join,))
+
+
+def _at_first(target: Target, join: Join) -> str:
+    """The number that the one name of a join is, if the other side has nothing else to do."""
+    if len(join.names) > 1 or len(join.no) > 1 or not join.names:
+        return ""
+    (only,) = join.no
+    if not isinstance(only, Set) or not only.expr.is_number:
+        return ""
+    return f"{target.rename(only.name.name)} = {target.printing().doprint(only.expr)}"
 
 
 def _plain(block: Block) -> bool:
@@ -107,6 +150,9 @@ def _value(target: Target, block: Block) -> str:
     assert isinstance(only, Set)
     return printer.doprint(only.expr)
 
+
+_BRIEF = 48
+"""Characters up to which a choice between two results is one expression."""
 
 _SHORT = 88
 """Characters up to which declarations and short statements share a line."""
@@ -151,7 +197,7 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     lines: list[str] = []
     for name, first in zip(states, loop.start, strict=True):
         given = f"{name} = {printer.doprint(first)};"
-        _declared(target, lines, f"{target.changing or target.real} ", given)
+        _declared(target, lines, f"{target.varying} ", given)
     if loop.number is None:
         lines.append(target.times.format(count, loop.most))
         leave = target.words.get("break", "break")

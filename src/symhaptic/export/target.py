@@ -140,6 +140,11 @@ class Target:
         """What declares a variable that gets its value later."""
         return "let"
 
+    @property
+    def varying(self) -> str:
+        """What declares a variable that has a value and changes, in a language with braces."""
+        return self.changing or self.real
+
     leaves_zeros_out = True
     """Whether helpers have no arguments that are 0 in all calls."""
     shares = False
@@ -303,7 +308,7 @@ def sizes(form: Form, precision: Precision) -> str:
 def calls(routine: Routine) -> frozenset[str]:
     """Names of the routines that a routine calls."""
     found = {f.func.__name__ for e in routine.expressions for f in e.atoms(sp.Function)}
-    return frozenset(found - {*OPERATIONS, "Piecewise"})
+    return frozenset(found - {*OPERATIONS, "Piecewise", "Divisor"})
 
 
 @cache

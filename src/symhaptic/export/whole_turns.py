@@ -83,7 +83,7 @@ def whole_turns(precision: Precision) -> Routine:
     wave = over(do, (sine, sine_low + eta_low * (1 - lift)), (some, missed))
     fade = briefly(do, exact(half))
     t = Turned(fade, times(do, fade.fall, rise), rise, wave)
-    some = do.nonzero(stiff)
+    some = do.divisor(stiff)
     moved = _risen(do, t, half), _fallen(do, t, half), _both(do, t)
     found = sp.S.One, *(rounded(over(do, pair, exact(some))) for pair in moved)
     results = {name: choose(swings, choose(near, value, 0), 0)
@@ -110,7 +110,7 @@ def _beyond(do: Steps, count: Expr, missed: Expr, precision: Precision) -> Pair:
     both, lost = two_diff(do, root, -way)
     back = do("back", count * once_low)
     both_low = do("both_low", lost + (way_low + back) + missed)
-    return over(do, (left, low), (do.nonzero(both), both_low))
+    return over(do, (left, low), (do.divisor(both), both_low))
 
 
 def _risen(do: Steps, t: Turned, given: Expr) -> Pair:

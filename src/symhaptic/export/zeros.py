@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.routine import Repeat, Routine, Several, Step
+from symhaptic.export.routine import Routine, Step, mapped
 
 
 def without_zeros(
@@ -54,7 +54,7 @@ def _left(routine: Routine, gone: tuple[int, ...]) -> Routine:
     steps: list[Step] = []
     for step in routine.steps:
         if not isinstance(step, tuple):
-            steps.append(_mapped(step, lambda expr: expr.xreplace(known)))
+            steps.append(mapped(step, lambda expr: expr.xreplace(known)))
         elif (value := step[1].xreplace(known)) == 0:
             known[step[0]] = value
         else:
@@ -77,21 +77,6 @@ def _called(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
 
     if not any(True for _ in _calls((routine,), gone)):
         return routine
-    steps = tuple(_mapped(step, without) for step in routine.steps)
+    steps = tuple(mapped(step, without) for step in routine.steps)
     results = tuple((name, without(expr)) for name, expr in routine.results)
     return replace(routine, steps=steps, results=results)
-
-
-def _mapped(step: Step, change: Callable[[Expr], Expr]) -> Step:
-    """A step with all of its expressions changed."""
-    if isinstance(step, tuple):
-        return step[0], change(step[1])
-    if isinstance(step, Several):
-        return replace(step, call=change(step.call))
-    if isinstance(step, Repeat):
-        inner = tuple((name, change(expr)) for name, expr in step.steps)
-        start, done = tuple(map(change, step.start)), change(step.done)
-        return replace(step, start=start, steps=inner, done=done, brief=change(step.brief))
-    value, low, high, found = map(change, (step.value, step.low, step.high, step.found))
-    inner_steps = tuple(_mapped(s, change) for s in step.steps)
-    return replace(step, value=value, low=low, high=high, found=found, steps=inner_steps)

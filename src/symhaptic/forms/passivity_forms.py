@@ -8,7 +8,7 @@ from functools import partial
 import sympy as sp
 from sympy import Expr, cos, pi, sin
 
-from symhaptic.forms import required_damping
+from symhaptic.forms import required_damping, stiffest_passive
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, at_numbers
 from symhaptic.forms.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
 from symhaptic.forms.implicit import (
@@ -170,8 +170,8 @@ def _touched(turn: Expr, angle: Expr) -> tuple[Expr, Expr]:
 def max_passive_stiffness(parts: Parts = FULL) -> Form:
     """The passive wall of largest stiffness, with its damping and angle, (11) of the paper.
 
-    At a fraction of a period its angle is searched for: there, less damping would need neither
-    more nor less; proved are the need and its derivatives.
+    At a fraction of a period its angle is searched for: there the least stiffness that any angle
+    allows has no slope, see :mod:`symhaptic.forms.stiffest_passive`.
     """
     _needs_damping(parts, "max_passive_stiffness")
     symbols = present(parts, delta, d)
@@ -186,14 +186,14 @@ def max_passive_stiffness(parts: Parts = FULL) -> Form:
 
     def equal() -> Pairs:
         exact = [_normalised(parts, side.subs(theta, angle)) for side in passivity.envelope()]
-        late = required_damping.derived() if parts.delay else ()
+        late = stiffest_passive.derived() if parts.delay else ()
         return (*zip(whole[:2], exact, strict=True), *late)
 
     names = "alpha", "beta", "theta"
     results = tuple(zip(names, whole, strict=True))
     if parts.delay:
         worst_angle = PassiveAngle(l, epsilon)
-        late = (*_touched(Touching(worst_angle, l, epsilon), worst_angle), worst_angle)
+        late = (*stiffest_passive.wall(worst_angle), worst_angle)
         results = tuple(
             (name, either(*both)) for name, *both in zip(names, whole, late, strict=True)
         )

@@ -12,6 +12,7 @@ from symhaptic.forms import fractional_delay, max_stiffness_slope
 from symhaptic.forms.device_forms import ANY, Device, device_of, fractional_of, made_of, same_device
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.forms.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
+from symhaptic.forms.implicit import WholePart
 from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle
 from symhaptic.forms.response import Ahead, InPhase, closed
 from symhaptic.forms.response import parts as parts_of_response
@@ -43,12 +44,15 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     symbols = present(parts, theta, gamma, delta, d)
     delay = d if parts.delay else None
     device = device_of(parts)
-    wall, smooth = _boundary(device, device.together + device.apart, delay)
+    across = device.together + device.apart
+    wall, smooth = _boundary(device, across, delay)
     if parts.delay:
         first, last = fractional_delay.ends(parts)
-        late, smooth_fractional = _boundary(fractional_of(parts), 2 * (first - last), l)
-        wall = tuple(either(*both) for both in zip(wall, late, strict=True))
-        smooth = tuple(either(*both) for both in zip(smooth, smooth_fractional, strict=True))
+        late = fractional_of(parts)
+        found = replace(device, apart=either(device.apart, late.apart))
+        wall, _ = _boundary(found, either(across, 2 * (first - last)), WholePart(d))
+        _, slopes = _boundary(late, 2 * (first - last), l)
+        smooth = tuple(either(*both) for both in zip(smooth, slopes, strict=True))
 
     def equal() -> Pairs:
         exact = tuple(undelayed(parts, side) for side in boundary.wall(ANY))

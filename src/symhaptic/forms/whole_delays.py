@@ -12,6 +12,7 @@ from symhaptic.forms.implicit import (
     FractionalPart,
     LargestRequiredDamping,
     LargestWholeRequiredDamping,
+    WholePart,
 )
 from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle, of_whole
 from symhaptic.notation import d, epsilon
@@ -40,9 +41,10 @@ def of_whole_delays(form: Form) -> Form:
 
 def _whole(expr: Expr) -> Expr:
     """What holds where the fraction is 0."""
-    if isinstance(expr, sp.Piecewise) and expr.args[0][1] == sp.Eq(FractionalPart(d), 0):
-        expr = expr.args[0][0]
-    expr = expr.xreplace({FractionalPart(d): sp.S.Zero}).replace(
-        LargestRequiredDamping, LargestWholeRequiredDamping
+    expr = expr.replace(
+        lambda e: isinstance(e, sp.Piecewise) and e.args[0][1] == sp.Eq(FractionalPart(d), 0),
+        lambda e: e.args[0][0],
     )
+    expr = expr.xreplace({FractionalPart(d): sp.S.Zero, WholePart(d): d})
+    expr = expr.replace(LargestRequiredDamping, LargestWholeRequiredDamping)
     return expr.xreplace({angle: of_whole(angle) for angle in expr.atoms(MaxStiffnessAngle)})

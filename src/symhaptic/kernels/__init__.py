@@ -3,3 +3,6 @@
 
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
+
+STAMP = "bc1cf60a13f54950"
+"""Of the sources in C, as the module that is compiled of them has it."""

@@ -197,6 +197,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
+    if (PyModule_AddStringConstant(module, "STAMP", "bc1cf60a13f54950")) return -1;
     return filled(module);
 }
 

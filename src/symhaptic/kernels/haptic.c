@@ -144,6 +144,12 @@ static inline Motion device_motion(double gamma, double delta) {
         0.4444444444444444*root)};
 }
 
+// 1 + x of a pair, for |x| <= 1
+static inline Pair one_plus(Pair x) {
+    const Pair total = fast_two_sum(1.0, x.hi);
+    return (Pair){total.hi, total.lo + x.lo};
+}
+
 // x - y of pairs
 static inline Pair pair_diff(Pair x, Pair y) {
     const Pair diff = two_diff(x.hi, y.hi);
@@ -207,10 +213,9 @@ static inline double plant_n0_swing(const Motion *motion, const Swinging *swingi
     double gamma) {
     if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, 2.0*motion->half); }
     if (swinging->near > 0.0) { return swinging->sunk; }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(wide_prod(swinging->envelope,
         pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
-        (Pair){swinging->envelope, 0.0})), (Pair){whole, 0.0}));
+        (Pair){swinging->envelope, 0.0})), (Pair){gamma, 0.0}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -239,32 +244,14 @@ static inline double plant_n1_swing(const Motion *motion, const Swinging *swingi
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
     if (swinging->near > 0.0) { return swinging->risen; }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
-        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0}));
-}
-
-// 1 + x of a pair, for |x| <= 1
-static inline Pair one_plus(Pair x) {
-    const Pair total = fast_two_sum(1.0, x.hi);
-    return (Pair){total.hi, total.lo + x.lo};
-}
-
-// a of a creeping device
-static inline double plant_trace_creep(const Creeping *creeping) {
-    return rounded(pair_prod(creeping->slow, one_plus(creeping->ratio)));
-}
-
-// a of a swinging device
-static inline double plant_trace_swing(const Swinging *swinging) {
-    return 2.0*rounded(wide_prod(swinging->envelope, swinging->even));
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){gamma, 0.0}));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
 static inline Pair slow_fade(const Motion *motion) {
     if (motion->reach < 0.5625) {
-        const Fading fading = brief_fading((Pair){0.5*motion->half, 0.0});
-        return pair_square(fading.fall);
+        return pair_square(brief_fading((Pair){0.5*motion->half, 0.0}).fall);
     }
     return (Pair){0.0, 0.0};
 }
@@ -322,9 +309,8 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const double turned_low = 1.4920070805839235e-31*turns;
         const double low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const double back = 2.4492935982947064e-16*count;
-        const double whole = (diff6.hi == 0.0 ? 1.0 : diff6.hi);
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
-            (Pair){whole, back + diff6.lo + missed + prod3.lo});
+            (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const double far = (quot.hi*quot.hi);
         if ((count > 0.0) && (far < 1.5)) {
             const Fading fading = brief_fading((Pair){half, 0.0});
@@ -339,16 +325,14 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
                 (Pair){root, missed});
             const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
                 wide_prod(half, pair_diff(fading.mean, quot2)));
-            const double whole2 = (stiff == 0.0 ? 1.0 : stiff);
             return (Turns){1.0, rounded(pair_quot(
                 pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
-                prod5), (Pair){whole2, 0.0})), rounded(
+                prod5), (Pair){stiff, 0.0})), rounded(
                 pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
-                (Pair){whole2, 0.0})), rounded(pair_quot(
+                (Pair){stiff, 0.0})), rounded(pair_quot(
                 pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
-                (Pair){2.0*prod5.hi, 2.0*prod5.lo}), (Pair){whole2, 0.0}))};
+                (Pair){2.0*prod5.hi, 2.0*prod5.lo}), (Pair){stiff, 0.0}))};
         }
-        return (Turns){0.0, 0.0, 0.0, 0.0};
     }
     return (Turns){0.0, 0.0, 0.0, 0.0};
 }
@@ -367,12 +351,14 @@ static inline Device device_n0_n1_trace(double gamma, double delta) {
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
+        const double rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
         return (Device){plant_n0_swing(&motion, &swinging, decayed, gamma),
-            plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
+            plant_n1_swing(&motion, &swinging, decayed, gamma), 2.0*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     return (Device){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
-        plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
+        plant_n1_creep(&motion, &creeping, decayed),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -413,9 +399,8 @@ static inline double numerator_at_one_swing(const Motion *motion, const Swinging
     if (swinging->near > 0.0) { return swinging->moved; }
     const double angle = 0.5*motion->root;
     const double back = -0.5*root_miss(motion->w, motion->root)*cos(angle);
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return 4.0*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sin(angle), back),
-        (Pair){whole, 0.0}));
+        (Pair){gamma, 0.0}));
 }
 
 // together and trace of the device
@@ -423,11 +408,12 @@ static inline Device2 device_together_trace(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma),
-            plant_trace_swing(&swinging)};
+        const double rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
+        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma), 2.0*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (Device2){numerator_at_one_creep(&motion, &creeping), plant_trace_creep(&creeping)};
+    return (Device2){numerator_at_one_creep(&motion, &creeping),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
@@ -459,10 +445,7 @@ static inline double plant_n1(double gamma, double delta) {
 }
 
 // (1 - exp(-x))/x
-static inline double decay(double x) {
-    if (x == 0.0) { return 1.0; }
-    return -expm1(-x)/x;
-}
+static inline double decay(double x) { return (x == 0.0 ? 1.0 : -expm1(-x)/x); }
 
 // 1 + a + e of a creeping device
 static inline double denominator_at_minus_one_creep(const Creeping *creeping) {
@@ -503,7 +486,7 @@ static inline double numerator_gap_creep(const Motion *motion, const Creeping *c
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const double whole = (delta*creeping->p.hi == 0.0 ? 1.0 : delta*creeping->p.hi);
+    const double whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -514,9 +497,8 @@ static inline double numerator_gap_swing(const Motion *motion, const Swinging *s
         return scaled_sum((Pair){swinging->envelope, 0.0},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
-    const double whole = (gamma == 0.0 ? 1.0 : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0},
-        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0}));
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
@@ -584,17 +566,13 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const double y = (zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x));
         const double rest = (zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x));
-        double turned;
         if ((rest > 0.0) && (y > 0.0)) {
             const double off = (zone == 0.0 ? -loop->center + x :
                 (zone == 1.0 ? x : loop->beyond - x));
             const double found = phase_turns(loop, y, rest, off);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
-            turned = -2.0*found*rises;
-        } else {
-            turned = 0.0;
+            return -2.0*found*rises;
         }
-        return turned;
     }
     return 0.0;
 }
@@ -602,22 +580,17 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
 // what the crossings between two points add to the count
 static inline double zone_turns(const Loop *loop, double k0, double k1, double k2, double k3,
     double low, double high, double at_low, double at_high, double zone) {
-    const double disc = -3.0*k1*k3 + (k2*k2);
+    const double disc = -3.0*k1*k3 + (k2*k2), root = sqrt(fmax(0.0, disc));
+    const double q = -k2 - (k2 < 0.0 ? -root : root);
     const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at = -k2/some;
     const double cut = ((at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low);
-    double one, two;
-    if (disc < 0.0) {
-        one = low; two = low;
-    } else {
-        const double root = sqrt(fmax(0.0, disc)), q = -k2 - (k2 < 0.0 ? -root : root);
-        const double some2 = (fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at2 = q/some2;
-        const double some3 = (fabs(k1) < 8.0*fabs(q) ? q : 1.0), at3 = k1/some3;
-        one = ((at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low);
-        two = ((at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low);
-    }
-    const double less = fmin(one, two), more = fmax(one, two), first = fmin(cut, less);
-    const double middle = fmax(cut, less), last = fmax(middle, more);
-    const double middle2 = fmin(middle, more);
+    const double some2 = (fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at2 = q/some2;
+    const double cut2 = ((at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low);
+    const double some3 = (fabs(k1) < 8.0*fabs(q) ? q : 1.0), at3 = k1/some3;
+    const double cut3 = ((at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low);
+    const double less = fmin(cut2, cut3), more = fmax(cut2, cut3);
+    const double first = fmin(cut, less), middle = fmax(cut, less);
+    const double last = fmax(middle, more), middle2 = fmin(middle, more);
     const double height = first*(first*(first*k3 + k2) + k1) + k0;
     const double height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double height3 = k0 + last*(k1 + last*(k2 + k3*last));
@@ -633,29 +606,28 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
-    const double across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
-    const double linear = (across*across) - even, pushed_ = alpha*together;
-    const double lost = (loss*loss), near0 = (at_one - pushed_)*(at_one + pushed_);
+    const double across = -m0 + m2, lost = (loss*loss), square = m0*m2;
+    const double size = (across*across), even = together*(m0 + m2);
+    const double linear = -even + size, pushed_ = alpha*together;
+    const double near0 = (at_one - pushed_)*(at_one + pushed_);
     const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
         lost;
     const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0;
-    const double near3 = -force*square, square2 = m0*m2, even2 = apart*(m0 + m2);
-    const double linear2 = (across*across) - even2, pushed2 = apart*wall_far;
-    const double lost2 = (loss*loss);
+    const double near3 = -force*square, even2 = apart*(m0 + m2);
+    const double linear2 = -even2 + size, pushed2 = apart*wall_far;
     const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
-        (wall_far*wall_far) + lost2;
-    const double far2 = force*linear2 - loss - square2*(wall_far*wall_far) + 1.0;
-    const double far3 = force*square2, middle = 2.0*at_one/(2.0 - loss);
+        (wall_far*wall_far) + lost;
+    const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
+    const double far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
     const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
     const double tilt = -0.25*middle + 0.25*rest;
-    const double real = -0.25*apart*middle + 0.25*rest*together, size = (across*across);
-    const double lost3 = (loss*loss), one = (real*real) + sine*size;
-    const double two = -real*(m0 + m2) + size*tilt, three = m0*m2;
+    const double real = -0.25*apart*middle + 0.25*rest*together;
+    const double one = (real*real) + sine*size, two = -real*(m0 + m2) + size*tilt;
     const double wave = 0.25*alpha*rest - 0.25*middle*wall_far;
-    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost3*sine - one*wall;
-    const double own1 = -force*one + lost3*tilt - two*wall;
-    const double own2 = -force*two - loss - three*wall + 1.0, own3 = -force*three;
+    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - one*wall;
+    const double own1 = -force*one + lost*tilt - two*wall;
+    const double own2 = -force*two - loss - square*wall + 1.0, own3 = -force*square;
     const double one2 = 0.5*middle, two2 = 0.5*rest;
     const double before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
     const double after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0;
@@ -777,7 +749,7 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const double disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
         ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
-    double total;
+    double total = 0.0;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
         const Roots roots = quadratic_roots(near0, near1, square, root);
@@ -786,8 +758,6 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
         total = -2.0*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0*
             crossing_turns(&loop, roots.low, roots3.high, roots2.low);
-    } else {
-        total = 0.0;
     }
     const double total2 = total + (((((near1 == 0.0) && (square < 0.0)) || (near1 < 0.0)) &&
         (near0 == 0.0)) || (near0 < 0.0) ? (alpha > 0.0 ? 0.0 : side) : 0.0);
@@ -837,12 +807,6 @@ static inline CosSin next_wave(double k, double x) {
     return (CosSin){cosine - off*sine, cosine*off + sine};
 }
 
-// cos((k + 1) x)
-static inline double cos_next(double k, double x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.cosine;
-}
-
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline double early_slope(double theta, double k4, double k3, double k2, double k1,
     double k0) {
@@ -879,13 +843,11 @@ static inline double next_guess(double b, double fb, double a, double fa, double
     const double width = -a + b, whole3 = (width == 0.0 ? 1.0 : width);
     const double edge = close*fabs((fabs(fa) < fabs(fb) ? a : b))/fabs(whole3);
     const double edge2 = fmin(0.5, edge);
-    double guess;
+    double guess = 0.5;
     if (safe > 0.0) {
         const double one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
         const double there = fc/two, other = fa/three, last = fb/two;
         guess = here*there + last*other*(-a + c)/whole3;
-    } else {
-        guess = 0.5;
     }
     const double share = fmin(guess, 1.0 - edge2), share2 = fmax(edge2, share);
     return a + share2*width;
@@ -941,27 +903,21 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
             const double next_c = (same > 0.0 ? a : b);
             fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
-        if (fabs(fa) < fabs(fb)) { return a; }
-        return b;
+        return (fabs(fa) < fabs(fb) ? a : b);
     }
     return 3.141592653589793;
-}
-
-// sin((k + 1) x)
-static inline double sin_next(double k, double x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.sine;
 }
 
 // has the sign of the slope of the boundary's alpha
 static inline double boundary_slope(double theta, double l, double at_one, double at_minus_one,
     double loss, double together, double apart, double across) {
-    const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = sin_next(t, t2), t4 = tan(t2);
-    const double t5 = (t4*t4), t6 = 4.0*t5, t7 = apart*t5, t8 = -t7 + together;
-    const double t9 = at_minus_one*t5, t10 = at_one - t9, t11 = across*loss*t6 + t10*t8;
-    const double t12 = cos_next(t, t2), t13 = -2.0*across*t10*t4 + 2.0*loss*t4*t8;
-    const double t14 = (across*across), t15 = t14*t6 + (t8*t8), t16 = (loss*loss);
-    const double t17 = (t10*t10) + t16*t6, t18 = t15*t17, t19 = t5 + 1.0;
+    const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = next_wave(t, t2).sine;
+    const double t4 = tan(t2), t5 = (t4*t4), t6 = 4.0*t5, t7 = apart*t5;
+    const double t8 = -t7 + together, t9 = at_minus_one*t5, t10 = at_one - t9;
+    const double t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
+    const double t13 = -2.0*across*t10*t4 + 2.0*loss*t4*t8, t14 = (across*across);
+    const double t15 = t14*t6 + (t8*t8), t16 = (loss*loss), t17 = (t10*t10) + t16*t6;
+    const double t18 = t15*t17, t19 = t5 + 1.0;
     return -t4*(0.5*t18 + t19*(t15*(-at_minus_one*t10 + 2.0*t16) - t17*(-apart*t8 + 2.0*t14)))*
         (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
         (t18*(l + 1.5) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
@@ -1002,8 +958,7 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
             const double next_c = (same > 0.0 ? a : b);
             fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
-        if (fabs(fa) < fabs(fb)) { return a; }
-        return b;
+        return (fabs(fa) < fabs(fb) ? a : b);
     }
     return NAN;
 }
@@ -1042,13 +997,13 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         const double theta = (d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0 ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
             later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
-        const double t = sin_next(l, theta), t2 = 0.5*theta, t3 = sin(t2), t4 = cos(t2);
-        const double t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0*t5*t6;
+        const double t = next_wave(l, theta).sine, t2 = 0.5*theta, t3 = sin(t2);
+        const double t4 = cos(t2), t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0*t5*t6;
         const double t8 = -apart*t6 + t5*together;
         const double t9 = 1.0/((across*across)*t7 + (t8*t8));
         const double t10 = -at_minus_one*t6 + at_one*t5;
         const double t11 = -2.0*across*t10 + 2.0*loss*t8, t12 = across*loss*t7 + t10*t8;
-        const double t13 = t9*cos_next(l, theta);
+        const double t13 = t9*next_wave(l, theta).cosine;
         const double t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
         const double stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0*t14*t6;
         double good;
@@ -1063,7 +1018,6 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0) { return theta; }
-        return NAN;
     }
     return NAN;
 }
@@ -1092,10 +1046,10 @@ static inline double sinc(double x) {
 // the damping that the wall needs at the angle 2 psi
 static inline double damping_at(double alpha, double beta, double l, double epsilon, double psi) {
     const double early = 0.5*alpha*(2.0*l + 1.0)*sinc(psi*(2.0*l + 1.0))/sinc(psi) - beta*
-        cos_next(l, 2.0*psi);
+        next_wave(l, 2.0*psi).cosine;
     if (epsilon == 0.0) { return early; }
     const double n = early + epsilon*(0.5*alpha*(2.0*l + 3.0)*sinc(psi*(2.0*l + 3.0))/sinc(psi) -
-        beta*cos_next(l + 1.0, 2.0*psi) - early);
+        beta*next_wave(l + 1.0, 2.0*psi).cosine - early);
     const double root = sqrt(epsilon*(1.0 - epsilon)*
         ((alpha*alpha)*(cos(psi)*cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
         (sin(psi)*sin(psi))) + (n*n));
@@ -1104,12 +1058,13 @@ static inline double damping_at(double alpha, double beta, double l, double epsi
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
 static inline double chord(double k, double x) {
-    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0, along = cos_next(k, x);
+    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0;
+    const double along = next_wave(k, x).cosine;
     if (turn_ < 1.5) {
         const double wave = sinc(0.5*turn_), inner = 0.5*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25*inner*(order*order));
     }
-    return (-along*order*sin(x) + 2.0*sin_next(k, x))/(x*x*x);
+    return (-along*order*sin(x) + 2.0*next_wave(k, x).sine)/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
@@ -1132,8 +1087,7 @@ static inline double steepness(double alpha, double beta, double l, double epsil
     const double rising_ = rising(alpha, beta, l, epsilon, psi);
     const double phase = psi*(2.0*l + 2.0) + atan2(alpha*cos(psi), (alpha + 2.0*beta)*sin(psi)) +
         atan2(epsilon*sin(2.0*psi), epsilon*cos(2.0*psi) - epsilon + 1.0) - 3.141592653589793;
-    if (phase > 0.0) { return -fabs(rising_); }
-    return rising_;
+    return (phase > 0.0 ? -fabs(rising_) : rising_);
 }
 
 // half of the angle at which the wall needs most damping
@@ -1157,8 +1111,7 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
         const double next_c = (same > 0.0 ? a : b);
         fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    if (fabs(fa) < fabs(fb)) { return a; }
-    return b;
+    return (fabs(fa) < fabs(fb) ? a : b);
 }
 
 // the damping that the wall needs at its worst angle
@@ -1181,7 +1134,8 @@ static inline double between(double share, double early, double late) {
 // negative beyond the angle in phase with the delay
 static inline double lead(double theta, double l, double epsilon) {
     if (theta*(l + 1.0) < 4.0) {
-        const double early = sin_next(l, theta), late = sin_next(l + 1.0, theta);
+        const double early = next_wave(l, theta).sine;
+        const double late = next_wave(l + 1.0, theta).sine;
         return early + epsilon*(-early + late);
     }
     return -1.0;
@@ -1197,7 +1151,7 @@ static inline double rated(double number, double value) {
 static inline double spread(double k, double x) {
     const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0;
     if (turn_ < 1.5) { return order*((order*order)*gap(2.0*turn_) - gap(x)); }
-    return (order*sin(x) - 2.0*cos_next(k, x)*sin_next(k, x))/(x*x*x);
+    return (order*sin(x) - 2.0*next_wave(k, x).cosine*next_wave(k, x).sine)/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
@@ -1205,7 +1159,7 @@ static inline double straight(double stiffness, double damping, double k, double
     const double order = 2.0*k + 1.0;
     return rounded(pair_diff(wide_prod(stiffness,
         pair_quot(two_prod(order, sinc(angle*order)), (Pair){2.0*sinc(angle), 0.0})),
-        two_prod(damping, cos_next(k, 2.0*angle))));
+        two_prod(damping, next_wave(k, 2.0*angle).cosine)));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1228,8 +1182,8 @@ static inline double turning(double phi, double l, double epsilon, double wave, 
 // the wall whose worst angle is 2 psi, as an angle
 static inline double turn(double psi, double l, double epsilon) {
     const double wave = sin(psi), wave2 = cos(psi), wave3 = chord(l, 2.0*psi);
-    const double wave4 = chord(l + 1.0, 2.0*psi), wave5 = cos_next(l, 2.0*psi);
-    const double wave6 = cos_next(l + 1.0, 2.0*psi), wave7 = sinc(psi);
+    const double wave4 = chord(l + 1.0, 2.0*psi), wave5 = next_wave(l, 2.0*psi).cosine;
+    const double wave6 = next_wave(l + 1.0, 2.0*psi).cosine, wave7 = sinc(psi);
     const double wave8 = sinc(2.0*psi), wave9 = sinc(psi*(2.0*l + 1.0));
     const double wave10 = sinc(psi*(2.0*l + 2.0)), wave11 = sinc(psi*(2.0*l + 3.0));
     const double wave12 = sinc(psi*(2.0*l + 4.0)), low = 0.0;
@@ -1253,8 +1207,7 @@ static inline double turn(double psi, double l, double epsilon) {
         const double next_c = (same > 0.0 ? a : b);
         fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    if (fabs(fa) < fabs(fb)) { return a; }
-    return b;
+    return (fabs(fa) < fabs(fb) ? a : b);
 }
 
 // the wall whose worst angle is theta, as an angle, or NaN
@@ -1264,23 +1217,22 @@ static inline double touching(double theta, double l, double epsilon) {
     return NAN;
 }
 
-// whether another angle allows more stiffness, at a fraction
-static inline double passive_slope(double psi, double l, double epsilon) {
-    const double turned = turn(psi, l, epsilon), wall = cos(turned)/(l + 1.0);
-    const double wall2 = sin(turned) - 0.5*cos(turned)/(l + 1.0);
-    const double need = damping_at(wall, wall2, l, epsilon, psi);
-    return -epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*(sin(psi)*sin(psi)) + need*
-        (epsilon*(-cos_next(l, 2.0*psi) + cos_next(l + 1.0, 2.0*psi)) + cos_next(l, 2.0*psi));
+// whether a larger angle allows less stiffness, at a fraction
+static inline double passive_slope(double theta, double l, double epsilon) {
+    const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0, theta);
+    const double up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
+    const double along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    return (1.0 - up)*cos(theta) + (along*(epsilon + l + 1.0) - epsilon*(1.0 - epsilon)*
+        (cossin.cosine - cossin2.cosine))*sin(theta);
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
 static inline double passive_angle(double l, double epsilon) {
-    const double low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
-    const double above = passive_slope(low, l, epsilon);
-    if (above <= 0.0) { return 2.0*low; }
-    const double high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0);
+    const double low = 0.0, above = passive_slope(low, l, epsilon);
+    if (above <= 0.0) { return low; }
+    const double high = 3.141592653589793/(epsilon + l + 1.0);
     const double below = passive_slope(high, l, epsilon);
-    if (below >= 0.0) { return 2.0*high; }
+    if (below >= 0.0) { return high; }
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
@@ -1293,8 +1245,7 @@ static inline double passive_angle(double l, double epsilon) {
         const double next_c = (same > 0.0 ? a : b);
         fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
-    if (fabs(fa) < fabs(fb)) { return 2.0*a; }
-    return 2.0*b;
+    return (fabs(fa) < fabs(fb) ? a : b);
 }
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
@@ -1362,25 +1313,22 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
         *alpha_out = NAN; *beta_out = NAN; return;
     }
     const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
-    const double whole = floor(d), part = d - whole, t1 = 0.5*theta;
-    const double t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tan(t1);
-    const double t13 = sin(theta);
+    const double whole = floor(d);
+    const CosSin cossin = next_wave(whole, theta);
+    const double part = d - whole, t2 = 0.5*theta;
+    double t10, t11;
     if (part == 0.0) {
-        const CosSin cossin = next_wave(d, theta);
-        const double t6 = delta*device.n_gap;
-        const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-            t6, device.together + t6);
-        const double t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-        *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
-        *beta_out = -t12/t13; return;
+        const double t7 = delta*device.n_gap;
+        t10 = t7; t11 = device.together + t7;
+    } else {
+        const Delayed delayed = late_device(gamma, delta, part);
+        t10 = delayed.apart; t11 = 2.0*delayed.m2 - 2.0*delayed.m0;
     }
-    const CosSin cossin2 = next_wave(whole, theta);
-    const Delayed delayed = late_device(gamma, delta, part);
-    const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-        delayed.apart, 2.0*delayed.m2 - 2.0*delayed.m0);
-    const double t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
-    *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
-    *beta_out = -t22/t13; return;
+    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
+        decay(delta), device.together, t10, t11);
+    const double t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tan(t2);
+    *beta_out = -t15/sin(theta); return;
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
@@ -1428,8 +1376,8 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
         (theta > 0.0))) {
         return NAN;
     }
-    const double t0 = 0.5*theta, cosine = cos_next(d, theta);
-    const double sine = sin_next(2.0*d, t0);
+    const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
+    const double sine = next_wave(2.0*d, t0).sine;
     return -0.5*alpha*sine/sin(t0) + beta*cosine + delta;
 }
 
@@ -1450,7 +1398,7 @@ void haptic_passivity_boundary(double theta, double delta, double d, double *alp
     const double whole = floor(d), part = d - whole, t2 = 0.5*theta;
     if (part == 0.0) {
         const double t0 = lead(theta, d, 0.0), t1 = delta/spread(d, theta);
-        const double t15 = sinc(t2), sine = sin_next(d, theta);
+        const double t15 = sinc(t2), sine = next_wave(d, theta).sine;
         const double t3 = sine*(t15*t15)*(d + 1.0)/theta;
         *alpha_out = rated(t0, 2.0*t1*t3);
         *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
@@ -1470,21 +1418,28 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const double whole = floor(d), part = d - whole;
+    const double whole = floor(d), part = d - whole, t3 = 2.0*delta;
     if (part == 0.0) {
         const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1);
-        const double t3 = 0.5*t1;
-        *alpha_out = 2.0*delta*t2; *beta_out = delta*(-t2 + 1.0/(t0*sin(t3)));
-        *theta_out = t3; return;
+        const double t4 = 0.5*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0/(t0*sin(t4))); *theta_out = t4;
+        return;
     }
-    const double t5 = whole + 1.0, t7 = passive_angle(whole, part);
-    const double t8 = touching(t7, whole, part), t9 = cos(t8), t10 = t9/t5;
-    const double t11 = sin(t8), t12 = -0.5*t10 + t11, t13 = 0.5*t7;
-    const double t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
-    const double t16 = sin(t13), t17 = cos(t13);
-    const double t15 = delta/(0.5*t14 + 0.5*
-        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) + (t14*t14)));
-    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
+    const double t7 = passive_angle(whole, part);
+    const CosSin cossin = next_wave(whole, t7);
+    const double t9 = whole + 1.0;
+    const CosSin cossin2 = next_wave(t9, t7);
+    const double t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
+    const double t12 = 0.5*t7, t13 = sin(t12), t14 = (t13*t13), t15 = 2.0*whole;
+    const double t16 = t15 + 2.0, sine_2 = next_wave(t16, t12).sine;
+    const double t17 = 2.0*sine_2*t13;
+    const double t18 = (t10*t17 + t14*(4.0*part + 4.0*whole + 4.0))/
+        (t10*cos(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0)*
+        sin(t7));
+    const double t19 = 2.0*part;
+    *alpha_out = t18*t3;
+    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0))/(t14*(t16 + t19));
+    *theta_out = t7; return;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {

@@ -127,6 +127,12 @@ def guarded(xp, work, names, count, outside, *values):
     return _broadcast(xp, functools.partial(_inside, xp, work, inside, count, outside), values)
 
 
+def settled(xp, work, count, *values):
+    """A verdict that is no where anything is counted, of a count and of values that are 0 there."""
+    none = count == 0.0
+    return xp.asarray(work(count, *(xp.where(none, v, 0.0) for v in values)))
+
+
 def _broadcast(xp, work, values):
     """All results of ``work`` on flat pieces of the arrays, in the shape that they broadcast to."""
     shape = numpy.broadcast_shapes(*(tuple(v.shape) for v in values))
@@ -507,6 +513,12 @@ def device_motion(xp, gamma, delta):
         half + 0.4444444444444444*root)
 
 
+def one_plus(xp, x, x_low):
+    """1 + x of a pair, for |x| <= 1"""
+    total, total_low = fast_two_sum(xp, 1.0, x)
+    return total, total_low + x_low
+
+
 def pair_diff(xp, x, x_low, y, y_low):
     """x - y of pairs"""
     diff, diff_low = two_diff(xp, x, y)
@@ -646,22 +658,6 @@ def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
         (envelope, even, even_low, gamma, half, near, risen, wave, wave_low))
 
 
-def one_plus(xp, x, x_low):
-    """1 + x of a pair, for |x| <= 1"""
-    total, total_low = fast_two_sum(xp, 1.0, x)
-    return total, total_low + x_low
-
-
-def plant_trace_creep(xp, slow, slow_low, ratio, ratio_low):
-    """a of a creeping device"""
-    return rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
-
-
-def plant_trace_swing(xp, envelope, even, even_low):
-    """a of a swinging device"""
-    return 2.0*rounded(xp, *wide_prod(xp, envelope, even, even_low))
-
-
 def slow_fade(xp, reach, half):
     """exp(-half) of a device with slow poles, and what it misses"""
     def yes(half):
@@ -791,11 +787,11 @@ def device_n0_n1_trace(xp, gamma, delta):
         envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
             swinging_device(xp, gamma, half, w, w_low, root)
         )
+        rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return (
             plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
             decayed, decayed_low, gamma), plant_n1_swing(xp, reach, half, w, envelope, even,
-            even_low, wave, wave_low, near, risen, decayed, decayed_low, gamma),
-            plant_trace_swing(xp, envelope, even, even_low)
+            even_low, wave, wave_low, near, risen, decayed, decayed_low, gamma), 2.0*rounded_of
         )
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
@@ -807,7 +803,7 @@ def device_n0_n1_trace(xp, gamma, delta):
             even2, even_low2, decayed, decayed_low, gamma, delta),
             plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
             even_low2, decayed, decayed_low),
-            plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
+            rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
         )
 
     return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low), no,
@@ -879,15 +875,17 @@ def device_together_trace(xp, gamma, delta):
         envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
             swinging_device(xp, gamma, half, w, w_low, root)
         )
+        rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
-            gamma), plant_trace_swing(xp, envelope, even, even_low)
+            gamma), 2.0*rounded_of
 
     def no(gamma, half, reach, root, w, w_low):
         p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
             creeping_device(xp, gamma, half, w, w_low, root)
         )
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-            ratio, ratio_low), plant_trace_creep(xp, slow, slow_low, ratio, ratio_low)
+            ratio, ratio_low), rounded(xp, *pair_prod(xp, slow, slow_low,
+            *one_plus(xp, ratio, ratio_low)))
 
     return select(xp, w < 0.0, yes, (gamma, half, reach, root, w, w_low), no)
 
@@ -1150,26 +1148,19 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     together, apart, center, beyond, d):
     """what the crossings between two points add to the count"""
     disc = (k2*k2) - 3.0*k1*k3
+    root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
+    q = -k2 - xp.where(k2 < 0.0, -root, root)
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = -k2/some
     cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
-
-    def no(disc, high, k1, k2, k3, low):
-        root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
-        q = -k2 - xp.where(k2 < 0.0, -root, root)
-        some2 = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
-        at2 = q/some2
-        some2 = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
-        at3 = k1/some2
-        return (
-            xp.where((at2 < high) & (at2 > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at2, low),
-            xp.where((at3 < high) & (at3 > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at3, low)
-        )
-
-    one, two = select(xp, disc < 0.0, lambda low: (low, low), (low,), no,
-        (disc, high, k1, k2, k3, low))
-    less = xp.where(one < two, one, two)
-    more = xp.where(one > two, one, two)
+    some = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
+    at = q/some
+    cut2 = xp.where((at < high) & (at > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
+    some = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
+    at = k1/some
+    cut3 = xp.where((at < high) & (at > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
+    less = xp.where(cut2 < cut3, cut2, cut3)
+    more = xp.where(cut2 > cut3, cut2, cut3)
     first = xp.where(cut < less, cut, less)
     middle = xp.where(cut > less, cut, less)
     last = xp.where(middle > more, middle, more)
@@ -1193,20 +1184,19 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
     wall_far = alpha + 2.0*beta
     force = beta*slope
     across = m2 - m0
-    square = m0*m2
-    even = together*(m0 + m2)
-    linear = (across*across) - even
-    pushed_ = alpha*together
     lost = (loss*loss)
+    square = m0*m2
+    size = (across*across)
+    even = together*(m0 + m2)
+    linear = size - even
+    pushed_ = alpha*together
     near0 = (at_one - pushed_)*(at_one + pushed_)
     near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
     near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
     near3 = -force*square
-    square = m0*m2
     even = apart*(m0 + m2)
-    linear = (across*across) - even
+    linear = size - even
     pushed_ = apart*wall_far
-    lost = (loss*loss)
     far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
     far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
     far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
@@ -1216,17 +1206,14 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
     sine = 0.25*middle*rest
     tilt = 0.25*rest - 0.25*middle
     real = 0.25*rest*together - 0.25*apart*middle
-    size = (across*across)
-    lost = (loss*loss)
     one = (real*real) + sine*size
     two = size*tilt - real*(m0 + m2)
-    three = m0*m2
     wave = 0.25*alpha*rest - 0.25*middle*wall_far
     wall = sine*(slope*slope) + (wave*wave)
     own0 = lost*sine - one*wall
     own1 = lost*tilt - force*one - two*wall
-    own2 = 1.0 - force*two - loss - three*wall
-    own3 = -force*three
+    own2 = 1.0 - force*two - loss - square*wall
+    own3 = -force*square
     one = 0.5*middle
     two = 0.5*rest
     before = own0 - one*(own1 - one*(own2 - one*own3))
@@ -2073,26 +2060,21 @@ def touching(xp, theta, l, epsilon):
     return xp.where(found < 0.5*3.141592653589793, found, xp.nan)
 
 
-def passive_slope(xp, psi, l, epsilon):
-    """whether another angle allows more stiffness, at a fraction"""
-    turned = turn(xp, psi, l, epsilon)
-    wall = xp.cos(turned)/(l + 1.0)
-    wall2 = xp.sin(turned) - 0.5*xp.cos(turned)/(l + 1.0)
-    need = damping_at(xp, wall, wall2, l, epsilon, psi)
-    return (
-        need*(epsilon*(cos_next(xp, l + 1.0, 2.0*psi) - cos_next(xp, l, 2.0*psi)) +
-        cos_next(xp, l, 2.0*psi)) - epsilon*(1.0 - epsilon)*(wall + 2.0*wall2)*
-        (xp.sin(psi)*xp.sin(psi))
-    )
+def passive_slope(xp, theta, l, epsilon):
+    """whether a larger angle allows less stiffness, at a fraction"""
+    cosine, sine = next_wave(xp, l, theta)
+    cosine2, sine2 = next_wave(xp, l + 1.0, theta)
+    up = epsilon*(sine2 - sine) + sine
+    along = cosine + epsilon*(cosine2 - cosine)
+    return (1.0 - up)*xp.cos(theta) + (along*(epsilon + l + 1.0) - epsilon*(1.0 - epsilon)*
+        (cosine - cosine2))*xp.sin(theta)
 
 
 def passive_angle(xp, l, epsilon):
     """the worst angle of the stiffest passive wall, at a fraction"""
     close = 2.384185791015625e-07 if l.dtype == xp.float32 else 4.440892098500626e-16
-    low = 1e-06*3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    high = 3.141592653589793/(2.0*epsilon + 2.0*l + 2.0)
-    root = crossing(xp, lambda *v: passive_slope(xp, *v), low, high, close, (l, epsilon))
-    return 2.0*root
+    high = 3.141592653589793/(epsilon + l + 1.0)
+    return crossing(xp, lambda *v: passive_slope(xp, *v), 0.0, high, close, (l, epsilon))
 
 
 INSIDE = {
@@ -2174,10 +2156,10 @@ def is_stable(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
     roots = unstable_roots(alpha, beta, gamma, delta, d)
 
-    def work(alpha, beta, gamma, delta, roots):
+    def work(roots, alpha, beta, gamma, delta):
         return stable(xp, roots, alpha, beta, gamma, delta) != 0.0
 
-    return guarded(xp, work, "alpha beta gamma delta", 1, False, alpha, beta, gamma, delta, roots)
+    return settled(xp, work, roots, alpha, beta, gamma, delta)
 
 
 @by_value
@@ -2241,40 +2223,29 @@ def stability_boundary(theta, gamma, delta, d):
 
     def plant(gamma, delta):
         at_minus_one, together, n_gap = device_at_minus_one_together_n_gap(xp, gamma, delta)
-        t6 = delta*n_gap
-        return at_minus_one, together, gamma*together, delta*decay(xp, delta), t6, together + t6
+        return at_minus_one, together, gamma*together, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, together, t3, t5, t6, t7 = (
-        guarded(xp, plant, "gamma delta", 6, math.nan, gamma, delta)
-    )
+    at_minus_one, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 5, math.nan, gamma,
+        delta)
 
-    def work(theta, gamma, delta, d, at_minus_one, together, t3, t5, t6, t7):
+    def work(theta, gamma, delta, d, at_minus_one, together, t4, t6, t7):
         whole = xp.floor(d)
+        cosine, sine = next_wave(xp, whole, theta)
         part = d - whole
-        t1 = 0.5*theta
-        t11 = xp.tan(t1)
-        t13 = xp.sin(theta)
+        t2 = 0.5*theta
 
-        def yes(d, at_minus_one, together, t1, t11, t13, t3, t5, t6, t7, theta):
-            cosine, sine = next_wave(xp, d, theta)
-            ahead_of, in_phase_of = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, t6, t7)
-            t12 = ahead_of*cosine + in_phase_of*sine
-            return ahead_of*sine - cosine*in_phase_of + t11*t12, -t12/t13
-
-        def no(delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5, theta, whole):
-            cosine_2, sine_2 = next_wave(xp, whole, theta)
+        def no(delta, gamma, part):
             apart, m2, m0 = late_device(xp, gamma, delta, part)
-            ahead_of2, in_phase_of2 = ahead_in_phase(xp, t1, t3, at_minus_one, t5, together, apart,
-                2.0*m2 - 2.0*m0)
-            t22 = ahead_of2*cosine_2 + in_phase_of2*sine_2
-            return ahead_of2*sine_2 - cosine_2*in_phase_of2 + t11*t22, -t22/t13
+            return apart, 2.0*m2 - 2.0*m0
 
-        return select(xp, part == 0.0, yes, (d, at_minus_one, together, t1, t11, t13, t3, t5, t6,
-            t7, theta), no, (delta, at_minus_one, gamma, together, part, t1, t11, t13, t3, t5,
-            theta, whole))
+        t10, t11 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
+            (together, t7), no, (delta, gamma, part))
+        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t11)
+        t15 = ahead_of*cosine + in_phase_of*sine
+        return ahead_of*sine - cosine*in_phase_of + t15*xp.tan(t2), -t15/xp.sin(theta)
 
     return guarded(xp, work, "theta gamma delta d", 2, math.nan, theta, gamma, delta, d,
-        at_minus_one, together, t3, t5, t6, t7)
+        at_minus_one, together, t4, t6, t7)
 
 
 @by_value
@@ -2462,32 +2433,36 @@ def max_passive_stiffness(delta, d):
     def work(delta, d):
         whole = xp.floor(d)
         part = d - whole
+        t3 = 2.0*delta
 
-        def yes(d, delta):
+        def yes(d, delta, t3):
             t0 = d + 1.0
             t1 = 3.141592653589793/t0
             t2 = xp.tan(0.25*t1)
             t1 = 0.5*t1
-            return 2.0*delta*t2, delta*(1.0/(t0*xp.sin(t1)) - t2), t1
+            return t2*t3, delta*(1.0/(t0*xp.sin(t1)) - t2), t1
 
-        def no(delta, part, whole):
-            t5 = whole + 1.0
+        def no(delta, part, t3, whole):
             t7 = passive_angle(xp, whole, part)
-            t8 = touching(xp, t7, whole, part)
-            t9 = xp.cos(t8)
-            t10 = t9/t5
-            t8 = xp.sin(t8)
-            t12 = t8 - 0.5*t10
-            t13 = 0.5*t7
-            t14 = between(xp, part, straight(xp, t10, t12, whole, t13),
-                straight(xp, t10, t12, t5, t13))
-            t16 = xp.sin(t13)
-            t13 = xp.cos(t13)
-            t13 = delta/(0.5*t14 + 0.5*square_root(xp, part*(1.0 - part)*
-                (4.0*(t8*t8)*(t16*t16) + (t13*t13)*(t9*t9)/(t5*t5)) + (t14*t14)))
-            return t10*t13, t12*t13, t7
+            cosine, sine = next_wave(xp, whole, t7)
+            t9 = whole + 1.0
+            cosine_2, sine_3 = next_wave(xp, t9, t7)
+            t10 = cosine + part*(cosine_2 - cosine)
+            t12 = 0.5*t7
+            t13 = xp.sin(t12)
+            t14 = (t13*t13)
+            t15 = 2.0*whole
+            t16 = t15 + 2.0
+            sine_2 = sin_next(xp, t16, t12)
+            t13 = 2.0*sine_2*t13
+            t10 = (
+                (t10*t13 + t14*(4.0*part + 4.0*whole + 4.0))/
+                (t10*xp.cos(t7) + (part + t9)*(part*(sine_3 - sine) + sine + 1.0)*xp.sin(t7))
+            )
+            t9 = 2.0*part
+            return t10*t3, delta*(t13 - t10*(t14*(t15 + t9) + 1.0))/(t14*(t16 + t9)), t7
 
-        return select(xp, part == 0.0, yes, (d, delta), no, (delta, part, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t3), no, (delta, part, t3, whole))
 
     return guarded(xp, work, "delta d", 3, math.nan, delta, d)
 

@@ -136,6 +136,12 @@ static inline Motion device_motion(float gamma, float delta) {
         0.44444445f*root)};
 }
 
+// 1 + x of a pair, for |x| <= 1
+static inline Pair one_plus(Pair x) {
+    const Pair total = fast_two_sum(1.0f, x.hi);
+    return (Pair){total.hi, total.lo + x.lo};
+}
+
 // x - y of pairs
 static inline Pair pair_diff(Pair x, Pair y) {
     const Pair diff = two_diff(x.hi, y.hi);
@@ -201,10 +207,9 @@ static inline float plant_n0_swing(const Motion *motion, const Swinging *swingin
     float gamma) {
     if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, 2.0f*motion->half); }
     if (swinging->near > 0.0f) { return swinging->sunk; }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(wide_prod(swinging->envelope,
         pair_sum(pair_diff(wide_prod(motion->half, swinging->wave), swinging->even),
-        (Pair){swinging->envelope, 0.0f})), (Pair){whole, 0.0f}));
+        (Pair){swinging->envelope, 0.0f})), (Pair){gamma, 0.0f}));
 }
 
 // divided difference of exp at h and +-sqrt(w), less 1/2
@@ -233,32 +238,14 @@ static inline float plant_n1_swing(const Motion *motion, const Swinging *swingin
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
     if (swinging->near > 0.0f) { return swinging->risen; }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(one_minus(wide_prod(swinging->envelope,
-        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){whole, 0.0f}));
-}
-
-// 1 + x of a pair, for |x| <= 1
-static inline Pair one_plus(Pair x) {
-    const Pair total = fast_two_sum(1.0f, x.hi);
-    return (Pair){total.hi, total.lo + x.lo};
-}
-
-// a of a creeping device
-static inline float plant_trace_creep(const Creeping *creeping) {
-    return rounded(pair_prod(creeping->slow, one_plus(creeping->ratio)));
-}
-
-// a of a swinging device
-static inline float plant_trace_swing(const Swinging *swinging) {
-    return 2.0f*rounded(wide_prod(swinging->envelope, swinging->even));
+        pair_sum(swinging->even, wide_prod(motion->half, swinging->wave)))), (Pair){gamma, 0.0f}));
 }
 
 // exp(-half) of a device with slow poles, and what it misses
 static inline Pair slow_fade(const Motion *motion) {
     if (motion->reach < 0.5625f) {
-        const Fading fading = brief_fading((Pair){0.5f*motion->half, 0.0f});
-        return pair_square(fading.fall);
+        return pair_square(brief_fading((Pair){0.5f*motion->half, 0.0f}).fall);
     }
     return (Pair){0.0f, 0.0f};
 }
@@ -316,9 +303,8 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const float turned_low = -1.1704737e-14f*turns;
         const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const float back = -1.7484555e-07f*count;
-        const float whole = (diff6.hi == 0.0f ? 1.0f : diff6.hi);
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
-            (Pair){whole, back + diff6.lo + missed + prod3.lo});
+            (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const float far = (quot.hi*quot.hi);
         if ((count > 0.0f) && (far < 1.5f)) {
             const Fading fading = brief_fading((Pair){half, 0.0f});
@@ -333,16 +319,14 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
                 (Pair){root, missed});
             const Pair diff9 = pair_diff((Pair){total.hi, lift_low},
                 wide_prod(half, pair_diff(fading.mean, quot2)));
-            const float whole2 = (stiff == 0.0f ? 1.0f : stiff);
             return (Turns){1.0f, rounded(pair_quot(
                 pair_sum(wide_prod(half, pair_diff(fading.mean, pair_prod(fading.fall, quot2))),
-                prod5), (Pair){whole2, 0.0f})), rounded(
+                prod5), (Pair){stiff, 0.0f})), rounded(
                 pair_quot(pair_prod(fading.fall, two_diff(diff9.hi, -diff9.lo)),
-                (Pair){whole2, 0.0f})), rounded(pair_quot(
+                (Pair){stiff, 0.0f})), rounded(pair_quot(
                 pair_sum(pair_square(fast_two_sum(less2.hi, less2.lo)),
-                (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){whole2, 0.0f}))};
+                (Pair){2.0f*prod5.hi, 2.0f*prod5.lo}), (Pair){stiff, 0.0f}))};
         }
-        return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
     }
     return (Turns){0.0f, 0.0f, 0.0f, 0.0f};
 }
@@ -361,12 +345,14 @@ static inline Device device_n0_n1_trace(float gamma, float delta) {
     const Pair decayed = slow_fade(&motion);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
+        const float rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
         return (Device){plant_n0_swing(&motion, &swinging, decayed, gamma),
-            plant_n1_swing(&motion, &swinging, decayed, gamma), plant_trace_swing(&swinging)};
+            plant_n1_swing(&motion, &swinging, decayed, gamma), 2.0f*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     return (Device){plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
-        plant_n1_creep(&motion, &creeping, decayed), plant_trace_creep(&creeping)};
+        plant_n1_creep(&motion, &creeping, decayed),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
@@ -407,9 +393,8 @@ static inline float numerator_at_one_swing(const Motion *motion, const Swinging 
     if (swinging->near > 0.0f) { return swinging->moved; }
     const float angle = 0.5f*motion->root;
     const float back = -0.5f*root_miss(motion->w, motion->root)*cosf(angle);
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return 4.0f*rounded(pair_quot(half_squares(motion->half, swinging->envelope, sinf(angle),
-        back), (Pair){whole, 0.0f}));
+        back), (Pair){gamma, 0.0f}));
 }
 
 // together and trace of the device
@@ -417,11 +402,12 @@ static inline Device2 device_together_trace(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma),
-            plant_trace_swing(&swinging)};
+        const float rounded_of = rounded(wide_prod(swinging.envelope, swinging.even));
+        return (Device2){numerator_at_one_swing(&motion, &swinging, gamma), 2.0f*rounded_of};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (Device2){numerator_at_one_creep(&motion, &creeping), plant_trace_creep(&creeping)};
+    return (Device2){numerator_at_one_creep(&motion, &creeping),
+        rounded(pair_prod(creeping.slow, one_plus(creeping.ratio)))};
 }
 
 // n0, the same device with its time reversed, times exp(-delta)
@@ -453,10 +439,7 @@ static inline float plant_n1(float gamma, float delta) {
 }
 
 // (1 - exp(-x))/x
-static inline float decay(float x) {
-    if (x == 0.0f) { return 1.0f; }
-    return -expm1f(-x)/x;
-}
+static inline float decay(float x) { return (x == 0.0f ? 1.0f : -expm1f(-x)/x); }
 
 // 1 + a + e of a creeping device
 static inline float denominator_at_minus_one_creep(const Creeping *creeping) {
@@ -496,7 +479,7 @@ static inline float numerator_gap_creep(const Motion *motion, const Creeping *cr
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const float whole = (delta*creeping->p.hi == 0.0f ? 1.0f : delta*creeping->p.hi);
+    const float whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -507,9 +490,8 @@ static inline float numerator_gap_swing(const Motion *motion, const Swinging *sw
         return scaled_sum((Pair){swinging->envelope, 0.0f},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
-    const float whole = (gamma == 0.0f ? 1.0f : gamma);
     return rounded(pair_quot(pair_diff((Pair){decay(delta), 0.0f},
-        wide_prod(swinging->envelope, swinging->wave)), (Pair){whole, 0.0f}));
+        wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0f}));
 }
 
 // at_minus_one, together, n_gap, n0 and n1 of the device
@@ -579,17 +561,13 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = (zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x));
         const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x));
-        float turned;
         if ((rest > 0.0f) && (y > 0.0f)) {
             const float off = (zone == 0.0f ? -loop->center + x :
                 (zone == 1.0f ? x : loop->beyond - x));
             const float found = phase_turns(loop, y, rest, off);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
-            turned = -2.0f*found*rises;
-        } else {
-            turned = 0.0f;
+            return -2.0f*found*rises;
         }
-        return turned;
     }
     return 0.0f;
 }
@@ -597,22 +575,15 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
 // what the crossings between two points add to the count
 static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, float k3, float low,
     float high, float at_low, float at_high, float zone) {
-    const float disc = -3.0f*k1*k3 + (k2*k2);
+    const float disc = -3.0f*k1*k3 + (k2*k2), root = sqrtf(fmaxf(0.0f, disc));
+    const float q = -k2 - (k2 < 0.0f ? -root : root);
     const float some = (fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at = -k2/some;
     const float cut = ((at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low);
-    float one, two;
-    if (disc < 0.0f) {
-        one = low; two = low;
-    } else {
-        const float root = sqrtf(fmaxf(0.0f, disc));
-        const float q = -k2 - (k2 < 0.0f ? -root : root);
-        const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f);
-        const float at2 = q/some2, some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f);
-        const float at3 = k1/some3;
-        one = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
-        two = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
-    }
-    const float less = fminf(one, two), more = fmaxf(one, two);
+    const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at2 = q/some2;
+    const float cut2 = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
+    const float some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f), at3 = k1/some3;
+    const float cut3 = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
+    const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3);
     const float first = fminf(cut, less), middle = fmaxf(cut, less);
     const float last = fmaxf(middle, more), middle2 = fminf(middle, more);
     const float height = first*(first*(first*k3 + k2) + k1) + k0;
@@ -630,29 +601,28 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
     float at_one, float at_minus_one, float loss, float together, float apart) {
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = -m0 + m2, square = m0*m2, even = together*(m0 + m2);
-    const float linear = (across*across) - even, pushed_ = alpha*together;
-    const float lost = (loss*loss), near0 = (at_one - pushed_)*(at_one + pushed_);
+    const float across = -m0 + m2, lost = (loss*loss), square = m0*m2;
+    const float size = (across*across), even = together*(m0 + m2);
+    const float linear = -even + size, pushed_ = alpha*together;
+    const float near0 = (at_one - pushed_)*(at_one + pushed_);
     const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
         lost;
     const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f;
-    const float near3 = -force*square, square2 = m0*m2, even2 = apart*(m0 + m2);
-    const float linear2 = (across*across) - even2, pushed2 = apart*wall_far;
-    const float lost2 = (loss*loss);
+    const float near3 = -force*square, even2 = apart*(m0 + m2), linear2 = -even2 + size;
+    const float pushed2 = apart*wall_far;
     const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
-        (wall_far*wall_far) + lost2;
-    const float far2 = force*linear2 - loss - square2*(wall_far*wall_far) + 1.0f;
-    const float far3 = force*square2, middle = 2.0f*at_one/(2.0f - loss);
+        (wall_far*wall_far) + lost;
+    const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
+    const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
     const float tilt = -0.25f*middle + 0.25f*rest;
     const float real = -0.25f*apart*middle + 0.25f*rest*together;
-    const float size = (across*across), lost3 = (loss*loss);
     const float one = (real*real) + sine*size, two = -real*(m0 + m2) + size*tilt;
-    const float three = m0*m2, wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
-    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost3*sine - one*wall;
-    const float own1 = -force*one + lost3*tilt - two*wall;
-    const float own2 = -force*two - loss - three*wall + 1.0f, own3 = -force*three;
+    const float wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
+    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - one*wall;
+    const float own1 = -force*one + lost*tilt - two*wall;
+    const float own2 = -force*two - loss - square*wall + 1.0f, own3 = -force*square;
     const float one2 = 0.5f*middle, two2 = 0.5f*rest;
     const float before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
     const float after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0f;
@@ -776,7 +746,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const float disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
         ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
-    float total;
+    float total = 0.0f;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
         const Roots roots = quadratic_roots(near0, near1, square, root);
@@ -785,8 +755,6 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
         total = -2.0f*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0f*
             crossing_turns(&loop, roots.low, roots3.high, roots2.low);
-    } else {
-        total = 0.0f;
     }
     const float total2 = total + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
         (near0 == 0.0f)) || (near0 < 0.0f) ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
@@ -848,12 +816,6 @@ static inline CosSin next_wave(float k, float x) {
         (turn_ >= 2.0f ? -value2 : value2)};
 }
 
-// cos((k + 1) x)
-static inline float cos_next(float k, float x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.cosine;
-}
-
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline float early_slope(float theta, float k4, float k3, float k2, float k1, float k0) {
     const float sine = sinf(0.5f*theta), cosine = cosf(0.5f*theta), up = (sine*sine);
@@ -889,13 +851,11 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
     const float width = -a + b, whole3 = (width == 0.0f ? 1.0f : width);
     const float edge = close*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/fabsf(whole3);
     const float edge2 = fminf(0.5f, edge);
-    float guess;
+    float guess = 0.5f;
     if (safe > 0.0f) {
         const float one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
         const float there = fc/two, other = fa/three, last = fb/two;
         guess = here*there + last*other*(-a + c)/whole3;
-    } else {
-        guess = 0.5f;
     }
     const float share = fminf(guess, 1.0f - edge2), share2 = fmaxf(edge2, share);
     return a + share2*width;
@@ -951,27 +911,21 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
             fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
             b = next_b;
         }
-        if (fabsf(fa) < fabsf(fb)) { return a; }
-        return b;
+        return (fabsf(fa) < fabsf(fb) ? a : b);
     }
     return 3.1415927f;
-}
-
-// sin((k + 1) x)
-static inline float sin_next(float k, float x) {
-    const CosSin cossin = next_wave(k, x);
-    return cossin.sine;
 }
 
 // has the sign of the slope of the boundary's alpha
 static inline float boundary_slope(float theta, float l, float at_one, float at_minus_one,
     float loss, float together, float apart, float across) {
-    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = sin_next(t, t2), t4 = tanf(t2);
-    const float t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5, t8 = -t7 + together;
-    const float t9 = at_minus_one*t5, t10 = at_one - t9, t11 = across*loss*t6 + t10*t8;
-    const float t12 = cos_next(t, t2), t13 = -2.0f*across*t10*t4 + 2.0f*loss*t4*t8;
-    const float t14 = (across*across), t15 = t14*t6 + (t8*t8), t16 = (loss*loss);
-    const float t17 = (t10*t10) + t16*t6, t18 = t15*t17, t19 = t5 + 1.0f;
+    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = next_wave(t, t2).sine;
+    const float t4 = tanf(t2), t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5;
+    const float t8 = -t7 + together, t9 = at_minus_one*t5, t10 = at_one - t9;
+    const float t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
+    const float t13 = -2.0f*across*t10*t4 + 2.0f*loss*t4*t8, t14 = (across*across);
+    const float t15 = t14*t6 + (t8*t8), t16 = (loss*loss), t17 = (t10*t10) + t16*t6;
+    const float t18 = t15*t17, t19 = t5 + 1.0f;
     return -t4*(0.5f*t18 + t19*(t15*(-at_minus_one*t10 + 2.0f*t16) - t17*(-apart*t8 + 2.0f*t14)))*
         (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
         (t18*(l + 1.5f) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
@@ -1012,8 +966,7 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
             fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
             b = next_b;
         }
-        if (fabsf(fa) < fabsf(fb)) { return a; }
-        return b;
+        return (fabsf(fa) < fabsf(fb) ? a : b);
     }
     return NAN;
 }
@@ -1053,13 +1006,13 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         const float theta = (d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0f ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
             later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
-        const float t = sin_next(l, theta), t2 = 0.5f*theta, t3 = sinf(t2);
+        const float t = next_wave(l, theta).sine, t2 = 0.5f*theta, t3 = sinf(t2);
         const float t4 = cosf(t2), t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0f*t5*t6;
         const float t8 = -apart*t6 + t5*together;
         const float t9 = 1.0f/((across*across)*t7 + (t8*t8));
         const float t10 = -at_minus_one*t6 + at_one*t5;
         const float t11 = -2.0f*across*t10 + 2.0f*loss*t8;
-        const float t12 = across*loss*t7 + t10*t8, t13 = t9*cos_next(l, theta);
+        const float t12 = across*loss*t7 + t10*t8, t13 = t9*next_wave(l, theta).cosine;
         const float t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
         const float stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0f*t14*t6;
         float good;
@@ -1074,7 +1027,6 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0f) { return theta; }
-        return NAN;
     }
     return NAN;
 }
@@ -1103,10 +1055,10 @@ static inline float sinc(float x) {
 // the damping that the wall needs at the angle 2 psi
 static inline float damping_at(float alpha, float beta, float l, float epsilon, float psi) {
     const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
-        cos_next(l, 2.0f*psi);
+        next_wave(l, 2.0f*psi).cosine;
     if (epsilon == 0.0f) { return early; }
     const float n = early + epsilon*(0.5f*alpha*(2.0f*l + 3.0f)*sinc(psi*(2.0f*l + 3.0f))/
-        sinc(psi) - beta*cos_next(l + 1.0f, 2.0f*psi) - early);
+        sinc(psi) - beta*next_wave(l + 1.0f, 2.0f*psi).cosine - early);
     const float root = sqrtf(epsilon*(1.0f - epsilon)*
         ((alpha*alpha)*(cosf(psi)*cosf(psi)) + ((alpha + 2.0f*beta)*(alpha + 2.0f*beta))*
         (sinf(psi)*sinf(psi))) + (n*n));
@@ -1115,12 +1067,13 @@ static inline float damping_at(float alpha, float beta, float l, float epsilon, 
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
 static inline float chord(float k, float x) {
-    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f, along = cos_next(k, x);
+    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
+    const float along = next_wave(k, x).cosine;
     if (turn_ < 1.5f) {
         const float wave = sinc(0.5f*turn_), inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
     }
-    return (-along*order*sinf(x) + 2.0f*sin_next(k, x))/(x*x*x);
+    return (-along*order*sinf(x) + 2.0f*next_wave(k, x).sine)/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
@@ -1170,8 +1123,7 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return a; }
-    return b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 // the damping that the wall needs at its worst angle
@@ -1193,7 +1145,8 @@ static inline float between(float share, float early, float late) {
 // negative beyond the angle in phase with the delay
 static inline float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
-        const float early = sin_next(l, theta), late = sin_next(l + 1.0f, theta);
+        const float early = next_wave(l, theta).sine;
+        const float late = next_wave(l + 1.0f, theta).sine;
         return early + epsilon*(-early + late);
     }
     return -1.0f;
@@ -1209,7 +1162,7 @@ static inline float rated(float number, float value) {
 static inline float spread(float k, float x) {
     const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
     if (turn_ < 1.5f) { return order*((order*order)*gap(2.0f*turn_) - gap(x)); }
-    return (order*sinf(x) - 2.0f*cos_next(k, x)*sin_next(k, x))/(x*x*x);
+    return (order*sinf(x) - 2.0f*next_wave(k, x).cosine*next_wave(k, x).sine)/(x*x*x);
 }
 
 // what straight motions need at a whole delay of k periods
@@ -1217,7 +1170,7 @@ static inline float straight(float stiffness, float damping, float k, float angl
     const float order = 2.0f*k + 1.0f;
     return rounded(pair_diff(wide_prod(stiffness,
         pair_quot(two_prod(order, sinc(angle*order)), (Pair){2.0f*sinc(angle), 0.0f})),
-        two_prod(damping, cos_next(k, 2.0f*angle))));
+        two_prod(damping, next_wave(k, 2.0f*angle).cosine)));
 }
 
 // has the sign of minus the slope of what the wall phi needs
@@ -1240,8 +1193,9 @@ static inline float turning(float phi, float l, float epsilon, float wave, float
 // the wall whose worst angle is 2 psi, as an angle
 static inline float turn(float psi, float l, float epsilon) {
     const float wave = sinf(psi), wave2 = cosf(psi), wave3 = chord(l, 2.0f*psi);
-    const float wave4 = chord(l + 1.0f, 2.0f*psi), wave5 = cos_next(l, 2.0f*psi);
-    const float wave6 = cos_next(l + 1.0f, 2.0f*psi), wave7 = sinc(psi);
+    const float wave4 = chord(l + 1.0f, 2.0f*psi);
+    const float wave5 = next_wave(l, 2.0f*psi).cosine;
+    const float wave6 = next_wave(l + 1.0f, 2.0f*psi).cosine, wave7 = sinc(psi);
     const float wave8 = sinc(2.0f*psi), wave9 = sinc(psi*(2.0f*l + 1.0f));
     const float wave10 = sinc(psi*(2.0f*l + 2.0f)), wave11 = sinc(psi*(2.0f*l + 3.0f));
     const float wave12 = sinc(psi*(2.0f*l + 4.0f)), low = 0.0f;
@@ -1266,8 +1220,7 @@ static inline float turn(float psi, float l, float epsilon) {
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return a; }
-    return b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 // the wall whose worst angle is theta, as an angle, or NaN
@@ -1277,23 +1230,22 @@ static inline float touching(float theta, float l, float epsilon) {
     return NAN;
 }
 
-// whether another angle allows more stiffness, at a fraction
-static inline float passive_slope(float psi, float l, float epsilon) {
-    const float turned = turn(psi, l, epsilon), wall = cosf(turned)/(l + 1.0f);
-    const float wall2 = sinf(turned) - 0.5f*cosf(turned)/(l + 1.0f);
-    const float need = damping_at(wall, wall2, l, epsilon, psi);
-    return -epsilon*(1.0f - epsilon)*(wall + 2.0f*wall2)*(sinf(psi)*sinf(psi)) + need*
-        (epsilon*(-cos_next(l, 2.0f*psi) + cos_next(l + 1.0f, 2.0f*psi)) + cos_next(l, 2.0f*psi));
+// whether a larger angle allows less stiffness, at a fraction
+static inline float passive_slope(float theta, float l, float epsilon) {
+    const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0f, theta);
+    const float up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
+    const float along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    return (1.0f - up)*cosf(theta) + (along*(epsilon + l + 1.0f) - epsilon*(1.0f - epsilon)*
+        (cossin.cosine - cossin2.cosine))*sinf(theta);
 }
 
 // the worst angle of the stiffest passive wall, at a fraction
 static inline float passive_angle(float l, float epsilon) {
-    const float low = 1e-06f*3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
-    const float above = passive_slope(low, l, epsilon);
-    if (above <= 0.0f) { return 2.0f*low; }
-    const float high = 3.1415927f/(2.0f*epsilon + 2.0f*l + 2.0f);
+    const float low = 0.0f, above = passive_slope(low, l, epsilon);
+    if (above <= 0.0f) { return low; }
+    const float high = 3.1415927f/(epsilon + l + 1.0f);
     const float below = passive_slope(high, l, epsilon);
-    if (below >= 0.0f) { return 2.0f*high; }
+    if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
@@ -1307,8 +1259,7 @@ static inline float passive_angle(float l, float epsilon) {
         fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
         b = next_b;
     }
-    if (fabsf(fa) < fabsf(fb)) { return 2.0f*a; }
-    return 2.0f*b;
+    return (fabsf(fa) < fabsf(fb) ? a : b);
 }
 
 void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
@@ -1379,25 +1330,22 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         *alpha_out = NAN; *beta_out = NAN; return;
     }
     const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = 0.5f*theta;
-    const float t3 = gamma*device.together, t5 = delta*decay(delta), t11 = tanf(t1);
-    const float t13 = sinf(theta);
+    const float whole = floorf(d);
+    const CosSin cossin = next_wave(whole, theta);
+    const float part = d - whole, t2 = 0.5f*theta;
+    float t10, t11;
     if (part == 0.0f) {
-        const CosSin cossin = next_wave(d, theta);
-        const float t6 = delta*device.n_gap;
-        const Response response = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-            t6, device.together + t6);
-        const float t12 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-        *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t11*t12;
-        *beta_out = -t12/t13; return;
+        const float t7 = delta*device.n_gap;
+        t10 = t7; t11 = device.together + t7;
+    } else {
+        const Delayed delayed = late_device(gamma, delta, part);
+        t10 = delayed.apart; t11 = 2.0f*delayed.m2 - 2.0f*delayed.m0;
     }
-    const CosSin cossin2 = next_wave(whole, theta);
-    const Delayed delayed = late_device(gamma, delta, part);
-    const Response response2 = ahead_in_phase(t1, t3, device.at_minus_one, t5, device.together,
-        delayed.apart, 2.0f*delayed.m2 - 2.0f*delayed.m0);
-    const float t22 = response2.ahead*cossin2.cosine + response2.in_phase*cossin2.sine;
-    *alpha_out = response2.ahead*cossin2.sine - cossin2.cosine*response2.in_phase + t11*t22;
-    *beta_out = -t22/t13; return;
+    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
+        decay(delta), device.together, t10, t11);
+    const float t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tanf(t2);
+    *beta_out = -t15/sinf(theta); return;
 }
 
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
@@ -1446,8 +1394,8 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         (theta > 0.0f))) {
         return NAN;
     }
-    const float t0 = 0.5f*theta, cosine = cos_next(d, theta);
-    const float sine = sin_next(2.0f*d, t0);
+    const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
+    const float sine = next_wave(2.0f*d, t0).sine;
     return -0.5f*alpha*sine/sinf(t0) + beta*cosine + delta;
 }
 
@@ -1468,7 +1416,7 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
     const float whole = floorf(d), part = d - whole, t2 = 0.5f*theta;
     if (part == 0.0f) {
         const float t0 = lead(theta, d, 0.0f), t1 = delta/spread(d, theta);
-        const float t15 = sinc(t2), sine = sin_next(d, theta);
+        const float t15 = sinc(t2), sine = next_wave(d, theta).sine;
         const float t3 = sine*(t15*t15)*(d + 1.0f)/theta;
         *alpha_out = rated(t0, 2.0f*t1*t3);
         *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
@@ -1489,22 +1437,28 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const float whole = floorf(d), part = d - whole;
+    const float whole = floorf(d), part = d - whole, t3 = 2.0f*delta;
     if (part == 0.0f) {
         const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1);
-        const float t3 = 0.5f*t1;
-        *alpha_out = 2.0f*delta*t2; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t3)));
-        *theta_out = t3; return;
+        const float t4 = 0.5f*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t4)));
+        *theta_out = t4; return;
     }
-    const float t5 = whole + 1.0f, t7 = passive_angle(whole, part);
-    const float t8 = touching(t7, whole, part), t9 = cosf(t8), t10 = t9/t5;
-    const float t11 = sinf(t8), t12 = -0.5f*t10 + t11, t13 = 0.5f*t7;
-    const float t14 = between(part, straight(t10, t12, whole, t13), straight(t10, t12, t5, t13));
-    const float t16 = sinf(t13), t17 = cosf(t13);
-    const float t15 = delta/(0.5f*t14 + 0.5f*
-        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t5*t5)) +
-        (t14*t14)));
-    *alpha_out = t10*t15; *beta_out = t12*t15; *theta_out = t7; return;
+    const float t7 = passive_angle(whole, part);
+    const CosSin cossin = next_wave(whole, t7);
+    const float t9 = whole + 1.0f;
+    const CosSin cossin2 = next_wave(t9, t7);
+    const float t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
+    const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = (t13*t13), t15 = 2.0f*whole;
+    const float t16 = t15 + 2.0f, sine_2 = next_wave(t16, t12).sine;
+    const float t17 = 2.0f*sine_2*t13;
+    const float t18 = (t10*t17 + t14*(4.0f*part + 4.0f*whole + 4.0f))/
+        (t10*cosf(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0f)*
+        sinf(t7));
+    const float t19 = 2.0f*part;
+    *alpha_out = t18*t3;
+    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0f))/(t14*(t16 + t19));
+    *theta_out = t7; return;
 }
 
 float haptic_single_linear_limit(float beta, float delta, float d) {

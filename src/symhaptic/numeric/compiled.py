@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import os
 import sys
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial, wraps
 from inspect import signature
@@ -15,6 +16,8 @@ from types import ModuleType
 from typing import Any, ParamSpec, TypeVar, cast
 
 import numpy as np
+
+from symhaptic.kernels import STAMP
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -27,6 +30,8 @@ _WHOLE = 2**53
 """Whole numbers up to here are floats."""
 
 _LARGEST = sys.float_info.max
+
+_STALE = "the compiled kernels are of other sources: `pip install -e .` compiles them anew"
 
 
 def _module() -> ModuleType | None:
@@ -44,7 +49,12 @@ def _module() -> ModuleType | None:
                 "'array' is"
             ) from None
         return None
-    return _compiled
+    if getattr(_compiled, "STAMP", "") == STAMP:
+        return _compiled
+    if choice == "compiled":
+        raise ValueError(f"{CHOICE}: 'compiled' is not allowed where {_STALE}; or 'array' is")
+    warnings.warn(f"{_STALE}; until then the array kernels work", RuntimeWarning, stacklevel=2)
+    return None
 
 
 MODULE = _module()

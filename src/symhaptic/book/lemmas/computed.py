@@ -21,7 +21,7 @@ FORMS = {
     "passivity_margin_at": ("need", "MARGIN"),
     "passivity_margin": ("need", "NEEDS"),
     "passivity_boundary": ("walls", "TOUCHED"),
-    "max_passive_stiffness": ("walls", "STIFFEST"),
+    "max_passive_stiffness": ("walls", "STIFFEST", "LATE_STIFFEST"),
     "linear_limit": ("walls", "LINEAR"),
 }
 """The module beside this one, and the blocks in it, that are a form's own."""

@@ -16,9 +16,9 @@ from symhaptic.book.lemmas.stable_need import (
     kernel,
     named,
 )
-from symhaptic.forms import stable
+from symhaptic.forms import stable, stiffest_passive
 from symhaptic.forms.entire import Chord, Sinc, Spread, written_out
-from symhaptic.notation import beta, d, delta, theta, x, y
+from symhaptic.notation import beta, d, delta, epsilon, l, theta, v, x, y
 from symhaptic.notation.proposition import Predicate, Relation, proposition
 from symhaptic.proof.theorems.familiar import divided, sign_of
 from symhaptic.proof.theorems.kernel import Theorem, assume
@@ -69,6 +69,36 @@ def _stiffest() -> Block:
     return Block((d, delta), (proposition(d >= 0),), names, tuple(pairs), point, _worst)
 
 
+def _late_stiffest() -> Block:
+    """The same at a fraction of a period: the wall with the least stiffness that an angle allows.
+
+    Of any angle: it needs delta there, more or less damping needs no less, and what is computed is
+    this wall where the slope of its stiffness vanishes.
+    """
+    up, along = map(written_out, (stiffest_passive.sine(), stiffest_passive.cosine()))
+    falls = written_out(stiffest_passive.falling(x, y))
+    names = (x, up), (y, along), (v, falls)
+    share = epsilon * (1 - epsilon)
+    below = (l + epsilon + 1) * (1 + x) * sin(theta) + y * cos(theta)
+    bound = 2 * delta * (1 - x) / (share * sin(theta))
+    off = 2 * delta * y * v / (share * sin(theta) * below)
+    lost = 2 * delta * v / (share * sin(theta)) - off * cos(theta)
+    exact = (
+        S.Zero,
+        S.Zero,
+        -2 * delta * v / (share * sin(theta) ** 2),
+        bound - off,
+        delta * y / (share * sin(theta / 2) ** 2)
+        - lost / (2 * (l + epsilon + 1) * sin(theta / 2) ** 2),
+    )
+    computed = (ours for ours, _ in stiffest_passive.derived())
+    pairs = tuple(Relation(ours, "=", known) for ours, known in zip(computed, exact, strict=True))
+    where = (*ANGLE, *map(proposition, (l >= 0, epsilon > 0, epsilon < 1)))
+    where = (*where, Relation(below.xreplace({x: up, y: along}), "!=", S.Zero))
+    point = {theta: S.One, l: S.One, epsilon: HALF, delta: S(2)}
+    return Block((theta, l, epsilon, delta), where, names, pairs, point, _late)
+
+
 def _linear() -> Block:
     """Where the linear condition is an equality the margin of slow motions is zero."""
     ((computed, exact),) = stable.form("linear_limit").equal
@@ -108,6 +138,16 @@ def _worst() -> list[Theorem]:
     return known
 
 
+def _late() -> list[Theorem]:
+    """Neither fraction of the period is empty, and no sine vanishes."""
+    wave = closed(sign_of(sin, theta), assume(theta > 0), assume(theta < pi))
+    late = positive(l + epsilon + 1 > 0, [l >= 0], [epsilon > 0], [one()])
+    rest = positive(1 - epsilon > 0, epsilon < 1)
+    shown = (epsilon, assume(epsilon > 0)), (1 - epsilon, rest), (l + epsilon + 1, late)
+    known = [not_zero(of, why, times=S.One) for of, why in (*shown, (sin(theta), wave))]
+    return [*half_angle(), *known, not_zero(2 * l + 2 * epsilon + 2, late, times=S.Half)]
+
+
 def _order() -> list[Theorem]:
     """d + 1/2 is positive."""
     above = positive(d + HALF > 0, [d >= 0], [HALF, one()])
@@ -115,3 +155,4 @@ def _order() -> list[Theorem]:
 
 
 TOUCHED, STIFFEST, LINEAR = _envelope(), _stiffest(), _linear()
+LATE_STIFFEST = _late_stiffest()

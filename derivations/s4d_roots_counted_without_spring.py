@@ -1,0 +1,77 @@
+r"""When is a device without a spring stable behind a whole delay?
+
+The argument principle counts roots at up to two angles at which plant and wall are equally large.
+Without a spring one angle is enough, and no root has to be counted: a quadratic and a comparison of
+angles decide.
+"""
+
+from sympy import I, Rational, S, cos
+
+from symhaptic.book.lemmas.free_wall import GIVEN, stronger, stronger_everywhere, surplus, y
+from symhaptic.model.passivity import on_circle
+from symhaptic.notation import a, alpha, beta, e, n_0, n_1, theta, z
+from symhaptic.proof.theorems.tactics import example
+
+
+def derive(page):
+    page.say(
+        "Without a spring the plant has a pole at 1, so that $a=1+e$, and $A=(z-1)(z-e)$ vanishes "
+        "there. With $y=2-z-1/z$ and the sizes of \\chapter{s4d_roots_counted}:"
+    )
+    bottom, top = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
+    sizes = [(x * x.subs(z, 1 / z)).subs(a, 1 + e) for x in (bottom, top)]
+    page.show(
+        "What the plant has over the wall is a quadratic",
+        "F(y)",
+        surplus(),
+        page.same("surplus", sizes[0] - sizes[1], surplus().subs(y, 2 - z - 1 / z)),
+    )
+    lead = -((alpha * (n_1 + n_0)) ** 2)
+    page.step("At $z=1$ the wall leads", surplus(S.Zero), lead, name="F(0)")
+    page.step(
+        "At $z=-1$ both are real",
+        surplus(4),
+        (2 * (1 + e)) ** 2 - ((n_1 - n_0) * (alpha + 2 * beta)) ** 2,
+        name="F(4)",
+    )
+    bend = surplus().diff(y, 2) / 2
+    page.step(
+        "The quadratic is bent less than the lead at $z=1$ allows",
+        16 * bend - surplus(S.Zero),
+        ((n_1 - n_0) * alpha) ** 2 + 4 * n_1 * n_0 * (alpha + 2 * beta) ** 2 + 16 * e,
+        name=r"8F''-F(0)",
+    )
+    found = page.lemma(
+        "A wall as strong as the plant at $z=-1$ is stronger everywhere",
+        stronger_everywhere(),
+        because="$F(y)=(1-\\tfrac y4)F(0)+\\tfrac y4F(4)-\\tfrac12F''y(4-y)$, and where $F''<0$ "
+        "the step before bounds it",
+        boxed=True,
+    )
+    page.state(
+        "free-wall-stronger",
+        "without a spring a wall that is as large as the plant at $z=-1$ is larger on the whole "
+        "circle between $z=1$ and $z=-1$",
+        claim=stronger(),
+    )
+    point = {alpha: S.One, beta: S.One, n_1: Rational(1, 2), n_0: Rational(1, 2), e: S.One}
+    page.settle("free-wall-stronger", found, example=example(point, GIVEN))
+    page.say(
+        "Of such a wall $p_1$ turns with $g=NW$ all the way, so that at most two of its $d+3$ "
+        "roots lie inside: the loop is not stable. Any other wall has $F(0)<0<F(4)$, if "
+        "$\\alpha\\ne0$, and one angle $\\theta_1$ at which both are equally large. A stable loop "
+        "has $p_1(1)=\\alpha(n_1+n_0)>0$; then the wall's lead at $z=1$ counts nothing, and twice "
+        "the whole number next to $-\\Phi(\\theta_1)/2\\pi$ is the number of roots outside. As "
+        "this is not negative, the loop is stable if and only if $\\alpha>0$, "
+        "$2(1+e)>|(n_1-n_0)(\\alpha+2\\beta)|$ and $\\Phi(\\theta_1)>-\\pi$. The pole at 1 is "
+        "$\\pi$ in $\\arg(A/z)$ less an angle that is small with $\\theta_1$, so that the last "
+        "condition compares small angles where the wall is soft:"
+    )
+    turned = on_circle(bottom.subs(a, 1 + e) / z)
+    page.step(
+        "The real part of $A/z$ is negative",
+        (turned + turned.xreplace({I: -I})) / 2,
+        -(1 + e) * (1 - cos(theta)),
+        name=r"\Re\frac Az",
+        because="$-\\tfrac12(1+e)y$, beside the imaginary part $(1-e)\\sin\\theta$",
+    )

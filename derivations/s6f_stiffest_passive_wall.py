@@ -1,0 +1,76 @@
+r"""How stiff can a passive wall be, however late it is?
+
+Half a period late it took a polynomial of degree six to say so. Behind any delay the walls that
+need the whole damping of the device at an angle lie on a circle, and a passive wall cannot be
+stiffer than the stiffest of these.
+"""
+
+from sympy import Rational, S, cos, sin
+
+from symhaptic.book.lemmas.late_passivity import GIVEN
+from symhaptic.book.lemmas.late_stiffness import ALONG, SHARE, UP, bounded, bounded_at_every_angle
+from symhaptic.forms import stiffest_passive
+from symhaptic.forms.entire import written_out
+from symhaptic.model import fractional
+from symhaptic.notation import B, K, T, b, epsilon, l, theta
+from symhaptic.proof.theorems.tactics import example
+
+HALF = theta / 2
+
+
+def derive(page):
+    page.say(
+        "With $\\psi=\\theta/2$ and $\\kappa=\\varepsilon(1-\\varepsilon)$ the condition of "
+        "\\chapter{s6d_fractional_passivity} has two means of the delays $\\ell$ and $\\ell+1$, "
+        "$S=(1-\\varepsilon)\\sin(\\ell+1)\\theta+\\varepsilon\\sin(\\ell+2)\\theta$ and $C$, the "
+        "same of cosines. They are the parts of a number whose size is known:"
+    )
+    page.step(
+        "Both means leave from 1 what the fraction turns",
+        1 - UP**2 - ALONG**2,
+        4 * SHARE * sin(HALF) ** 2,
+        name="1-S^2-C^2",
+    )
+    across = SHARE * K * T * sin(HALF) * cos(HALF) + b * UP
+    along = SHARE * (K * T + 2 * B) * sin(HALF) ** 2 - b * ALONG
+    page.show(
+        "The walls that need the whole damping at an angle lie on a circle",
+        r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
+        r"b^2-\bigl(\kappa KT\sin\psi\cos\psi+bS\bigr)^2"
+        r"-\bigl(\kappa(KT+2B)\sin^2\psi-bC\bigr)^2",
+        page.same(
+            "circle",
+            4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
+            b**2 - across**2 - along**2,
+        ),
+        because="of $KT\\cos\\psi$ and $(KT+2B)\\sin\\psi$, with the radius "
+        "$b/(\\kappa\\sin\\psi)$; a passive wall lies in the circles of all angles",
+    )
+    found = page.lemma(
+        "No passive wall is stiffer than the stiffest of a circle",
+        bounded_at_every_angle(),
+        because="the first square is not above $b^2$, so that its root is not above $b$",
+        boxed=True,
+    )
+    page.state(
+        "fractional-stiffness-bound",
+        "behind a delay of $(\\ell+\\varepsilon)T$ every passive wall has, for all "
+        "$0<\\theta<\\pi$,",
+        r"\varepsilon(1-\varepsilon) KT \sin\theta \leq 2b (1 - (1-\varepsilon) "
+        r"\sin((\ell+1)\theta) - \varepsilon \sin((\ell+2)\theta))",
+        claim=bounded(),
+    )
+    point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
+    point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
+    allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)
+    page.settle("fractional-stiffness-bound", allowed, found, example=example(point, GIVEN))
+    page.say(
+        "The least of these bounds is where its slope vanishes. The wall there is as stiff as the "
+        "bound says; that it is passive at the other angles, too, was compared, and is not proved."
+    )
+    page.step(
+        "The slope of the bound has the sign of a sum",
+        sin(theta) ** 2 * ((1 - UP) / sin(theta)).diff(theta),
+        -written_out(stiffest_passive.falling(UP, ALONG)),
+        name=r"\sin^2\theta\,\frac{d}{d\theta}\frac{1-S}{\sin\theta}",
+    )
