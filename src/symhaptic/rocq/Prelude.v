@@ -681,7 +681,8 @@ Ltac Ccongruent :=
       | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
       | |- (_ / _ = _)%C => apply Cover_one; [Ccongruent | solve [Cpowers]]
       | |- (_ = _ / _)%C => symmetry; apply Cover_one; [Ccongruent | solve [Cpowers]]
-      end ].
+      end
+    | solve [Cpowers] ].
 
 Ltac same :=
   lazymatch goal with
@@ -711,6 +712,21 @@ Ltac special :=
       | replace a with (PI - PI / 6) by argument ]
   end;
   unfold tan; rewrite ?sin_minus, ?cos_minus; special_values; first [quick_field | rooted_field].
+(* At twice the angle of a slope, or at the angle itself. *)
+Lemma positive_root : forall x r : R, 0 < x -> 0 <= r -> r * r * x = 1 -> 1 / sqrt x = r.
+Proof.
+  intros x r P Q E; assert (S := sqrt_lt_R0 x P); assert (T := sqrt_sqrt x (Rlt_le _ _ P)).
+  apply Rmult_eq_reg_r with (sqrt x); [| lra]; transitivity 1; [field; lra |].
+  symmetry; apply Rsqr_inj; unfold Rsqr; [apply Rmult_le_pos; lra | lra |].
+  transitivity (r * r * (sqrt x * sqrt x)); [ring | rewrite T, E; ring].
+Qed.
+Ltac by_slope :=
+  match goal with |- cos ?a = _ =>
+    match a with context [atan ?t] =>
+      replace a with (atan t) by field; rewrite cos_atan; unfold Rsqr;
+      apply positive_root; [lra | interval | rooted_field]
+    end
+  end.
 Ltac shifted a b :=
   first
     [ replace a with (PI / 2 - b) by argument
@@ -726,12 +742,21 @@ Ltac evaluated :=
       | |- cos ?a = ?r => match r with context [sin ?b] => solve [shifted a b] end
       end
     | solve [special]
+    | solve [by_slope]
     | solve [rewrite sqrt_pow2; [ring | first [lra | interval]]]
     | same ].
-Tactic Notation "rewritten" constr(old) constr(new) :=
-  try (replace old with new by (symmetry; opened; evaluated)).
-Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=
-  try (let E := fresh in assert (E : old = new) by (clear P; opened; evaluated); rewrite E in P; clear E).
+Ltac valued_by way :=
+  opened; transitivity way;
+  [ first [reflexivity | f_equal; argument]
+  | first
+      [ reflexivity
+      | solve [unfold Rdiv; known_values; special_values; first [reflexivity | ring]]
+      | evaluated ] ].
+Tactic Notation "rewritten" constr(old) constr(way) constr(new) :=
+  try (replace old with new by (symmetry; first [valued_by way | opened; evaluated])).
+Tactic Notation "rewritten" constr(old) constr(way) constr(new) "in" hyp(P) :=
+  try (let E := fresh in
+    assert (E : old = new) by (clear P; first [valued_by way | opened; evaluated]); rewrite E in P; clear E).
 Ltac tidied :=
   rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l.
 Tactic Notation "tidied" "in" hyp(P) :=
@@ -780,11 +805,25 @@ Ltac direct H :=
   | ?a <> ?b => match goal with |- ?l <> ?r => replace l with a by sides; replace r with b by sides; exact H end
   end.
 
+(* A relation beside what it divides by, from one that is beside other things. *)
+Ltac beside H :=
+  lazymatch type of H with
+  | _ /\ _ => let A := fresh in let B := fresh in destruct H as [A B]; beside B
+  | _ =>
+      repeat
+        (lazymatch goal with |- _ /\ _ => split end;
+         [first [assumption | lazymatch goal with |- _ <> _ => nz_quick end] |]);
+      direct H
+  end.
+
 Ltac conv H :=
   cbv beta in H |- *;
   first
     [ exact H
-    | direct H
+    | lazymatch goal with
+      | |- _ /\ _ => solve [let H' := fresh in pose proof H as H'; beside H']
+      | _ => direct H
+      end
     | lazymatch goal with
       | |- forall _ : R, _ =>
           let x := fresh in
@@ -949,7 +988,8 @@ Qed.
 (* That what was derived is the slope that is wanted. *)
 Ltac derived :=
   first
-    [ quick_field
+    [ solve [unfold Rminus; ring]
+    | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].
 Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
