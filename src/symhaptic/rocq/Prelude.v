@@ -107,6 +107,7 @@ Ltac nz_known :=
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
       solve [let E := fresh in intro E; apply H; replace c with (- e) by ring; rewrite E; ring]
+  | H : ?f ?a <> 0 |- ?f ?b <> 0 => solve [replace b with a by first [ring | field]; exact H]
   end.
 
 Ltac nz_with last :=

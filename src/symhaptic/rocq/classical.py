@@ -224,7 +224,7 @@ def tends(proof: Proof, theorem: Theorem) -> None:
 
     def at_point(of: Expr) -> str:
         """Shows what a term is there."""
-        turns = evaluated(of.atoms(sp.Function, sp.Pow), there, names)
+        turns = evaluated(of.atoms(sp.Function), there, names)
         return "; ".join(["cbv beta", *turns, "at_point"])
 
     proof.say("opened; defined.")
