@@ -325,6 +325,12 @@ Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <
 Proof. intros x y; apply Cmult_neq_0. Qed.
 Lemma Ci_apart : Ci <> RtoC 0.
 Proof. intro E; apply (f_equal snd) in E; simpl in E; lra. Qed.
+(* What is known not to be zero, in complex numbers, too. *)
+Ltac Clifted :=
+  repeat match goal with H : ?x <> 0 |- _ =>
+    lazymatch goal with |- context [RtoC x <> RtoC 0 -> _] => fail | _ => generalize (Cnot_zero x H) end
+  end;
+  Cpushed; intros; cbn [Cpower] in *.
 Ltac Cring := cbn [Cpower]; first [reflexivity | ring].
 Ltac Cnz_with last :=
   cbv beta; repeat split;
@@ -466,7 +472,10 @@ Ltac Cimaginary := first [reflexivity | simpl; ring | simpl; lra].
 Lemma Cminus_zero : forall l r : C, l = r -> (r - l)%C = RtoC 0.
 Proof. intros l r E; rewrite E; ring. Qed.
 Ltac Czero :=
-  first [symmetry; apply Cminus_zero; first [assumption | symmetry; assumption] | Ccompared].
+  first
+    [ symmetry; apply Cminus_zero; first [assumption | symmetry; assumption]
+    | solve [apply (f_equal RtoC); lra]
+    | Ccompared ].
 Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
 Proof. intros; apply injective_projections; simpl; ring. Qed.
 Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.

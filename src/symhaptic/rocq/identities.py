@@ -180,7 +180,7 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     lines += _turned(parts, names) + _expansions(parts, names)
     if of_complex:
         raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
-        lines.append("Cpushed; Csums." if raised else "Cpushed.")
+        lines.append("Clifted; Csums." if raised else "Clifted.")
     rules = _rules(parts, of_complex, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
