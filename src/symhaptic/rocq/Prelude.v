@@ -252,10 +252,40 @@ Proof. intros x y H; unfold Rdiv, Cdiv; rewrite RtoC_mult, RtoC_inv; [reflexivit
 Lemma RtoC_power : forall x n, RtoC (x ^ n)%R = (RtoC x ^ n)%C.
 Proof. intros x n; induction n as [| n IH]; simpl; [| rewrite RtoC_mult, IH]; reflexivity. Qed.
 
+(* The complex number that a real term is, made of those of its parts. *)
+Section Images.
+Variables (x y : R) (z w : C).
+Hypotheses (X : RtoC x = z) (Y : RtoC y = w).
+Lemma image_plus : RtoC (x + y)%R = (z + w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_plus. Qed.
+Lemma image_minus : RtoC (x - y)%R = (z - w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_minus. Qed.
+Lemma image_mult : RtoC (x * y)%R = (z * w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_mult. Qed.
+Lemma image_opp : RtoC (- x)%R = (- z)%C.
+Proof. rewrite <- X; apply RtoC_opp. Qed.
+Lemma image_power : forall n, RtoC (x ^ n)%R = (z ^ n)%C.
+Proof. intro n; rewrite <- X; apply RtoC_power. Qed.
+Lemma image_div : y <> 0 -> RtoC (x / y)%R = (z / w)%C.
+Proof. intro N; rewrite <- X, <- Y; apply RtoC_div, N. Qed.
+End Images.
+Ltac Cimage x :=
+  match x with
+  | ?a + ?b => let p := Cimage a in let q := Cimage b in constr:(image_plus _ _ _ _ p q)
+  | ?a - ?b => let p := Cimage a in let q := Cimage b in constr:(image_minus _ _ _ _ p q)
+  | ?a * ?b => let p := Cimage a in let q := Cimage b in constr:(image_mult _ _ _ _ p q)
+  | - ?a => let p := Cimage a in constr:(image_opp _ _ p)
+  | ?a ^ ?n => let p := Cimage a in constr:(image_power _ _ p n)
+  | ?a / ?b =>
+      let n := constr:(ltac:(nz) : b <> 0) in
+      let p := Cimage a in let q := Cimage b in constr:(image_div _ _ _ _ p q n)
+  | _ => constr:(eq_refl (RtoC x))
+  end.
 Ltac Cpushed :=
-  repeat first
-    [ rewrite RtoC_div by nz | rewrite RtoC_plus | rewrite RtoC_minus | rewrite RtoC_mult | rewrite RtoC_opp
-    | rewrite RtoC_power ].
+  repeat match goal with |- context [RtoC ?x] =>
+    let p := Cimage x in
+    lazymatch type of p with ?l = ?l => fail | _ => rewrite p end
+  end.
 Lemma Cexp_nought : forall z : C, z = RtoC 0 -> Cexp z = RtoC 1.
 Proof.
   intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
