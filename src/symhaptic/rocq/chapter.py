@@ -116,20 +116,24 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     file = File(chapter.name, chapter.title)
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
+    shared: dict[str, Step] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
     for theorem in _spelled(order(roots)):
         if said(theorem) in known:
             continue
         try:
-            found = _step(theorem, len(file.steps) + 1, named.get(said(theorem)), known, why)
+            before = len(shared)
+            number, own = len(file.steps) + 1, named.get(said(theorem))
+            found = _step(theorem, number, own, known, why, shared)
         except NotPrinted as wrong:
             why[said(theorem)] = str(wrong)
             continue
-        step = found[-1]
-        if broken and step.name in broken and step.kind != "Axiom":
-            found[-1] = step = _opened(step, broken[step.name])
-        known[said(theorem)] = step
+        found[:0] = list(shared.values())[before:]
+        for i, step in enumerate(found):
+            if broken and step.name in broken and step.kind != "Axiom":
+                found[i] = _opened(step, broken[step.name])
+        known[said(theorem)] = found[-1]
         file.steps += found
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
@@ -178,6 +182,7 @@ def _step(
     own: str | None,
     known: Mapping[Said, Step],
     why: Mapping[Said, str],
+    shared: dict[str, Step],
 ) -> list[Step]:
     for premise in theorem.premises:
         if premise.rule != "assume" and said(premise) not in known:
@@ -194,7 +199,7 @@ def _step(
         if theorem.rule not in WRITTEN:
             raise NotPrinted(f"the rule {theorem.rule}")
         with names.bound(*free) as over:
-            proof = Proof(step, known, names)
+            proof = Proof(step, known, names, shared)
             _introduce(proof, over)
             WRITTEN[theorem.rule](proof, theorem)
     except NotPrinted as wrong:
