@@ -1312,9 +1312,12 @@ Proof. intros x y; destruct (Rle_lt_dec x y); [left | right]; lra. Qed.
 Ltac sampled_by V M :=
   lazymatch type of V with
   | device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) =>
-      destruct (sampled g d n1 n0 a e M V) as (?r & ?s & ?R & ?S & ?N1 & ?N0 & ?E & ?A);
+      let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
+      destruct (sampled g d n1 n0 a e M V) as (?r & ?s & ? & ? & N1 & N0 & E & A);
       [ apply Rabs_le; lra | apply Rabs_le; lra | unfold small; split; interval
-      | unfold small; split; interval | unfold way in * ]
+      | unfold small; split; interval
+      | try replace (- a + e + 1) with (g * (n1 + n0)) by lra;
+        rewrite ?A, ?N1, ?N0, ?E; unfold way ]
   end.
 Tactic Notation "named" ident(v) ident(Q) constr(m) := destruct (named_number m) as [v Q].
 (* What is known of the plant's numbers on a piece, of the numbers that are named so. *)

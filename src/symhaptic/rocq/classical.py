@@ -247,8 +247,8 @@ def tends(proof: Proof, theorem: Theorem) -> None:
             proof.say(
                 f"  apply (order_up {function(of)} {function(slope)} ({a}) "
                 f"({real_text(size, names)}) ({real_text(size / (order - i), names)}) "
-                f"{order - i - 1}); [intros; evar_last; [slope | first [derived | same]] | {at_point(of)} "
-                "| simpl; same_field |]."
+                f"{order - i - 1}); [intros; evar_last; [slope | first [derived | same]] "
+                f"| {at_point(of)} | simpl; same_field |]."
             )
         proof.say(f"  apply order_none; [slope | {at_point(chain[-1])}].")
     proof.say(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -294,9 +294,8 @@ def _rational(value: Any) -> str:
 def on_plants(proof: Proof, theorem: Theorem) -> None:
     """The pieces of our certificate: on each the plant's numbers between two, then one interval."""
     (certificate,) = theorem.given
-    meanings = {
-        s: term(m).xreplace(PLANT_NUMBERS) for s, m in certificate.given.meanings.items()
-    }
+    given = certificate.given.meanings if certificate.given else {}
+    meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in given.items()}
     ends = {s: (term(low), term(high)) for s, (low, high) in certificate.box.items()}
     if not all(end.is_Rational for pair in ends.values() for end in pair):
         raise NotPrinted("a box whose ends are no rational numbers")
@@ -307,12 +306,21 @@ def on_plants(proof: Proof, theorem: Theorem) -> None:
             *(
                 f"named {v} {of[s]} ({real_text(m, names)})."
                 for v, (s, m) in zip(new, meanings.items(), strict=True)
-            ),
-            f"replace ({real_text(claim.right, names)}) with "
-            f"({real_text(term(certificate.expr), names)}) by "
-            f"(rewrite {', '.join(f'?{q}' for q in of.values())}; same_field).",
+            )
         )
+        if meanings:
+            proof.say(_written_as(term(certificate.expr), claim.right, names, of.values()))
     proof.say(*_pieces(proof, certificate, ends, meanings))
+
+
+LEAVES["on_box"] = on_plants
+
+
+def _written_as(new: Expr, old: Expr, names: Names, by: Iterable[str]) -> str:
+    """A term is written as another, by what variables are called."""
+    texts = [real_text(t, names) for t in (old, new)]
+    shown = f"rewrite {', '.join(f'?{q}' for q in by)}; same_field"
+    return f"replace ({texts[0]}) with ({texts[1]}) by ({shown})."
 
 
 PLANT_NUMBERS = {LOSS: 1 - e, TOGETHER: n_1 + n_0, LATE: n_0, AT_ONE: 1 - a + e}
@@ -331,21 +339,21 @@ def _left_out(ends: Sides) -> Expr:
     return sp.Integer(10) ** floor(sp.log(max(*sizes, sp.Integer(10) ** -40), 10) + 1)
 
 
-Tree = tuple[()] | tuple[Symbol, "Tree", "Tree"]
-"""A piece, or what it is cut across and its halves."""
+Tree = str | tuple[Symbol, "Tree", "Tree"]
+"""How a piece is decided, or what it is cut across and its halves."""
 
 
 def _tree(symbols: Sequence[Symbol], cuts: Iterator[str]) -> Tree:
     cut = next(cuts)
     if not cut.isdecimal():
-        return ()
+        return cut
     lower = _tree(symbols, cuts)
     return symbols[int(cut)], lower, _tree(symbols, cuts)
 
 
 def _across(tree: Tree) -> set[Symbol]:
     """What a piece is cut across."""
-    return {tree[0]} | _across(tree[1]) | _across(tree[2]) if tree else set()
+    return set() if isinstance(tree, str) else {tree[0]} | _across(tree[1]) | _across(tree[2])
 
 
 def _pieces(
@@ -353,7 +361,7 @@ def _pieces(
 ) -> Iterator[str]:
     """The pieces of our certificate; the plant's numbers before sides that they do not see."""
     given: Any = certificate.given
-    seen = [s for s in ends if s in set(given.of)]
+    seen = [s for s in ends if given and s in set(given.of)]
 
     def numbers(box: Sides) -> str:
         with ctx.workprec(certificate.bits):
@@ -365,10 +373,11 @@ def _pieces(
         return f"numbers ({lemma.name} {symbols})."
 
     def shown(tree: Tree, box: Sides, known: bool) -> Iterator[str]:
-        if not known and not _across(tree) & set(seen):
+        if seen and not known and not _across(tree) & set(seen):
             yield numbers(box)
             known = True
-        if not tree:
+        if isinstance(tree, str):
+            yield from _centred(proof, certificate.expr, box) if tree == ":" else ()
             yield "interval."
             return
         low, high = box[tree[0]]
@@ -378,6 +387,21 @@ def _pieces(
         yield from shown(tree[2], {**box, tree[0]: (middle, high)}, known)
 
     return shown(_tree(list(ends), iter(certificate.cuts)), ends, False)
+
+
+def _centred(proof: Proof, expr: Expr, box: Sides) -> Iterator[str]:
+    """A polynomial by the way from the middle of a piece, of which its slopes are coefficients."""
+    if not expr.is_polynomial(*box):
+        raise NotPrinted("the slopes of what is no polynomial")
+    middle = {s: (low + high) / 2 for s, (low, high) in box.items()}
+    with proof.names.introduced(*(ways := {s: sp.Dummy(s.name) for s in box}).values()) as new:
+        by = [f"W{i}" for i, _ in enumerate(box, 1)]
+        for s, x, w in zip(box, new, by, strict=True):
+            yield f"named {x} {w} ({real_text(s - middle[s], proof.names)})."
+            wide = (box[s][1] - box[s][0]) / 2
+            yield f"assert (- ({wide}) <= {x} <= {wide}) by (rewrite {w}; lra)."
+        moved = sp.expand(expr.xreplace({s: middle[s] + x for s, x in ways.items()}))
+        yield _written_as(moved, expr, proof.names, by)
 
 
 def _numbers(proof: Proof, box: Sides, bounds: Mapping[Expr, tuple[Expr, Expr]]) -> Step:
@@ -394,7 +418,7 @@ def _numbers(proof: Proof, box: Sides, bounds: Mapping[Expr, tuple[Expr, Expr]])
     if statement not in proof.shared:
         lines = [
             f"intros {' '.join(over)} V {' '.join(f'H{i}' for i, _ in enumerate(sides, 1))}.",
-            f"sampled_by V ({_left_out(box)}); rewrite ?A, ?N1, ?N0, ?E.",
+            f"sampled_by V ({_left_out(box)}).",
             *[f"split; [within {d} |]."] * (len(known) - 1),
             f"within {d}.",
         ]
@@ -410,8 +434,3 @@ def _rounded(number: arb) -> Expr:
     mantissa, exponent = number.mid().man_exp()
     exact = sp.Integer(int(mantissa)) * sp.Integer(2) ** int(exponent)
     return sp.ceiling(exact * 10**_DIGITS) / sp.Integer(10) ** _DIGITS
-
-
-@shows
-def on_box(proof: Proof, theorem: Theorem) -> None:
-    raise NotPrinted("the pieces of a box")
