@@ -6,10 +6,15 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from sympy import I, Lt, Rational, S, cos, exp, pi, sin, symbols, tan
+from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, symbols, tan
 
+from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
 from symhaptic.notation import X, s, z
 from symhaptic.notation.proposition import Relation, proposition, whole
+from symhaptic.paper.ranges import RANGES
+from symhaptic.proof import box
+from symhaptic.proof.certificate import Positive
+from symhaptic.proof.plants import AT_ONE, LOSS, named
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
     grows,
@@ -40,6 +45,8 @@ from symhaptic.proof.theorems.leaves import (
     is_whole,
     mirrored,
     number,
+    on_box,
+    on_plants,
     root_outside,
     roots_inside,
     tends,
@@ -89,6 +96,16 @@ def chosen_number():
 
     wanted = Exists((y,), proposition(y > 1))
     return witnessed(less(S.One, S(2)), wanted, {y: S(2)})
+
+
+def certificate(expr, ends, given=None):
+    [found] = box.positive(expr, ends, given).certificates
+    return found
+
+
+def plants(expr):
+    """Of the numbers of all plants of the paper's (23)."""
+    return certificate(expr, RANGES, named(SMALL))
 
 
 ATTACKS = {
@@ -293,6 +310,62 @@ ATTACKS = {
     "no delay": (
         lambda: axiom("passive wall", x, y, n, S(2), S.Zero),
         [("(n/2)", "(n/3)"), ("x + y", "x - y"), ("(passive_wall (x)", "(passive_wall (y)")],
+    ),
+    "a box": (
+        lambda: on_box(certificate(x - x**2 + Rational(1, 8), {x: (0, 1)})),
+        [
+            ("+ 1/8", "- 1/8"),
+            ("(x <= 1)", "(x <= 2)"),
+            ("(0 <= x) -> ", ""),
+            ("-x^2 + x", "-5*x^2 + x"),
+            ("-x^2 + x", "-x^2 - x"),
+        ],
+    ),
+    "a box by slopes": (
+        lambda: on_box(
+            Positive(x - x**2 + Rational(1, 8), {x: (Rational(1, 4), Rational(3, 4))}, ":", 96)
+        ),
+        [("+ 1/8", "- 1/4"), ("(x <= 3/4)", "(x <= 5/4)"), ("(1/4 <= x) -> ", "")],
+    ),
+    "a box of plants": (
+        lambda: on_plants(plants(Rational(1, 10) - M)),
+        [
+            ("n_0 - 2/5", "n_0 - 3/5"),
+            ("n_0 - 2/5", "-n_0 - 2/5"),
+            ("(delta <= 1/50)", "(delta <= 5)"),
+            ("(device (gamma)%C (delta)%C (n_1)%C (n_0)%C (a)%C (e)%C) -> ", ""),
+            ("(0 <= delta) -> ", ""),
+        ],
+    ),
+    "all numbers of a plant": (
+        lambda: on_plants(plants(Rational(1, 10) - M - LOSS - P - AT_ONE)),
+        [
+            ("(0 < a", "(0 < -a"),
+            ("+ n_1", "- n_1"),
+            ("17/5", "18/5"),
+            ("(gamma <= 1/1000)", "(gamma <= 1)"),
+        ],
+    ),
+    "a cosine at a slope": (
+        lambda: placed(
+            combined(cos(x) < cos(x) + y, [assume(y > 0)]), {x: 2 * atan(Rational(1, 3)) / 2}
+        ),
+        [("y + 3*sqrt(10)/10", "y + 2*sqrt(10)/10"), ("(0 < y) -> ", "")],
+    ),
+    "a wall one period late": (
+        lambda: axiom("passive wall", x, y, n, S(2), S.One),
+        [("/z)%C", "/z^2)%C"), ("/z)%C", ")%C"), ("(n/2)", "(n/3)")],
+    ),
+    "what is not zero in real numbers": (
+        lambda: identity((exp(I * x) - exp(-I * x)) / (2 * I * sin(x)), 1),
+        [("(sin(x) <> 0) -> ", ""), ("Cexp(-Ci*x)", "Cexp(Ci*x)"), ("= 1 ", "= 2 ")],
+    ),
+    "a real number that is zero, times j": (
+        lambda: combined(
+            Relation(y * exp(I * x) - n * exp(I * x), "=", S.Zero),
+            [assume(Relation(y, "=", n)), exp(I * x)],
+        ),
+        [("(y = n) -> ", ""), ("y*Cexp(Ci*x)", "-y*Cexp(Ci*x)"), ("n*Cexp(Ci*x)", "n*Cexp(-Ci*x)")],
     ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),
