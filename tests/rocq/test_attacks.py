@@ -109,7 +109,7 @@ def plants(expr):
 
 
 ATTACKS = {
-    # kind: the theorem, and wrong variants of its statement
+    # kind: the theorem, wrong variants of its statement, and which lemma if it is not the last
     "an identity": (
         lambda: identity((x**2 - 1) / (x - 1), x + 1),
         [("x + 1)", "x - 1)"), ("(x - 1 <> 0) -> ", ""), ("(x^2 - 1)", "(x^3 - 1)")],
@@ -346,6 +346,17 @@ ATTACKS = {
             ("(gamma <= 1/1000)", "(gamma <= 1)"),
         ],
     ),
+    "between what a plant's numbers lie": (
+        lambda: on_plants(plants(Rational(1, 10) - M)),
+        [
+            ("495033199", "495000000"),
+            ("-2618113/", "2618113/"),
+            ("(gamma <= 1/1000)", "(gamma <= 1/10)"),
+            ("(delta <= 1/50)", "(delta <= 1)"),
+            ("(device (gamma)%C (delta)%C (n_1)%C (n_0)%C (a)%C (e)%C) -> ", ""),
+        ],
+        "numbers_1",
+    ),
     "a cosine at a slope": (
         lambda: placed(
             combined(cos(x) < cos(x) + y, [assume(y > 0)]), {x: 2 * atan(Rational(1, 3)) / 2}
@@ -390,10 +401,12 @@ def variants(number, kind):
 
     What is wrong is written into the statement alone, and into its proof as well.
     """
-    make, wrong = ATTACKS[kind]
+    make, wrong, *of = ATTACKS[kind]
     file = file_of(make())
-    target = file.steps[-1]
-    assert target.name == "lemma_1", (kind, [s.why for s in file.steps])
+    [wanted] = of or ["lemma_1"]
+    names = [s.name for s in file.steps]
+    assert wanted in names, (kind, [s.why for s in file.steps])
+    target, before = file.steps[names.index(wanted)], file.steps[: names.index(wanted)]
     texts = {f"kind_{number}_right": target.written()}
     for i, (old, new) in enumerate(wrong):
         assert old in target.statement, (kind, old, target.statement)
@@ -401,13 +414,12 @@ def variants(number, kind):
         texts[f"kind_{number}_{i}"] = other.written()
         lines = [line.replace(old, new) for line in target.lines]
         texts[f"kind_{number}_{i}_both"] = replace(other, lines=lines).written()
-    body = "\n".join(s.written() for s in file.steps[:-1])
+    body = "\n".join(s.written() for s in before)
     for name, text in texts.items():
-        body += "\n" + re.sub(r"\blemma_1\b", name, text)
-    for step in file.steps[:-1]:
+        body += "\n" + re.sub(rf"\b{target.name}\b", name, text)
+    for step in before:
         body = re.sub(rf"\b{step.name}\b", f"of_{number}_{step.name}", body)
-    wanted = {name: (kind, name) for name in texts}
-    return body, wanted
+    return body, {name: (kind, name) for name in texts}
 
 
 @pytest.fixture(scope="module")
