@@ -1293,12 +1293,14 @@ Proof.
   apply Rabs_le_between; exact Y.
 Qed.
 
-Lemma sampled : forall g d n1 n0 a e M : R, device g d n1 n0 a e -> Rabs g <= 1 -> Rabs d <= 1 ->
+Lemma sampled : forall g d n1 n0 a e M : R,
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0) ->
+  Rabs g <= 1 -> Rabs d <= 1 ->
   small g d M -> small g (- d) M ->
   exists r s, - M <= r <= M /\ - M <= s <= M /\ n1 = way g d + r /\
     n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ a = 1 + exp (- d) - g * (n1 + n0).
 Proof.
-  intros g d n1 n0 a e M V G D S T; destruct (rule_on_plants g d n1 n0 a e V) as (P & Q & E & A).
+  intros g d n1 n0 a e M (P & Q & E & A) G D S T.
   destruct (held_near g d n1 M G D S P) as (r & R & X).
   destruct (held_near g (- d) (n0 / exp (- d)) M G ltac:(rewrite Rabs_Ropp; exact D) T Q) as (s & U & Y).
   exists r, s; assert (N := Rgt_not_eq _ _ (exp_pos (- d))).
@@ -1311,7 +1313,7 @@ Lemma halves : forall x y : R, x <= y \/ y <= x.
 Proof. intros x y; destruct (Rle_lt_dec x y); [left | right]; lra. Qed.
 Ltac sampled_by V M :=
   lazymatch type of V with
-  | device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) =>
+  | held ?g ?d ?n1 /\ held _ _ (?n0 / _) /\ ?e = _ /\ 1 - ?a + _ = _ =>
       let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
       destruct (sampled g d n1 n0 a e M V) as (?r & ?s & ? & ? & N1 & N0 & E & A);
       [ apply Rabs_le; lra | apply Rabs_le; lra | unfold small; split; interval

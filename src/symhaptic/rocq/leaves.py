@@ -414,11 +414,11 @@ def _numbers(proof: Proof, box: Sides, bounds: Mapping[Expr, tuple[Expr, Expr]])
     with names.bound(*free) as over:
         said = [text(claim, names) for claim in (device, *sides, And(tuple(known)))]
         statement = f"forall {typed(free, over)}, {' -> '.join(said)}"
-        d = names[delta]
+        d, meant = names[delta], f"rule_on_plants {' '.join(names[s] for s in device.of)} V"
     if statement not in proof.shared:
         lines = [
             f"intros {' '.join(over)} V {' '.join(f'H{i}' for i, _ in enumerate(sides, 1))}.",
-            f"sampled_by V ({_left_out(box)}).",
+            f"sampled_by ({meant}) ({_left_out(box)}).",
             *[f"split; [within {d} |]."] * (len(known) - 1),
             f"within {d}.",
         ]

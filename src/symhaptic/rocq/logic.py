@@ -256,7 +256,6 @@ def placed(proof: Proof, theorem: Theorem) -> None:
         proof.say(f"finish {proof.find(premise.conclusion.at(values))}.")
         return
     step = proof.known[said(premise)]
-    proof.uses.add(step.name)
     at = {s: values.get(s, s) for s in step.free}
     inner = {s: proof.value(s) for s in step.free if s not in values}
     args = [inner[s] if s in inner else _values(proof, [s], at)[0] for s in step.free]

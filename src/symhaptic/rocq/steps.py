@@ -40,7 +40,6 @@ class Step:
     lines: list[str] = field(default_factory=list)
     why: str = ""
     """The source of a classical rule, or why a leaf is not checked."""
-    uses: tuple[str, ...] = ()
 
     def written(self) -> str:
         """The lemma with its proof."""
@@ -97,7 +96,6 @@ class Proof:
         """Lemmas that several steps use, by what they say."""
         self.lines: list[str] = []
         self.scope: dict[Proposition, str] = {}
-        self.uses: set[str] = set()
         self._count = 0
 
     def new(self, letter: str) -> str:
@@ -150,7 +148,6 @@ class Proof:
         if premise.rule == "assume":
             return self.find(premise.conclusion)
         step = self.known[said(premise)]
-        self.uses.add(step.name)
         values = [self.value(s) for s in step.free]
         args = [*values, *(self.find(h) for h in step.hypotheses)]
         return f"({' '.join([step.name, *args])})" if args else step.name
