@@ -191,7 +191,7 @@ Ltac special_values :=
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  special_values; first [ring | rooted_field].
+  first [ring | special_values; first [ring | rooted_field]].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
