@@ -173,7 +173,7 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
         unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
         return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, of)
-    rests = _rests(file, done.stdout)
+    rests = resting(file, done.stdout)
     outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
@@ -235,7 +235,7 @@ def _error(said: str) -> str:
     return f"coqc: not within {SECONDS} s"
 
 
-def _rests(file: File, said: str) -> dict[str, list[str]]:
+def resting(file: File, said: str) -> dict[str, list[str]]:
     """What each statement rests on: what all of them do, but for what its lemmas do not name.
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
