@@ -378,6 +378,13 @@ ATTACKS = {
         ),
         [("(y = n) -> ", ""), ("y*Cexp(Ci*x)", "-y*Cexp(Ci*x)"), ("n*Cexp(Ci*x)", "n*Cexp(-Ci*x)")],
     ),
+    "a real relation from a complex one": (
+        lambda: combined(
+            Relation(S.Zero, "<", 2 * cos(x)),
+            [assume(Relation(S.Zero, "<", exp(I * x) + exp(-I * x)))],
+        ),
+        [("2*cos(x)", "-2*cos(x)"), ("2*cos(x)", "2*sin(x)"), ("Cexp(-Ci*x)", "Cexp(-2*Ci*x)")],
+    ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),
         [("(0 < x) -> ", ""), ("-> ((0 < x)", "-> ((1 < x)")],

@@ -220,10 +220,6 @@ Ltac signed :=
       | |- 0 <= _ * _ => apply Rmult_le_pos; signed
       end ].
 
-Lemma Rplus_le_le_0_compat' : forall a b, 0 <= a -> 0 <= b -> 0 <= a + b.
-Proof. intros; lra. Qed.
-
-
 Ltac apart :=
   opened;
   first

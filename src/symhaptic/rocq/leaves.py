@@ -194,10 +194,11 @@ def combined(proof: Proof, theorem: Theorem) -> None:
     name = {"<": "lt", "<=": "le", "!=": "ne", "=": "eq"}[claim.sign] + ("'" if turned else "")
     sums = f"({z}){scope}" if claim.sign == "=" else f"({t}){scope} ({z}){scope}"
     if c and not complex_(claim.left, claim.right):
-        proof.say("opened; defined; apply RtoC_inj." if claim.sign == "=" else "opened; defined.")
-        if claim.sign != "=":
-            raise NotPrinted("a real relation from complex ones")
-        proof.say("Cpushed.")
+        sides = " ".join(f"(RtoC ({real_text(t, names)}))" for t in (claim.left, claim.right))
+        of = {"<": "less_of", "<=": "less_eq_of", "!=": "apart_of", "=": "equal_of"}[claim.sign]
+        proof.say(
+            f"opened; defined; apply ({of} {sides}); [| reflexivity | reflexivity].", "Cpushed."
+        )
     else:
         proof.say("opened; defined.")
     proof.say(f"apply ({c}by_sum_{name} _ _ {sums}).")
