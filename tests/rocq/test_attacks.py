@@ -6,10 +6,15 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from sympy import I, Lt, Rational, S, cos, exp, pi, sin, symbols, tan
+from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, symbols, tan
 
+from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
 from symhaptic.notation import X, s, z
 from symhaptic.notation.proposition import Relation, proposition, whole
+from symhaptic.paper.ranges import RANGES
+from symhaptic.proof import box
+from symhaptic.proof.certificate import Positive
+from symhaptic.proof.plants import AT_ONE, LOSS, named
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
     grows,
@@ -40,6 +45,8 @@ from symhaptic.proof.theorems.leaves import (
     is_whole,
     mirrored,
     number,
+    on_box,
+    on_plants,
     root_outside,
     roots_inside,
     tends,
@@ -91,8 +98,18 @@ def chosen_number():
     return witnessed(less(S.One, S(2)), wanted, {y: S(2)})
 
 
+def certificate(expr, ends, given=None):
+    [found] = box.positive(expr, ends, given).certificates
+    return found
+
+
+def plants(expr):
+    """Of the numbers of all plants of the paper's (23)."""
+    return certificate(expr, RANGES, named(SMALL))
+
+
 ATTACKS = {
-    # kind: the theorem, and wrong variants of its statement
+    # kind: the theorem, wrong variants of its statement, and which lemma if it is not the last
     "an identity": (
         lambda: identity((x**2 - 1) / (x - 1), x + 1),
         [("x + 1)", "x - 1)"), ("(x - 1 <> 0) -> ", ""), ("(x^2 - 1)", "(x^3 - 1)")],
@@ -294,6 +311,80 @@ ATTACKS = {
         lambda: axiom("passive wall", x, y, n, S(2), S.Zero),
         [("(n/2)", "(n/3)"), ("x + y", "x - y"), ("(passive_wall (x)", "(passive_wall (y)")],
     ),
+    "a box": (
+        lambda: on_box(certificate(x - x**2 + Rational(1, 8), {x: (0, 1)})),
+        [
+            ("+ 1/8", "- 1/8"),
+            ("(x <= 1)", "(x <= 2)"),
+            ("(0 <= x) -> ", ""),
+            ("-x^2 + x", "-5*x^2 + x"),
+            ("-x^2 + x", "-x^2 - x"),
+        ],
+    ),
+    "a box by slopes": (
+        lambda: on_box(
+            Positive(x - x**2 + Rational(1, 8), {x: (Rational(1, 4), Rational(3, 4))}, ":", 96)
+        ),
+        [("+ 1/8", "- 1/4"), ("(x <= 3/4)", "(x <= 5/4)"), ("(1/4 <= x) -> ", "")],
+    ),
+    "a box of plants": (
+        lambda: on_plants(plants(Rational(1, 10) - M)),
+        [
+            ("n_0 - 2/5", "n_0 - 3/5"),
+            ("n_0 - 2/5", "-n_0 - 2/5"),
+            ("(delta <= 1/50)", "(delta <= 5)"),
+            ("(device (gamma)%C (delta)%C (n_1)%C (n_0)%C (a)%C (e)%C) -> ", ""),
+            ("(0 <= delta) -> ", ""),
+        ],
+    ),
+    "all numbers of a plant": (
+        lambda: on_plants(plants(Rational(1, 10) - M - LOSS - P - AT_ONE)),
+        [
+            ("(0 < a", "(0 < -a"),
+            ("+ n_1", "- n_1"),
+            ("17/5", "18/5"),
+            ("(gamma <= 1/1000)", "(gamma <= 1)"),
+        ],
+    ),
+    "between what a plant's numbers lie": (
+        lambda: on_plants(plants(Rational(1, 10) - M)),
+        [
+            ("495033199", "495000000"),
+            ("-2618113/", "2618113/"),
+            ("(gamma <= 1/1000)", "(gamma <= 1/10)"),
+            ("(delta <= 1/50)", "(delta <= 1)"),
+            ("(device (gamma)%C (delta)%C (n_1)%C (n_0)%C (a)%C (e)%C) -> ", ""),
+        ],
+        "numbers_1",
+    ),
+    "a cosine at a slope": (
+        lambda: placed(
+            combined(cos(x) < cos(x) + y, [assume(y > 0)]), {x: 2 * atan(Rational(1, 3)) / 2}
+        ),
+        [("y + 3*sqrt(10)/10", "y + 2*sqrt(10)/10"), ("(0 < y) -> ", "")],
+    ),
+    "a wall one period late": (
+        lambda: axiom("passive wall", x, y, n, S(2), S.One),
+        [("/z)%C", "/z^2)%C"), ("/z)%C", ")%C"), ("(n/2)", "(n/3)")],
+    ),
+    "what is not zero in real numbers": (
+        lambda: identity((exp(I * x) - exp(-I * x)) / (2 * I * sin(x)), 1),
+        [("(sin(x) <> 0) -> ", ""), ("Cexp(-Ci*x)", "Cexp(Ci*x)"), ("= 1 ", "= 2 ")],
+    ),
+    "a real number that is zero, times j": (
+        lambda: combined(
+            Relation(y * exp(I * x) - n * exp(I * x), "=", S.Zero),
+            [assume(Relation(y, "=", n)), exp(I * x)],
+        ),
+        [("(y = n) -> ", ""), ("y*Cexp(Ci*x)", "-y*Cexp(Ci*x)"), ("n*Cexp(Ci*x)", "n*Cexp(-Ci*x)")],
+    ),
+    "a real relation from a complex one": (
+        lambda: combined(
+            Relation(S.Zero, "<", 2 * cos(x)),
+            [assume(Relation(S.Zero, "<", exp(I * x) + exp(-I * x)))],
+        ),
+        [("2*cos(x)", "-2*cos(x)"), ("2*cos(x)", "2*sin(x)"), ("Cexp(-Ci*x)", "Cexp(-2*Ci*x)")],
+    ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),
         [("(0 < x) -> ", ""), ("-> ((0 < x)", "-> ((1 < x)")],
@@ -317,10 +408,12 @@ def variants(number, kind):
 
     What is wrong is written into the statement alone, and into its proof as well.
     """
-    make, wrong = ATTACKS[kind]
+    make, wrong, *of = ATTACKS[kind]
     file = file_of(make())
-    target = file.steps[-1]
-    assert target.name == "lemma_1", (kind, [s.why for s in file.steps])
+    [wanted] = of or ["lemma_1"]
+    names = [s.name for s in file.steps]
+    assert wanted in names, (kind, [s.why for s in file.steps])
+    target, before = file.steps[names.index(wanted)], file.steps[: names.index(wanted)]
     texts = {f"kind_{number}_right": target.written()}
     for i, (old, new) in enumerate(wrong):
         assert old in target.statement, (kind, old, target.statement)
@@ -328,13 +421,12 @@ def variants(number, kind):
         texts[f"kind_{number}_{i}"] = other.written()
         lines = [line.replace(old, new) for line in target.lines]
         texts[f"kind_{number}_{i}_both"] = replace(other, lines=lines).written()
-    body = "\n".join(s.written() for s in file.steps[:-1])
+    body = "\n".join(s.written() for s in before)
     for name, text in texts.items():
-        body += "\n" + re.sub(r"\blemma_1\b", name, text)
-    for step in file.steps[:-1]:
+        body += "\n" + re.sub(rf"\b{target.name}\b", name, text)
+    for step in before:
         body = re.sub(rf"\b{step.name}\b", f"of_{number}_{step.name}", body)
-    wanted = {name: (kind, name) for name in texts}
-    return body, wanted
+    return body, {name: (kind, name) for name in texts}
 
 
 @pytest.fixture(scope="module")

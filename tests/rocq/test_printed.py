@@ -4,7 +4,9 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 import pytest
+from scipy.signal import cont2discrete, ss2tf
 from sympy import Eq, Function, Rational, Symbol, cos, exp, pi, sin, sqrt, symbols
 
 from symhaptic.book.chapters import folder, run
@@ -122,6 +124,27 @@ def test_the_text_is_the_same_from_run_to_run():
         for seed in ("1", "2", "3")
     }
     assert len(found) == 1
+
+
+@pytest.mark.parametrize(("spring", "loss"), [(0.3, 0.2), (0.001, 0.02), (2.0, 0.0), (0.0, 0.7)])
+def test_what_the_prelude_believes_of_a_device_is_so(spring, loss):
+    """Its axiom rule_on_plants, by the power series there; the device is sampled by SciPy."""
+    state, force = np.array([[0, 1], [-spring, -loss]]), np.array([[0], [1]])
+    sampled = cont2discrete((state, force, np.array([[1, 0]]), np.zeros((1, 1))), 1)
+    (_, n_1, n_0), (_, minus_a, e) = ss2tf(*sampled[:4])[0][0], ss2tf(*sampled[:4])[1]
+
+    def way(damping):
+        """The sum of snd (ways g d k)."""
+        before, last, total = 0.0, 0.5, 0.5
+        for m in range(40):
+            following = -(damping * last / (m + 3) + spring * before / ((m + 3) * (m + 2)))
+            before, last, total = last, following, total + following
+        return total
+
+    assert way(loss) == pytest.approx(n_1, rel=1e-12)
+    assert way(-loss) == pytest.approx(n_0 / np.exp(-loss), rel=1e-12)
+    assert e == pytest.approx(np.exp(-loss), rel=1e-12)
+    assert 1 + minus_a + e == pytest.approx(spring * (n_1 + n_0), abs=1e-12)
 
 
 def test_a_comment_holds_no_string_and_no_comment():

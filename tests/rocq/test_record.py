@@ -6,14 +6,16 @@ from pathlib import Path
 
 import pytest
 from chapters import chapter
+from sympy import Symbol
 
 from symhaptic.book import foreign
 from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
+from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import compiled
-from symhaptic.rocq.chapter import MEANING, PROVED, printed
+from symhaptic.rocq.chapter import MEANING, PROVED, File, printed
 from symhaptic.rocq.record import differences, record
-from symhaptic.rocq.steps import order
+from symhaptic.rocq.steps import Step, order
 
 RECORD = foreign.recorded(expected_rocq())
 LEDGER = json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]
@@ -121,6 +123,28 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
     told = compiled.told(file, rests)
     assert told[id] == "it rests on proof_irrelevance, which nobody named"
     assert compiled.told(file, {id: [foreign.REALS]})[id] == "whole"
+
+
+def test_a_statement_rests_on_what_its_own_lemmas_name():
+    """Rocq lists the axioms of a chapter: what it does not declare, all of them rest on."""
+    text = proposition(Symbol("x") > 0)
+
+    def step(name, *lines, kind="Lemma"):
+        return Step(name, "rule", (), (), text, "True", kind, list(lines))
+
+    steps = [
+        step("rule_stored_1", kind="Axiom"),
+        step("open_step_2", kind="Axiom"),
+        step("step_3", "exact rule_stored_1."),
+        step("lemma_1", "exact step_3."),
+        step("lemma_2", "exact open_step_2."),
+    ]
+    file = File("mine", "Mine", steps, {"one": ("lemma_1",), "two": ("lemma_2",)})
+    said = "Axioms:\nopen_step_2 : True\nrule_stored_1\n  : True\nproof_irrelevance : True\n"
+    assert compiled.resting(file, said) == {
+        "one": ["proof_irrelevance", "rule_stored_1"],
+        "two": ["open_step_2", "proof_irrelevance"],
+    }
 
 
 def test_the_mark_of_a_text_is_of_the_prelude_too(tmp_path, monkeypatch):

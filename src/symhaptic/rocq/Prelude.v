@@ -107,6 +107,7 @@ Ltac nz_known :=
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
       solve [let E := fresh in intro E; apply H; replace c with (- e) by ring; rewrite E; ring]
+  | H : ?f ?a <> 0 |- ?f ?b <> 0 => solve [replace b with a by first [ring | field]; exact H]
   end.
 
 Ltac nz_with last :=
@@ -190,7 +191,7 @@ Ltac special_values :=
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  special_values; first [ring | rooted_field].
+  first [ring | special_values; first [ring | rooted_field]].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
@@ -218,10 +219,6 @@ Ltac signed :=
       | |- 0 < _ * _ => apply Rmult_lt_0_compat; signed
       | |- 0 <= _ * _ => apply Rmult_le_pos; signed
       end ].
-
-Lemma Rplus_le_le_0_compat' : forall a b, 0 <= a -> 0 <= b -> 0 <= a + b.
-Proof. intros; lra. Qed.
-
 
 Ltac apart :=
   opened;
@@ -251,10 +248,40 @@ Proof. intros x y H; unfold Rdiv, Cdiv; rewrite RtoC_mult, RtoC_inv; [reflexivit
 Lemma RtoC_power : forall x n, RtoC (x ^ n)%R = (RtoC x ^ n)%C.
 Proof. intros x n; induction n as [| n IH]; simpl; [| rewrite RtoC_mult, IH]; reflexivity. Qed.
 
+(* The complex number that a real term is, made of those of its parts. *)
+Section Images.
+Variables (x y : R) (z w : C).
+Hypotheses (X : RtoC x = z) (Y : RtoC y = w).
+Lemma image_plus : RtoC (x + y)%R = (z + w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_plus. Qed.
+Lemma image_minus : RtoC (x - y)%R = (z - w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_minus. Qed.
+Lemma image_mult : RtoC (x * y)%R = (z * w)%C.
+Proof. rewrite <- X, <- Y; apply RtoC_mult. Qed.
+Lemma image_opp : RtoC (- x)%R = (- z)%C.
+Proof. rewrite <- X; apply RtoC_opp. Qed.
+Lemma image_power : forall n, RtoC (x ^ n)%R = (z ^ n)%C.
+Proof. intro n; rewrite <- X; apply RtoC_power. Qed.
+Lemma image_div : y <> 0 -> RtoC (x / y)%R = (z / w)%C.
+Proof. intro N; rewrite <- X, <- Y; apply RtoC_div, N. Qed.
+End Images.
+Ltac Cimage x :=
+  match x with
+  | ?a + ?b => let p := Cimage a in let q := Cimage b in constr:(image_plus _ _ _ _ p q)
+  | ?a - ?b => let p := Cimage a in let q := Cimage b in constr:(image_minus _ _ _ _ p q)
+  | ?a * ?b => let p := Cimage a in let q := Cimage b in constr:(image_mult _ _ _ _ p q)
+  | - ?a => let p := Cimage a in constr:(image_opp _ _ p)
+  | ?a ^ ?n => let p := Cimage a in constr:(image_power _ _ p n)
+  | ?a / ?b =>
+      let n := constr:(ltac:(nz) : b <> 0) in
+      let p := Cimage a in let q := Cimage b in constr:(image_div _ _ _ _ p q n)
+  | _ => constr:(eq_refl (RtoC x))
+  end.
 Ltac Cpushed :=
-  repeat first
-    [ rewrite RtoC_div by nz | rewrite RtoC_plus | rewrite RtoC_minus | rewrite RtoC_mult | rewrite RtoC_opp
-    | rewrite RtoC_power ].
+  repeat match goal with |- context [RtoC ?x] =>
+    let p := Cimage x in
+    lazymatch type of p with ?l = ?l => fail | _ => rewrite p end
+  end.
 Lemma Cexp_nought : forall z : C, z = RtoC 0 -> Cexp z = RtoC 1.
 Proof.
   intros z E; rewrite E; unfold Cexp; simpl; rewrite exp_0, cos_0, sin_0.
@@ -324,6 +351,12 @@ Lemma Cproduct_apart : forall x y : C, x <> RtoC 0 -> y <> RtoC 0 -> (x * y)%C <
 Proof. intros x y; apply Cmult_neq_0. Qed.
 Lemma Ci_apart : Ci <> RtoC 0.
 Proof. intro E; apply (f_equal snd) in E; simpl in E; lra. Qed.
+(* What is known not to be zero, in complex numbers, too. *)
+Ltac Clifted :=
+  repeat match goal with H : ?x <> 0 |- _ =>
+    lazymatch goal with |- context [RtoC x <> RtoC 0 -> _] => fail | _ => generalize (Cnot_zero x H) end
+  end;
+  Cpushed; intros; cbn [Cpower] in *.
 Ltac Cring := cbn [Cpower]; first [reflexivity | ring].
 Ltac Cnz_with last :=
   cbv beta; repeat split;
@@ -465,7 +498,10 @@ Ltac Cimaginary := first [reflexivity | simpl; ring | simpl; lra].
 Lemma Cminus_zero : forall l r : C, l = r -> (r - l)%C = RtoC 0.
 Proof. intros l r E; rewrite E; ring. Qed.
 Ltac Czero :=
-  first [symmetry; apply Cminus_zero; first [assumption | symmetry; assumption] | Ccompared].
+  first
+    [ symmetry; apply Cminus_zero; first [assumption | symmetry; assumption]
+    | solve [apply (f_equal RtoC); lra]
+    | Ccompared ].
 Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
 Proof. intros; apply injective_projections; simpl; ring. Qed.
 Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.
@@ -681,7 +717,8 @@ Ltac Ccongruent :=
       | |- Cexp _ = Cexp _ => apply f_equal; Ccongruent
       | |- (_ / _ = _)%C => apply Cover_one; [Ccongruent | solve [Cpowers]]
       | |- (_ = _ / _)%C => symmetry; apply Cover_one; [Ccongruent | solve [Cpowers]]
-      end ].
+      end
+    | solve [Cpowers] ].
 
 Ltac same :=
   lazymatch goal with
@@ -711,6 +748,21 @@ Ltac special :=
       | replace a with (PI - PI / 6) by argument ]
   end;
   unfold tan; rewrite ?sin_minus, ?cos_minus; special_values; first [quick_field | rooted_field].
+(* At twice the angle of a slope, or at the angle itself. *)
+Lemma positive_root : forall x r : R, 0 < x -> 0 <= r -> r * r * x = 1 -> 1 / sqrt x = r.
+Proof.
+  intros x r P Q E; assert (S := sqrt_lt_R0 x P); assert (T := sqrt_sqrt x (Rlt_le _ _ P)).
+  apply Rmult_eq_reg_r with (sqrt x); [| lra]; transitivity 1; [field; lra |].
+  symmetry; apply Rsqr_inj; unfold Rsqr; [apply Rmult_le_pos; lra | lra |].
+  transitivity (r * r * (sqrt x * sqrt x)); [ring | rewrite T, E; ring].
+Qed.
+Ltac by_slope :=
+  match goal with |- cos ?a = _ =>
+    match a with context [atan ?t] =>
+      replace a with (atan t) by field; rewrite cos_atan; unfold Rsqr;
+      apply positive_root; [lra | interval | rooted_field]
+    end
+  end.
 Ltac shifted a b :=
   first
     [ replace a with (PI / 2 - b) by argument
@@ -726,12 +778,21 @@ Ltac evaluated :=
       | |- cos ?a = ?r => match r with context [sin ?b] => solve [shifted a b] end
       end
     | solve [special]
+    | solve [by_slope]
     | solve [rewrite sqrt_pow2; [ring | first [lra | interval]]]
     | same ].
-Tactic Notation "rewritten" constr(old) constr(new) :=
-  try (replace old with new by (symmetry; opened; evaluated)).
-Tactic Notation "rewritten" constr(old) constr(new) "in" hyp(P) :=
-  try (let E := fresh in assert (E : old = new) by (clear P; opened; evaluated); rewrite E in P; clear E).
+Ltac valued_by way :=
+  opened; transitivity way;
+  [ first [reflexivity | f_equal; argument]
+  | first
+      [ reflexivity
+      | solve [unfold Rdiv; known_values; special_values; first [reflexivity | ring]]
+      | evaluated ] ].
+Tactic Notation "rewritten" constr(old) constr(way) constr(new) :=
+  try (replace old with new by (symmetry; first [valued_by way | opened; evaluated])).
+Tactic Notation "rewritten" constr(old) constr(way) constr(new) "in" hyp(P) :=
+  try (let E := fresh in
+    assert (E : old = new) by (clear P; first [valued_by way | opened; evaluated]); rewrite E in P; clear E).
 Ltac tidied :=
   rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l.
 Tactic Notation "tidied" "in" hyp(P) :=
@@ -780,11 +841,25 @@ Ltac direct H :=
   | ?a <> ?b => match goal with |- ?l <> ?r => replace l with a by sides; replace r with b by sides; exact H end
   end.
 
+(* A relation beside what it divides by, from one that is beside other things. *)
+Ltac beside H :=
+  lazymatch type of H with
+  | _ /\ _ => let A := fresh in let B := fresh in destruct H as [A B]; beside B
+  | _ =>
+      repeat
+        (lazymatch goal with |- _ /\ _ => split end;
+         [first [assumption | lazymatch goal with |- _ <> _ => nz_quick end] |]);
+      direct H
+  end.
+
 Ltac conv H :=
   cbv beta in H |- *;
   first
     [ exact H
-    | direct H
+    | lazymatch goal with
+      | |- _ /\ _ => solve [let H' := fresh in pose proof H as H'; beside H']
+      | _ => direct H
+      end
     | lazymatch goal with
       | |- forall _ : R, _ =>
           let x := fresh in
@@ -949,7 +1024,8 @@ Qed.
 (* That what was derived is the slope that is wanted. *)
 Ltac derived :=
   first
-    [ quick_field
+    [ solve [unfold Rminus; ring]
+    | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].
 Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
@@ -1111,3 +1187,143 @@ Proof.
   - rewrite <- E; apply Rmult_lt_compat_r; lra.
 Qed.
 
+(* -- boxes of plants ------------------------------------------------------------------ *)
+
+(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
+   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
+Fixpoint ways (g d : R) (k : nat) : R * R :=
+  match k with
+  | O => (0, 1 / 2)
+  | S m =>
+      let (p, q) := ways g d m in
+      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
+  end.
+Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
+
+(* What the predicate means: the numbers of the sampled device are those of that motion; for n_0
+   the time runs backwards. *)
+Axiom rule_on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
+
+Lemma ways_next : forall g d k,
+  snd (ways g d (S (S k))) =
+  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
+Proof.
+  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
+  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
+  reflexivity.
+Qed.
+
+(* Up to t^8, what follows is less than the next coefficients say. *)
+Definition way (g d : R) : R :=
+  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
+  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
+Definition small (g d M : R) : Prop :=
+  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
+  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
+
+Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
+Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
+
+Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
+  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
+Proof.
+  intros g d M G D [P Q] k; induction k as [| k [A B]].
+  - rewrite !Nat.add_0_r; split.
+    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
+    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
+  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
+    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
+    replace (S (6 + k)) with (7 + k)%nat by lia.
+    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
+    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
+    set (m := M * (1/2) ^ k) in *.
+    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
+    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
+    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (I : Rabs (d * x / t) <= m / 20).
+    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (J : Rabs (g * y / (t * u)) <= m / 90).
+    { unfold Rdiv; rewrite !Rabs_mult.
+      assert (90 <= t * u) by nra.
+      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 90) with (1 * m * / 90) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
+Qed.
+
+Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
+  exists r, - M <= r <= M /\ x = way g d + r.
+Proof.
+  intros g d x M G D S H; exists (x - way g d); split; [| ring].
+  set (b := fun k => snd (ways g d (7 + k))).
+  assert (B : is_series b (x - way g d)).
+  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
+    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
+    replace (x - way g d + way g d) with x by ring; exact H. }
+  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
+  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
+    apply (ways_fall g d M G D S k). }
+  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
+  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
+    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
+      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
+    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
+  assert (X : ex_series (fun k => Rabs (b k))).
+  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
+    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
+  assert (Y : Rabs (x - way g d) <= M).
+  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
+    apply Rle_trans with (1 := Series_Rabs b X).
+    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
+  apply Rabs_le_between; exact Y.
+Qed.
+
+Lemma sampled : forall g d n1 n0 a e M : R,
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0) ->
+  Rabs g <= 1 -> Rabs d <= 1 ->
+  small g d M -> small g (- d) M ->
+  exists r s, - M <= r <= M /\ - M <= s <= M /\ n1 = way g d + r /\
+    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ a = 1 + exp (- d) - g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e M (P & Q & E & A) G D S T.
+  destruct (held_near g d n1 M G D S P) as (r & R & X).
+  destruct (held_near g (- d) (n0 / exp (- d)) M G ltac:(rewrite Rabs_Ropp; exact D) T Q) as (s & U & Y).
+  exists r, s; assert (N := Rgt_not_eq _ _ (exp_pos (- d))).
+  repeat split; try apply R; try apply U; [exact X | rewrite <- Y; field; exact N | exact E | lra].
+Qed.
+
+Lemma named_number : forall x : R, exists v, v = x.
+Proof. intro x; exists x; reflexivity. Qed.
+Lemma halves : forall x y : R, x <= y \/ y <= x.
+Proof. intros x y; destruct (Rle_lt_dec x y); [left | right]; lra. Qed.
+Ltac sampled_by V M :=
+  lazymatch type of V with
+  | held ?g ?d ?n1 /\ held _ _ (?n0 / _) /\ ?e = _ /\ 1 - ?a + _ = _ =>
+      let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
+      destruct (sampled g d n1 n0 a e M V) as (?r & ?s & ? & ? & N1 & N0 & E & A);
+      [ apply Rabs_le; lra | apply Rabs_le; lra | unfold small; split; interval
+      | unfold small; split; interval
+      | try replace (- a + e + 1) with (g * (n1 + n0)) by lra;
+        rewrite ?A, ?N1, ?N0, ?E; unfold way ]
+  end.
+Tactic Notation "named" ident(v) ident(Q) constr(m) := destruct (named_number m) as [v Q].
+(* What is known of the plant's numbers on a piece, of the numbers that are named so. *)
+Ltac numbers F :=
+  let G := fresh in
+  pose proof F as G;
+  repeat match type of G with ?P -> _ => specialize (G ltac:(assumption)) end;
+  repeat match goal with Q : ?v = ?m |- _ => is_var v; match type of G with context [m] => rewrite <- Q in G end end;
+  opened.
+Ltac within d := first [interval | interval with (i_autodiff d) | interval with (i_taylor d)].
+Ltac halved x m := destruct (halves x m).

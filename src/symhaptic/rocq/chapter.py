@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -52,14 +53,24 @@ class File:
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
         ends = ["Unset Default Timeout."] if self.statements else []
-        for id, names in self.statements.items():
-            ends.append(_paragraph(f"{id}: on what Rocq says that it rests."))
-            what = names[0]
-            if names[1:]:
-                what = f"all_{slug(id)}"
-                ends.append(wrapped(f"Definition {what} := ({', '.join(names)}).", "  "))
-            ends.append(f"Print Assumptions {what}.")
+        if self.statements:
+            names = dict.fromkeys(n for some in self.statements.values() for n in some)
+            said = ", ".join(names)
+            ends.append(_paragraph("On what Rocq says that all of it rests."))
+            ends.append(wrapped(f"Definition all_of_it := {f'({said})' if names else 'I'}.", "  "))
+            ends.append("Print Assumptions all_of_it.")
         return "\n".join([*head, *steps, *ends]) + "\n"
+
+    def named_by(self, id: str) -> set[str]:
+        """Every name in the lemmas of a statement, and in those that they use."""
+        known = {step.name: step for step in self.steps}
+        found, left = set[str](), list(self.statements[id])
+        while left:
+            step = known[left.pop()]
+            words = set(re.findall(r"[\w']+", " ".join([step.name, step.statement, *step.lines])))
+            left += (words - found) & set(known)
+            found |= words
+        return found
 
     def _head(self) -> Iterator[str]:
         """For a reader who knows Rocq and nothing else: what is shown here, and of what."""
@@ -116,20 +127,24 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     file = File(chapter.name, chapter.title)
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
+    shared: dict[str, Step] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
     for theorem in _spelled(order(roots)):
         if said(theorem) in known:
             continue
         try:
-            found = _step(theorem, len(file.steps) + 1, named.get(said(theorem)), known, why)
+            before = len(shared)
+            number, own = len(file.steps) + 1, named.get(said(theorem))
+            found = _step(theorem, number, own, known, why, shared)
         except NotPrinted as wrong:
             why[said(theorem)] = str(wrong)
             continue
-        step = found[-1]
-        if broken and step.name in broken and step.kind != "Axiom":
-            found[-1] = step = _opened(step, broken[step.name])
-        known[said(theorem)] = step
+        found[:0] = list(shared.values())[before:]
+        for i, step in enumerate(found):
+            if broken and step.name in broken and step.kind != "Axiom":
+                found[i] = _opened(step, broken[step.name])
+        known[said(theorem)] = found[-1]
         file.steps += found
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
@@ -178,6 +193,7 @@ def _step(
     own: str | None,
     known: Mapping[Said, Step],
     why: Mapping[Said, str],
+    shared: dict[str, Step],
 ) -> list[Step]:
     for premise in theorem.premises:
         if premise.rule != "assume" and said(premise) not in known:
@@ -194,12 +210,12 @@ def _step(
         if theorem.rule not in WRITTEN:
             raise NotPrinted(f"the rule {theorem.rule}")
         with names.bound(*free) as over:
-            proof = Proof(step, known, names)
+            proof = Proof(step, known, names, shared)
             _introduce(proof, over)
             WRITTEN[theorem.rule](proof, theorem)
     except NotPrinted as wrong:
         return [_opened(step, str(wrong))]
-    step.lines, step.uses = proof.lines, tuple(sorted(proof.uses))
+    step.lines = proof.lines
     return [step]
 
 

@@ -15,7 +15,7 @@ from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import plain, same
-from symhaptic.rocq.logic import Written
+from symhaptic.rocq.logic import Written, evaluated
 from symhaptic.rocq.propositions import needed
 from symhaptic.rocq.steps import Proof
 from symhaptic.rocq.terms import NotPrinted, complex_, real_text
@@ -221,9 +221,16 @@ def tends(proof: Proof, theorem: Theorem) -> None:
 
     chains = [_until(below, variable, at)]
     _sine_apart(proof, chains[0][-1].xreplace(there))
+
+    def at_point(of: Expr) -> str:
+        """Shows what a term is there."""
+        turns = evaluated(of.atoms(sp.Function), there, names)
+        return "; ".join(["cbv beta", *turns, "at_point"])
+
     proof.say("opened; defined.")
     if len(chains[0]) == 1:
-        proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | at_point].")
+        shown = at_point(expr)
+        proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | {shown}].")
         return
     order = len(chains[0]) - 1
     chains.insert(0, [sp.diff(above, variable, i) for i in range(order + 1)])
@@ -240,14 +247,14 @@ def tends(proof: Proof, theorem: Theorem) -> None:
             proof.say(
                 f"  apply (order_up {function(of)} {function(slope)} ({a}) "
                 f"({real_text(size, names)}) ({real_text(size / (order - i), names)}) "
-                f"{order - i - 1}); [intros; evar_last; [slope | same] | at_point "
-                "| simpl; same_field |]."
+                f"{order - i - 1}); [intros; evar_last; [slope | first [derived | same]] "
+                f"| {at_point(of)} | simpl; same_field |]."
             )
-        proof.say("  apply order_none; [slope | at_point].")
+        proof.say(f"  apply order_none; [slope | {at_point(chain[-1])}].")
     proof.say(
         "- nz.",
         f"- {' '.join(same(lead[0] / lead[1], value, names))}",
-        "- intros; cbv beta; unfold tan, cot, cosh, sinh, tanh; field; nz.",
+        "- intros x Q; cbv beta in *; unfold tan, cot, cosh, sinh, tanh in *; field; nz.",
     )
 
 

@@ -180,7 +180,7 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     lines += _turned(parts, names) + _expansions(parts, names)
     if of_complex:
         raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
-        lines.append("Cpushed; Csums." if raised else "Cpushed.")
+        lines.append("Clifted; Csums." if raised else "Clifted.")
     rules = _rules(parts, of_complex, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
@@ -190,7 +190,9 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
         if any(v.is_Pow for v in parts.values)
         else ""
     )
-    return [*lines, f"{push}first [solve [ring{by}] | solve [field{by}; {nz}]{last}]."]
+    divided = any(sp.denom(p).free_symbols for t in terms for p in sp.Mul.make_args(sp.together(t)))
+    ways = [f"solve [ring{by}]", f"solve [field{by}; {nz}]"]
+    return [*lines, f"{push}first [{' | '.join(ways[::-1] if divided else ways)}{last}]."]
 
 
 def same(left: Expr, right: Expr, names: Names) -> list[str]:

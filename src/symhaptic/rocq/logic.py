@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from sympy import Expr, Symbol, sqrt
@@ -23,7 +23,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.steps import Proof, premises, said
-from symhaptic.rocq.terms import NotPrinted, complex_, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]
 LOGIC: dict[str, Written] = {}
@@ -198,18 +198,27 @@ def _functions(claim: Proposition, bound: frozenset[Symbol] = frozenset()) -> It
 
 def _evaluated(proof: Proof, claim: Proposition, values: Terms) -> list[str]:
     """Tactics that write functions as SymPy does where terms stand in place of symbols."""
-    names, values = proof.names, {s: term(v) for s, v in values.items() if s != v}
+    return evaluated(_functions(claim), values, proof.names)
+
+
+def evaluated(functions: Iterable[Expr], values: Terms, names: Names) -> list[str]:
+    """The same of real functions: each by way of the function of its argument's new form."""
+    values = {s: term(v) for s, v in values.items() if s != v}
     if complex_(*values, *values.values()):
         return []
-    found = {f for f in _functions(claim) if f.free_symbols & set(values)}
-    after = {f: real_text(f.xreplace(values), names) for f in found}
+    found = [f for f in functions if f.free_symbols & set(values)]
     kept = dict(names.spelled)
     texts = {s: real_text(v, names) for s, v in values.items()}
     names.spelled |= {s: t if values[s].is_Symbol else f"({t})" for s, t in texts.items()}
     before = {f: real_text(f, names) for f in found}
     names.spelled = kept
-    pairs = sorted((before[f], after[f]) for f in found if before[f] != after[f])
-    return [*(f"rewritten ({old}) ({new})" for old, new in pairs), "tidied"] if pairs else []
+    lines = set()
+    for f, old in before.items():
+        new = real_text(f.xreplace(values), names)
+        if old.replace("((", "(").replace("))", ")") != new.replace("((", "(").replace("))", ")"):
+            way = f"{old[: old.index('(')]}({real_text(f.args[0].xreplace(values), names)})"
+            lines.add(f"rewritten ({old}) ({way}) ({new})")
+    return [*sorted(lines), "tidied"] if lines else []
 
 
 @shows
@@ -247,7 +256,6 @@ def placed(proof: Proof, theorem: Theorem) -> None:
         proof.say(f"finish {proof.find(premise.conclusion.at(values))}.")
         return
     step = proof.known[said(premise)]
-    proof.uses.add(step.name)
     at = {s: values.get(s, s) for s in step.free}
     inner = {s: proof.value(s) for s in step.free if s not in values}
     args = [inner[s] if s in inner else _values(proof, [s], at)[0] for s in step.free]

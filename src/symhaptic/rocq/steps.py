@@ -40,7 +40,6 @@ class Step:
     lines: list[str] = field(default_factory=list)
     why: str = ""
     """The source of a classical rule, or why a leaf is not checked."""
-    uses: tuple[str, ...] = ()
 
     def written(self) -> str:
         """The lemma with its proof."""
@@ -89,11 +88,14 @@ def stated(theorem: Theorem) -> tuple[tuple[Symbol, ...], tuple[Proposition, ...
 class Proof:
     """The proof of one lemma while it is written: names of symbols, and of what is known."""
 
-    def __init__(self, step: Step, known: Mapping[Said, Step], names: Names) -> None:
+    def __init__(
+        self, step: Step, known: Mapping[Said, Step], names: Names, shared: dict[str, Step]
+    ) -> None:
         self.step, self.known, self.names = step, known, names
+        self.shared = shared
+        """Lemmas that several steps use, by what they say."""
         self.lines: list[str] = []
         self.scope: dict[Proposition, str] = {}
-        self.uses: set[str] = set()
         self._count = 0
 
     def new(self, letter: str) -> str:
@@ -146,7 +148,6 @@ class Proof:
         if premise.rule == "assume":
             return self.find(premise.conclusion)
         step = self.known[said(premise)]
-        self.uses.add(step.name)
         values = [self.value(s) for s in step.free]
         args = [*values, *(self.find(h) for h in step.hypotheses)]
         return f"({' '.join([step.name, *args])})" if args else step.name
