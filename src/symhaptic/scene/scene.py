@@ -82,14 +82,14 @@ _LONG = 100
 class Scene:
     """gamma = k T^2/m, delta = b T/m, d = t_d/T: a device in SI units, behind a delay.
 
-    ========================  ======  =====  ======================================
-    ``mass``                  m       kg     > 0, device and arm together
-    ``sampling_period``       T       s      > 0
-    ``damping``               b       Ns/m   >= 0, physical
-    ``stiffness``             k       N/m    >= 0, physical
-    ``delay``                 t_d     s      >= 0, computation and transport
-    ``delay_samples``         d              >= 0, the delay in sampling periods instead
-    ========================  ======  =====  ======================================
+    ===================  ============  =====  =======================================
+    ``mass``             m             kg     > 0, device and arm together
+    ``sampling_period``  T             s      > 0
+    ``damping``          b             Ns/m   >= 0, physical
+    ``stiffness``        k             N/m    >= 0, physical
+    ``delay``            t_d           s      >= 0, computation and transport
+    ``delay_samples``    d                    >= 0, the delay in sampling periods instead
+    ===================  ============  =====  =======================================
 
     Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
     (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print

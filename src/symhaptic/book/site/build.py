@@ -32,6 +32,9 @@ from symhaptic.proof.verdict import Kind
 
 STATIC = Path(__file__).parent / "static"
 TITLE = "Haptic walls, verified"
+EXTENSIONS = ("mathml", "mentions", "navigation", "reference")
+"""Modules beside this one that Sphinx loads."""
+
 EXTRA = "extra"
 """Where the sources have what Sphinx takes over as it is."""
 
@@ -233,7 +236,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_sphinx": False,
         "html_show_copyright": False,
         "extensions": [
-            *(f"symhaptic.book.site.{name}" for name in ("mathml", "mentions", "navigation")),
+            *(f"symhaptic.book.site.{name}" for name in EXTENSIONS),
             "sphinx.ext.autodoc",
         ],
         **reference.SETTINGS,
