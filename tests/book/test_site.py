@@ -203,6 +203,52 @@ def test_a_narrow_screen_scrolls_formulas_and_not_the_page(some, opened):
         assert opened.evaluate(wide) <= 0, name
 
 
+CUT = """() => [...document.querySelectorAll("math, pre, table")].filter((one) => {
+  if (!one.getClientRects().length) return false;
+  let box = one.parentElement;
+  while (box && getComputedStyle(box).overflowX === "visible") box = box.parentElement;
+  const column = box ?? one.closest("article");
+  if (!column || column.matches("body, html, .content, .sidebar-scroll")) {
+    const article = one.closest("article");
+    return article && one.getBoundingClientRect().right > article.getBoundingClientRect().right + 1;
+  }
+  if (column.scrollWidth <= column.clientWidth + 1) return false;
+  const arrow = getComputedStyle(column, "::after");
+  const told = column.tabIndex === 0 && column.dataset.more && arrow.display === "block";
+  return getComputedStyle(column).overflowX !== "auto" || !told;
+}).map((one) => one.textContent.slice(0, 60))"""
+"""What is wider than its column without a scroll bar, a place for the keyboard, and an arrow."""
+
+BOXES = "div.math, .claim p, .answer p, .statement p, .verdict p"
+WIDER = f"""() => [...document.querySelectorAll("{BOXES}")]
+  .filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.textContent)"""
+
+
+@browser_needed
+def test_what_is_wider_than_its_column_says_so(some, opened):
+    opened.set_viewport_size({"width": 390, "height": 800})
+    opened.goto((some / "s3b_rise.html").as_uri())
+    assert opened.evaluate(CUT) == []
+    assert opened.evaluate(WIDER) != []  # this page has some
+    opened.add_style_tag(content="[data-more]::after { display: none !important }")
+    assert opened.evaluate(CUT) != []
+
+
+@browser_needed
+def test_an_arrow_points_to_what_is_not_seen(some, opened):
+    opened.set_viewport_size({"width": 390, "height": 800})
+    opened.goto((some / "s3b_rise.html").as_uri())
+    box = opened.locator("[data-more]").first
+    assert box.get_attribute("data-more") == "→"
+    for left, arrows in ((10, "← →"), (10_000, "←"), (0, "→")):
+        box.evaluate("(box, left) => { box.scrollLeft = left; }", left)
+        opened.wait_for_timeout(100)
+        assert box.get_attribute("data-more") == arrows
+    opened.set_viewport_size({"width": 1280, "height": 800})
+    opened.wait_for_timeout(100)
+    assert opened.locator("[data-more]").count() == 0
+
+
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
     """The site of all chapters."""
@@ -279,6 +325,21 @@ def test_no_page_is_wider_than_the_screen(whole, opened, width):
         opened.goto(path.as_uri())
         found[path.stem] = opened.evaluate(wide)
     assert {name: by for name, by in found.items() if by > 0} == {}
+
+
+@pytest.mark.slow
+@browser_needed
+def test_no_formula_is_cut(whole, opened):
+    """On a narrow screen it scrolls and says so; on a wide one nothing is wider than its column."""
+    for width in (390, 1280):
+        opened.set_viewport_size({"width": width, "height": 800})
+        found = {}
+        for path in sorted(whole.glob("*.html")):
+            opened.goto(path.as_uri())
+            found[path.stem] = opened.evaluate(CUT) + (
+                opened.evaluate(WIDER) if width == 1280 else []
+            )
+        assert {name: cut for name, cut in found.items() if cut} == {}
 
 
 @pytest.mark.slow
