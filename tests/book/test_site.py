@@ -143,6 +143,7 @@ def test_no_tex_is_left_in_the_words(some):
         ("a $b$ c", "a :math:`b` c"),
         ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
         ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
+        ("(b) and (c) differ", "\\(b) and (c) differ"),
     ],
 )
 def test_words(text, made):
@@ -232,6 +233,26 @@ def test_what_is_wider_than_its_column_says_so(some, opened):
     assert opened.evaluate(WIDER) != []  # this page has some
     opened.add_style_tag(content="[data-more]::after { display: none !important }")
     assert opened.evaluate(CUT) != []
+
+
+LONELY = """() => [...document.querySelectorAll("p math")].filter((one) => {
+  const text = one.nextSibling ?? one;
+  if (text.nodeType !== 3 || !/^\\s*[.,;:!?)]/.test(text.textContent)) return false;
+  const mark = document.createRange();
+  mark.setStart(text, text.textContent.search(/[.,;:!?)]/));
+  mark.setEnd(text, mark.startOffset + 1);
+  const [above, here] = [one.getBoundingClientRect(), mark.getBoundingClientRect()];
+  return here.width > 0 && here.left < above.left && here.top > above.top;
+}).map((one) => one.textContent.slice(0, 40))"""
+
+
+@browser_needed
+def test_no_full_stop_stands_alone_on_a_line(some, opened):
+    for width in (390, 520, 700):
+        opened.set_viewport_size({"width": width, "height": 800})
+        for name in SOME:
+            opened.goto((some / f"{name}.html").as_uri())
+            assert opened.evaluate(LONELY) == [], (name, width)
 
 
 @browser_needed

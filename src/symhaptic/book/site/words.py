@@ -126,8 +126,10 @@ def plain(text: str) -> str:
 def words(text: str) -> str:
     r"""Prose with formulas between dollar signs.
 
-    >>> words("the angle $\\theta$, twice")
-    'the angle :math:`\\theta`\\ , twice'
+    >>> words("the angle $\\theta$ twice")
+    'the angle :math:`\\theta` twice'
+    >>> words("(b) is no item of a list")
+    '\\(b) is no item of a list'
     """
     parts = re.split(r"\$([^$]*)\$", referred(text, lambda number: f"chapter {number}"))
     out = ""
@@ -137,7 +139,7 @@ def words(text: str) -> str:
             out += ("\\ " if follows else "") + plain(part)
         elif part.strip():
             out += ("\\ " if out[-1:].strip() else "") + math(part)
-    return out.strip()
+    return re.sub(r"^(?=\(?(\w|\d+|[ivx]+)[.)]\s)", r"\\", out.strip())
 
 
 def display(rows: Iterable[str]) -> list[str]:
