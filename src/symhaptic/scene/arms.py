@@ -131,7 +131,7 @@ class ArmRange:
         >>> ArmRange.around([Arm.of("Hogan"), Arm.of("Lee et al.")]).mass
         (0.15, 0.8)
         """
-        some = list(arms)
+        some = list(arms) if isinstance(arms, Iterable) else []
         if not some or not all(isinstance(arm, Arm) for arm in some):
             raise ValueError(f"arms: {shown(arms)} is not allowed; some Arm(...) are")
         if any(arm.with_device for arm in some):
