@@ -51,6 +51,10 @@ def misprint(b, k, m, T):
 def printed(gamma, delta):
     return late(delta, gamma, 1, 1, 1)
 
+def crossed(gamma, delta):
+    n1, n0, a, e = late(delta, gamma, 1, 1, 1)
+    return n0, n1 + n0, a, e
+
 def four(alpha, beta, gamma, delta, d):
     return alpha < 4
 
@@ -77,6 +81,13 @@ def mine(tmp_path):
 def checked(folder, formula, name, *options):
     way = "--points", 3000, "--formula", formula, "--python", f"mine:{name}"
     return symhaptic("check", *way, *options, cwd=folder)
+
+
+def test_nan_of_the_print_explains_no_other_numbers(mine):
+    """Undefined where (14) is, and something else where it is defined."""
+    assert "0/0" in checked(mine, "eq14", "crossed").stdout
+    assert "where it is a number it is wrong, too" in checked(mine, "eq14", "crossed").stdout
+    assert "wrong, too" not in checked(mine, "eq14", "printed").stdout
 
 
 @pytest.mark.parametrize(

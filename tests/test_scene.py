@@ -193,6 +193,75 @@ def test_the_limit_at_a_damping(periods, B):
     assert 0 < frequency <= 0.5 / T
 
 
+@pytest.mark.parametrize("B", [0.1, 5.0, 83.0, 150.0])
+def test_the_largest_stiffness_at_a_damping_has_the_name_that_is_looked_for(B):
+    """A free mass without delay, by the Jury conditions of z (z - 1)^2 and its wall by hand.
+
+    alpha < 2 beta (2 - beta)/(2 + beta) keeps the pair inside, alpha < 4 - 2 beta the root at -1.
+    """
+    m, T = 0.1, 1e-3
+    scene = Scene(mass=m, sampling_period=T)
+    found = scene.max_stable_stiffness(B=B)
+    beta = B * T / m
+    pair = 2 * beta * (2 - beta) / (2 + beta)
+    assert found == pytest.approx(min(pair, 4 - 2 * beta) * m / T**2, rel=1e-9, abs=1e-6)
+    assert (found.K, found.B, found.frequency_hz) == scene.limit_at(B)
+    assert isinstance(found, float)
+    assert scene.max_stable_stiffness() >= found
+
+
+def needed(alpha, beta, d):
+    """The printed (5) at many angles: what a wall needs, and the angle at which it needs most."""
+    theta = np.linspace(1e-6, np.pi, 400_001)[:, None]
+    need = alpha * np.sin((d + 0.5) * theta) / (2 * np.sin(theta / 2))
+    need = need - beta * np.cos((d + 1) * theta)
+    return need.max(axis=0), theta[need.argmax(axis=0), 0]
+
+
+@pytest.mark.parametrize("d", [0, 1, 2, 5])
+def test_the_largest_passive_stiffness_at_a_damping(d):
+    m, b, T = 0.1, 0.5, 1e-3
+    scene = Scene(mass=m, damping=b, sampling_period=T, delay_samples=d)
+    B = np.array([-0.45, -0.1, 0.0, 0.1, 0.3, 0.49])
+    found = scene.max_passive_stiffness(B)
+    assert found.B.tolist() == B.tolist()
+    alpha = found.K * T**2 / m
+    need, theta = needed(alpha, B * T / m, d)
+    np.testing.assert_allclose(need, b * T / m, rtol=1e-9)
+    more, _ = needed(1.001 * alpha, B * T / m, d)
+    assert np.all(more > b * T / m)
+    if d:
+        np.testing.assert_allclose(found.frequency_hz, theta / (2 * np.pi * T), atol=0.02)
+    else:  # Colgate and Schenkel: b > K T/2 + |B|
+        np.testing.assert_allclose(found.K, 2 * (b - abs(B)) / T, rtol=1e-12)
+    one = scene.max_passive_stiffness(B=0.1)
+    assert (one.K, one.B, one.frequency_hz) == tuple(x[3] for x in found)
+    best = scene.max_passive_stiffness()
+    assert scene.max_passive_stiffness(best.B) == pytest.approx(best, rel=1e-9)
+
+
+@pytest.mark.parametrize("samples", [0, 0.3, 1, 2.5])
+def test_no_wall_of_too_much_damping_is_passive(samples):
+    """At K = 0 a wall of damping B > b/(1 - d) and more needs more than there is."""
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay_samples=samples)
+    for B in (-0.6, 0.8, 1e6, -1e6):
+        found = scene.max_passive_stiffness(B)
+        assert np.isnan(found.K)
+        assert np.isnan(found.frequency_hz)
+        assert found.B == B
+    free = Scene(mass=0.1, sampling_period=1e-3, delay_samples=samples)
+    assert free.max_passive_stiffness(B=0.0) == 0
+    assert np.isnan(free.max_passive_stiffness(B=0.1))
+
+
+@pytest.mark.parametrize("name", ["max_stable_stiffness", "max_passive_stiffness"])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, "5", True, 1j, [1.0, np.inf], ["a"]])
+def test_a_damping_of_no_number_is_named(name, bad):
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1e-3)
+    with pytest.raises(ValueError, match=r"^B: .+ is not allowed; (finite|real) numbers are$"):
+        getattr(scene, name)(bad)
+
+
 def test_a_damping_that_no_stiffness_makes_stable():
     found = Scene(mass=0.1, sampling_period=1e-3).limit_at(B=1e6)
     assert np.isnan(found.K)

@@ -14,4 +14,5 @@ for delay in (1, 1.25, 1.5, 1.75, 2):
     region.plot(axes, color=plt.cm.viridis(0.9 * (delay - 1.0)), label=f"$t_d={delay:g}\\,T$")
 axes.set_xlabel(r"virtual stiffness $KT^2/m$")
 axes.set_ylabel(r"virtual damping $BT/m$")
+axes.set_xlim(right=0.21)
 axes.legend()

@@ -1,7 +1,7 @@
 """Passive walls over the delay.
 
 Fig. 4 of the paper in a few lines: the walls that give no energy away, in units of the damping of
-the device, for no delay and for one to four periods.
+the device, for one to four periods of delay.
 """
 
 import matplotlib.pyplot as plt

@@ -204,6 +204,57 @@ def test_what_is_drawn_is_stable_and_what_is_left_out_is_not(page):
     assert np.sum(told_passive != passive.astype(bool)) <= 3
 
 
+EVERYTHING = """states => states.map((state, i) => {
+  const n = explorer.numbers(state);
+  const view = (points) => explorer.view(n, points, ["stable", "passive", "wall"][i % 3],
+    explorer.limits(n, points));
+  const drawn = (points, exactly) => {
+    const frame = explorer.scale(view(points), [720, 430]);
+    return explorer.stablePath(n, points, view(points), frame, exactly)[0];
+  };
+  const points = explorer.curve(n);
+  const quick = drawn(points, false);
+  const other = points.map((point) => [...point]);
+  explorer.bordering(n, other, true);
+  return [quick, drawn(other, true)];
+})"""
+
+
+def test_what_is_drawn_in_a_hurry_is_what_is_drawn_when_everything_is_asked(page):
+    """Rows and pieces that are taken to be like their neighbours, beside counts for all of them."""
+    for quick, everything in page.evaluate(EVERYTHING, list(some_states(150))):
+        assert quick == everything
+
+
+def test_a_crossing_that_was_missed_is_asked_for(page):
+    """A picture whose rows contradict what is known of the pieces is drawn anew, exactly."""
+    asked = page.evaluate(
+        """() => {
+          const n = explorer.numbers(explorer.start());
+          const points = explorer.curve(n).map((point) => [...point]);
+          const known = explorer.bordering(n, points);
+          const right = [...known];
+          known.fill(false);
+          const view = explorer.view(n, points, "passive", explorer.limits(n, points));
+          explorer.stablePath(n, points, view, explorer.scale(view, [720, 430]));
+          const found = explorer.bordering(n, points);
+          return [found.exact, found.every((kind, i) => kind === right[i]), right.some(Boolean)];
+        }"""
+    )
+    assert asked == [True, True, True]
+
+
+def test_the_usual_rule_is_shown_as_mathematics(page):
+    assert page.locator("#told-short math").count() == 1
+    assert "_" not in page.inner_text("#told-short")
+    assert page.locator("#told-short msub").count() == 1  # t with d at its foot
+    page.fill("#field-B", "0")
+    page.fill("#field-t_d", "0")
+    rest(page)
+    assert page.locator("#told-short msub").count() == 0  # 2 b/T knows no delay
+    assert "allows 1000 N/m" in page.inner_text("#told-short")
+
+
 def test_the_rules_are_those_in_print(page):
     page.evaluate("location.hash = '#m=0.1&b=0.5&k=0&T=0.001&t_d=0.0015&K=1000&B=5'")
     rest(page)

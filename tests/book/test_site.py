@@ -143,6 +143,7 @@ def test_no_tex_is_left_in_the_words(some):
         ("a $b$ c", "a :math:`b` c"),
         ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
         ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
+        ("(b) and (c) differ", "\\(b) and (c) differ"),
     ],
 )
 def test_words(text, made):
@@ -201,6 +202,72 @@ def test_a_narrow_screen_scrolls_formulas_and_not_the_page(some, opened):
         opened.goto((some / f"{name}.html").as_uri())
         wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
         assert opened.evaluate(wide) <= 0, name
+
+
+CUT = """() => [...document.querySelectorAll("math, pre, table")].filter((one) => {
+  if (!one.getClientRects().length) return false;
+  let box = one.parentElement;
+  while (box && getComputedStyle(box).overflowX === "visible") box = box.parentElement;
+  const column = box ?? one.closest("article");
+  if (!column || column.matches("body, html, .content, .sidebar-scroll")) {
+    const article = one.closest("article");
+    return article && one.getBoundingClientRect().right > article.getBoundingClientRect().right + 1;
+  }
+  if (column.scrollWidth <= column.clientWidth + 1) return false;
+  const arrow = getComputedStyle(column, "::after");
+  const told = column.tabIndex === 0 && column.dataset.more && arrow.display === "block";
+  return getComputedStyle(column).overflowX !== "auto" || !told;
+}).map((one) => one.textContent.slice(0, 60))"""
+"""What is wider than its column without a scroll bar, a place for the keyboard, and an arrow."""
+
+BOXES = "div.math, .claim p, .answer p, .statement p, .verdict p"
+WIDER = f"""() => [...document.querySelectorAll("{BOXES}")]
+  .filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.textContent)"""
+
+
+@browser_needed
+def test_what_is_wider_than_its_column_says_so(some, opened):
+    opened.set_viewport_size({"width": 390, "height": 800})
+    opened.goto((some / "s3b_rise.html").as_uri())
+    assert opened.evaluate(CUT) == []
+    assert opened.evaluate(WIDER) != []  # this page has some
+    opened.add_style_tag(content="[data-more]::after { display: none !important }")
+    assert opened.evaluate(CUT) != []
+
+
+LONELY = """() => [...document.querySelectorAll("p math")].filter((one) => {
+  const text = one.nextSibling ?? one;
+  if (text.nodeType !== 3 || !/^\\s*[.,;:!?)]/.test(text.textContent)) return false;
+  const mark = document.createRange();
+  mark.setStart(text, text.textContent.search(/[.,;:!?)]/));
+  mark.setEnd(text, mark.startOffset + 1);
+  const [above, here] = [one.getBoundingClientRect(), mark.getBoundingClientRect()];
+  return here.width > 0 && here.left < above.left && here.top > above.top;
+}).map((one) => one.textContent.slice(0, 40))"""
+
+
+@browser_needed
+def test_no_full_stop_stands_alone_on_a_line(some, opened):
+    for width in (390, 520, 700):
+        opened.set_viewport_size({"width": width, "height": 800})
+        for name in SOME:
+            opened.goto((some / f"{name}.html").as_uri())
+            assert opened.evaluate(LONELY) == [], (name, width)
+
+
+@browser_needed
+def test_an_arrow_points_to_what_is_not_seen(some, opened):
+    opened.set_viewport_size({"width": 390, "height": 800})
+    opened.goto((some / "s3b_rise.html").as_uri())
+    box = opened.locator("[data-more]").first
+    assert box.get_attribute("data-more") == "→"
+    for left, arrows in ((10, "← →"), (10_000, "←"), (0, "→")):
+        box.evaluate("(box, left) => { box.scrollLeft = left; }", left)
+        opened.wait_for_timeout(100)
+        assert box.get_attribute("data-more") == arrows
+    opened.set_viewport_size({"width": 1280, "height": 800})
+    opened.wait_for_timeout(100)
+    assert opened.locator("[data-more]").count() == 0
 
 
 @pytest.fixture(scope="module")
@@ -279,6 +346,21 @@ def test_no_page_is_wider_than_the_screen(whole, opened, width):
         opened.goto(path.as_uri())
         found[path.stem] = opened.evaluate(wide)
     assert {name: by for name, by in found.items() if by > 0} == {}
+
+
+@pytest.mark.slow
+@browser_needed
+def test_no_formula_is_cut(whole, opened):
+    """On a narrow screen it scrolls and says so; on a wide one nothing is wider than its column."""
+    for width in (390, 1280):
+        opened.set_viewport_size({"width": width, "height": 800})
+        found = {}
+        for path in sorted(whole.glob("*.html")):
+            opened.goto(path.as_uri())
+            found[path.stem] = opened.evaluate(CUT) + (
+                opened.evaluate(WIDER) if width == 1280 else []
+            )
+        assert {name: cut for name, cut in found.items() if cut} == {}
 
 
 @pytest.mark.slow

@@ -50,9 +50,18 @@ def test_the_example_of_the_guide(device):
         assert (growth(share * here["K"], 5.0, **loop) < 1) == stable
     assert found["wall"]["stable"] is True
     assert found["wall"]["passive"] is False
+    assert found["wall"]["passive_up_to"]["K"] is None  # 5 Ns/m are more than the device damps
     assert found["wall"]["passivity_margin"] < 0
     # the device alone: less than what its damper bears without delay, 2 b/T (Colgate, Schenkel)
     assert 0 < found["stiffest_passive"]["K"] < 2 * 0.005 / 1e-3
+
+
+def test_a_wall_of_little_damping_has_a_passive_limit(device):
+    """Without delay b > K T/2 + |B| (Colgate, Schenkel), b that of the device."""
+    text = device.read_text().replace('delay = "1.5 ms"\n', "").replace('"5 Ns/m"', '"0.002 Ns/m"')
+    device.write_text(text)
+    found = json.loads(symhaptic("limits", device, "--format", "json").stdout)
+    assert found["wall"]["passive_up_to"]["K"] == pytest.approx(2 * 0.003 / 1e-3)
 
 
 def test_words_and_a_picture(device, tmp_path):
@@ -60,6 +69,7 @@ def test_words_and_a_picture(device, tmp_path):
         run = symhaptic("limits", device, "-o", tmp_path / name)
         assert run.returncode == 0, run.stderr
         assert "is stable and not passive" in run.stdout
+        assert "passive up to no stiffness" in run.stdout
         assert (tmp_path / name).stat().st_size > 10_000
 
 

@@ -102,6 +102,24 @@ def test_limits_at_many_dampings_keep_labels_units_and_laziness():
         assert one.to(name).magnitude == pytest.approx(expected)
 
 
+@pytest.mark.parametrize("name", ["max_stable_stiffness", "max_passive_stiffness"])
+def test_the_stiffest_walls_of_many_dampings_keep_labels_units_and_laziness(name):
+    pandas, xarray, dask = library("pandas"), library("xarray"), library("dask.array")
+    unit = library("pint").UnitRegistry()
+    asked, B = getattr(SCENE, name), np.array([0.0, 0.2])
+    wanted = [[asked(b).K for b in B], B.tolist(), [asked(b).frequency_hz for b in B]]
+    rows = asked(pandas.Series(B, index=["a", "b"]))
+    named = asked(xarray.DataArray(B, dims="wall"))
+    assert list(rows.K.index) == ["a", "b"]
+    assert named.frequency_hz.dims == ("wall",)
+    for found in (rows, named, [one.compute() for one in asked(dask.from_array(B))]):
+        assert [list(one) for one in found] == wanted
+    measured = asked(B / 1000 * unit("N*s/mm"))
+    for one, expected, name in zip(measured, wanted, ("N/m", "N*s/m", "Hz"), strict=True):
+        assert one.to(name).magnitude == pytest.approx(expected)
+    assert asked(0.2 * unit("N*s/m")) == asked(0.2)
+
+
 def test_a_bound_takes_units():
     unit = library("pint").UnitRegistry()
     arm = Scene(mass=1.0, damping=2.0, stiffness=50.0, sampling_period=1e-3, delay=1e-3)

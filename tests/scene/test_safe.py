@@ -105,6 +105,14 @@ def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
+        (
+            lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls(3),
+            "arms: 3 is not allowed; some Arm",
+        ),
+        (
+            lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls("all"),
+            "arms: 'all' is not allowed; some Arm",
+        ),
         (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
         (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),
         (lambda: phantom().delay_margin(1e5, 3.0), "K: 100000.0 with B=3.0 is not proved safe"),

@@ -63,7 +63,8 @@ def named(checked: Checked, some: Sequence[Point], got: Sequence[Point]) -> tupl
     if not names:
         names += _factors(checked, columns, exact, mine)
     if not names:
-        names += islice(_undefined(checked, some, got), 1)
+        too = "; where it is a number it is wrong, too" if _wrong(exact, mine) else ""
+        names += [f"{name}{too}" for name in islice(_undefined(checked, some, got), 1)]
     return tuple(names)
 
 
@@ -224,6 +225,15 @@ def _single(mine: Any) -> bool:
     """Whether all numbers are floats of single precision."""
     values = mine[np.isfinite(mine) & (np.abs(mine) < 1e38)]
     return bool(values.size and (values.astype(np.float32) == values).all())
+
+
+def _wrong(exact: Columns, mine: Any) -> bool:
+    """Whether more than cancellation parts the numbers that are there from what is right."""
+    right = np.array(exact).T[:, : mine.shape[1]]
+    both = np.isfinite(right) & np.isfinite(mine[:, : right.shape[1]])
+    away = np.abs(mine[:, : right.shape[1]] - right)[both]
+    far = away > 1e-2 * np.maximum(np.abs(right[both]), 1e-12)
+    return bool(far.size and far.mean() > 1 - _MOST)
 
 
 def _undefined(checked: Checked, some: Sequence[Point], got: Sequence[Point]) -> Iterator[str]:

@@ -101,7 +101,8 @@ def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str
             "K": K,
             "B": B,
             "stable": bool(held.is_stable(K=K, B=B)),
-            "stable_up_to": limit(held.limit_at(B=B)),
+            "stable_up_to": limit(held.max_stable_stiffness(B)),
+            "passive_up_to": limit(alone.max_passive_stiffness(B)) if alone.damping else None,
             "passive": bool(alone.is_passive(K=K, B=B)),
             "passivity_margin": alone.passivity_margin(K=K, B=B),
             "largest_delay_s": largest if math.isfinite(largest) else None,
@@ -150,6 +151,7 @@ def text(data: dict[str, Any]) -> str:
             f"{'stable' if wall['stable'] else 'NOT STABLE'} and "
             f"{'passive' if wall['passive'] else 'not passive'}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
+            f"                 passive up to {said(wall['passive_up_to'])}",
             f"  its margin     {wall['passivity_margin']:.4g} Ns/m to being passive"
             + (f"; it bears {more}" if wall["stable"] else ""),
         ]

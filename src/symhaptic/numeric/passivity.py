@@ -8,6 +8,7 @@ paper asks for, its principal sheet.  Walls that are just passive are as large a
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -212,3 +213,41 @@ def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exac
 
     given = Given(delta=delta, delay=delay)
     return Extremum(*given(partial(stiffest, given.xp)))
+
+
+_SHARE = (math.sqrt(5) - 1) / 2
+"""Of an interval, what the golden section keeps."""
+
+
+def stiffest_passive_at(beta: Array, delta: float, delay: float) -> Extremum:
+    """The largest stiffness of a passive wall with a given damping, and its worst angle.
+
+    What a wall needs is a largest value of what motions need, each of which is linear in the wall:
+    so the passive walls are convex, and those of one damping an interval.  NaN where none is.
+    """
+    shape, beta = np.shape(beta), np.ravel(beta)
+    most = float(max_passive_stiffness(delta, delay).alpha)
+
+    def margin(alpha: Array) -> Array:
+        return passivity_margin(alpha, beta, delta, delay)
+
+    low = np.where(margin(np.zeros_like(beta)) >= 0, 0.0, _most_passive(margin, beta, most))
+    high, known = np.full_like(low, 2 * most), margin(low) >= 0
+    for _ in range(64):
+        middle = (low + high) / 2
+        inside = margin(middle) >= 0
+        low, high = np.where(inside, middle, low), np.where(inside, high, middle)
+    alpha, steps = np.where(known, low, np.nan), np.floor(np.full_like(beta, delay))
+    psi = haptic.worst_angle(np, alpha, beta, steps, delay - steps)
+    found = alpha, beta, np.where(known, 2 * psi, np.nan)
+    return Extremum(*(one.reshape(shape) for one in found))
+
+
+def _most_passive(margin: Callable[[Array], Array], beta: Array, most: float) -> Array:
+    """The stiffness of largest margin at each damping, by the golden section."""
+    low, high = np.zeros_like(beta), np.full_like(beta, most)
+    for _ in range(80):
+        one, two = high - _SHARE * (high - low), low + _SHARE * (high - low)
+        falls = margin(one) > margin(two)
+        low, high = np.where(falls, low, one), np.where(falls, two, high)
+    return (low + high) / 2

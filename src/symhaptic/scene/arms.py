@@ -19,11 +19,11 @@ UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
 class Arm:
     """An arm as mass, damper and spring, (2): it adds to a device what it is.
 
-    =============  ====  =====  ====
-    ``mass``       m_H   kg     >= 0
-    ``damping``    b_H   Ns/m   >= 0
-    ``stiffness``  k_H   N/m    >= 0
-    =============  ====  =====  ====
+    =============  ============  =====  ====
+    ``mass``       m_H           kg     >= 0
+    ``damping``    b_H           Ns/m   >= 0
+    ``stiffness``  k_H           N/m    >= 0
+    =============  ============  =====  ====
 
     Numbers become float64; quantities of Pint's are converted.  :meth:`of` has the rows of Table
     II.  Raises :class:`ValueError` for what is negative, infinite, NaN or of another dimension.
@@ -87,13 +87,13 @@ _HEAVIEST = 23.0
 class ArmRange:
     """All arms between two: a number, or (lowest, highest), for each of their parts.
 
-    =========================  ===========  =======  =====================================
-    ``mass``                   m_H          kg       0 to 23, the heaviest of Table II + 30 %
-    ``damping``                b_H          Ns/m     whatever the mass
-    ``stiffness``              k_H          N/m      whatever the mass
-    ``damping_per_mass``       b_H/m_H      1/s      0 to 20, by (23) of the paper
-    ``stiffness_per_mass``     k_H/m_H      1/s^2    0 to 1000, by (23) of the paper
-    =========================  ===========  =======  =====================================
+    ======================  ================  =======  =====================================
+    ``mass``                m_H               kg       0 to 23, the heaviest of Table II + 30 %
+    ``damping``             b_H               Ns/m     whatever the mass
+    ``stiffness``           k_H               N/m      whatever the mass
+    ``damping_per_mass``    b_H/m_H           1/s      0 to 20, by (23) of the paper
+    ``stiffness_per_mass``  k_H/m_H           1/s^2    0 to 1000, by (23) of the paper
+    ======================  ================  =======  =====================================
 
     The range of (23), delta <= 0.02 and gamma <= 0.001 at 1 kHz, is k_H <= 1000/s^2 m_H and
     b_H <= 20/s m_H at any rate, and so the default; where ``damping`` or ``stiffness`` is given,
@@ -131,7 +131,7 @@ class ArmRange:
         >>> ArmRange.around([Arm.of("Hogan"), Arm.of("Lee et al.")]).mass
         (0.15, 0.8)
         """
-        some = list(arms)
+        some = list(arms) if isinstance(arms, Iterable) else []
         if not some or not all(isinstance(arm, Arm) for arm in some):
             raise ValueError(f"arms: {shown(arms)} is not allowed; some Arm(...) are")
         if any(arm.with_device for arm in some):

@@ -10,7 +10,7 @@ import warnings
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from numbers import Real
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
@@ -60,6 +60,11 @@ class Stiffness(float):
         return float(self)
 
 
+def _stiffness(limit: Limit) -> Stiffness | Limit:
+    """One limit as a number; many as they are."""
+    return Stiffness(*limit) if isinstance(limit.K, float) else limit
+
+
 UNITS = {
     "mass": "kg",
     "sampling_period": "s",
@@ -77,14 +82,14 @@ _LONG = 100
 class Scene:
     """gamma = k T^2/m, delta = b T/m, d = t_d/T: a device in SI units, behind a delay.
 
-    ========================  ======  =====  ======================================
-    ``mass``                  m       kg     > 0, device and arm together
-    ``sampling_period``       T       s      > 0
-    ``damping``               b       Ns/m   >= 0, physical
-    ``stiffness``             k       N/m    >= 0, physical
-    ``delay``                 t_d     s      >= 0, computation and transport
-    ``delay_samples``         d              >= 0, the delay in sampling periods instead
-    ========================  ======  =====  ======================================
+    ===================  ============  =====  =======================================
+    ``mass``             m             kg     > 0, device and arm together
+    ``sampling_period``  T             s      > 0
+    ``damping``          b             Ns/m   >= 0, physical
+    ``stiffness``        k             N/m    >= 0, physical
+    ``delay``            t_d           s      >= 0, computation and transport
+    ``delay_samples``    d                    >= 0, the delay in sampling periods instead
+    ===================  ============  =====  =======================================
 
     Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
     (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print
@@ -337,31 +342,54 @@ class Scene:
 
         return passive_region(self)
 
-    def max_stable_stiffness(self) -> Stiffness:
-        """Largest stiffness in N/m of a stable wall, with the damping ``.B`` that it needs.
+    @overload
+    def max_stable_stiffness(self, B: float | None = None) -> Stiffness: ...
+    @overload
+    def max_stable_stiffness(self, B: ArrayLike) -> Limit: ...
+    def max_stable_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
+        """Largest stiffness in N/m of a stable wall, of any damping or of the damping ``B``.
 
-        A number, which also knows the virtual damping ``.B`` in Ns/m and the frequency
-        ``.frequency_hz`` at which the loop begins to swing.  With another damping the limit is
-        lower: :meth:`limit_at`.
+        A number, which also knows the virtual damping ``.B`` in Ns/m that it needs and the
+        frequency ``.frequency_hz`` at which the loop begins to swing.  With another damping the
+        limit is lower: with ``B`` in Ns/m it is that of :meth:`limit_at`, a :class:`Limit` of
+        arrays where ``B`` is one.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
         >>> stiffest = scene.max_stable_stiffness()
         >>> round(stiffest, 3), round(stiffest.B, 3)
         (68629.15, 82.843)
+        >>> round(scene.max_stable_stiffness(B=5.0), 3)  # 2 B (2 m - B T)/(T (2 m + B T))
+        9512.195
         """
+        if B is not None:
+            return _stiffness(self.limit_at(B))
         from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
         return Stiffness(*self._wall(*max_stable_stiffness(*self.dimensionless)))
 
-    def max_passive_stiffness(self) -> Stiffness:
-        """Largest stiffness in N/m of a passive wall, with the damping ``.B`` that it needs.
+    @overload
+    def max_passive_stiffness(self, B: float | None = None) -> Stiffness: ...
+    @overload
+    def max_passive_stiffness(self, B: ArrayLike) -> Limit: ...
+    def max_passive_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
+        """Largest stiffness in N/m of a passive wall, of any damping or of the damping ``B``.
 
-        A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``.
+        A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``; with
+        a ``B`` that is an array a :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.
+        NaN where no wall of this damping is passive.
+
+        Raises :class:`ValueError` for a ``B`` that is no finite number.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
         1000.0
+        >>> round(scene.max_passive_stiffness(B=0.2), 6)  # 2 (b - B)/T
+        600.0
         """
+        if B is not None:
+            from symhaptic.scene.walls import passive_limit_at
+
+            return _stiffness(passive_limit_at(self, B))
         from symhaptic.numeric.passivity import max_passive_stiffness
 
         _, delta, delay = self.dimensionless

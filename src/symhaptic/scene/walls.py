@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symhaptic.notation.quantities import in_unit, with_unit
+from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
@@ -189,17 +189,43 @@ def limit_at(scene: Scene, B: Any) -> Limit:
     scale = scene.sampling_period / scene.mass
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
-        arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
         found = [
             scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in (damping * scale).flat
         ]
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
 
+    return _limits(rows, B)
+
+
+def passive_limit_at(scene: Scene, B: Any) -> Limit:
+    """The largest passive stiffness at a damping, or at each of many."""
+    _, delta, delay = scene.dimensionless
+
+    def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
+        beta = damping * (scene.sampling_period / scene.mass)
+        alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
+        period = scene.sampling_period
+        return np.stack([alpha * (scene.mass / period**2), theta / (2 * math.pi * period)])
+
+    if isinstance(B, list | tuple) or getattr(B, "ndim", None):
+        return _limits(rows, B)
+    damping = number("B", B, "N*s/m")
+    K, hz = rows(np.asarray(damping))
+    return Limit(float(K), damping, float(hz))
+
+
+def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) -> Limit:
+    """K and the frequency at each of many dampings, labelled as these are."""
+
+    def finite(damping: NDArray[np.float64]) -> NDArray[np.float64]:
+        arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
+        return rows(damping)
+
     @kept(K=float, B=float, frequency_hz=float)
     def answer(B: Any) -> Any:
         given = Given(B=B)
-        K, hz = given.by_numpy(rows, 2)
+        K, hz = given.by_numpy(finite, 2)
         return K, given.values[0], hz
 
     K, damping, hz = answer(in_unit("B", B, "N*s/m"))
@@ -215,8 +241,7 @@ def sensitivity(scene: Scene, B: float | None = None) -> dict[str, float]:
     """By how many per cent the stiffness limit grows where a parameter grows by one."""
 
     def limit(**changed: float) -> float:
-        one = replace(scene, **changed)
-        return one.max_stable_stiffness().K if B is None else one.limit_at(B=B).K
+        return replace(scene, **changed).max_stable_stiffness(B).K
 
     here, found = limit(), {}
     for name in ("mass", "damping", "stiffness", "sampling_period", "delay", "delay_samples"):

@@ -32,6 +32,9 @@ from symhaptic.proof.verdict import Kind
 
 STATIC = Path(__file__).parent / "static"
 TITLE = "Haptic walls, verified"
+EXTENSIONS = ("mathml", "mentions", "navigation", "reference")
+"""Modules beside this one that Sphinx loads."""
+
 EXTRA = "extra"
 """Where the sources have what Sphinx takes over as it is."""
 
@@ -233,7 +236,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_sphinx": False,
         "html_show_copyright": False,
         "extensions": [
-            *(f"symhaptic.book.site.{name}" for name in ("mathml", "mentions", "navigation")),
+            *(f"symhaptic.book.site.{name}" for name in EXTENSIONS),
             "sphinx.ext.autodoc",
         ],
         **reference.SETTINGS,
@@ -254,4 +257,18 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
     for page in made.glob("*.html"):  # a heading without a level is none to a screen reader
         text = page.read_text(encoding="utf-8")
         text = text.replace('role="heading"', 'role="heading" aria-level="2"')
-        page.write_text(text, encoding="utf-8")
+        page.write_text(kept(text), encoding="utf-8")
+
+
+def kept(html: str) -> str:
+    """Formulas with the mark behind them: a browser may end a line between both.
+
+    >>> kept("<math>x</math>, <math>y</math>")
+    '<span class="kept"><math>x</math>,</span> <math>y</math>'
+    """
+    return re.sub(
+        r"<math.*?</math>([.,;:!?)]*)",
+        lambda found: f'<span class="kept">{found[0]}</span>' if found[1] else found[0],
+        html,
+        flags=re.DOTALL,
+    )

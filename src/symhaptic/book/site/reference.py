@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Iterator
 from typing import Any
 
+from sphinx.application import Sphinx
+
 import symhaptic
 from symhaptic.book.site import gallery
-from symhaptic.book.site.words import display, heading, math, plain, table
+from symhaptic.book.site.words import display, heading, math, table
 from symhaptic.book.tex.words import anchor
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation import SYMBOLS
@@ -98,7 +101,10 @@ def _arguments(function: Any) -> list[str]:
         known = SYMBOLS.get(_SPELT.get(name, name))
         if known is not None and function.__module__.startswith("symhaptic.numeric"):
             rows.append(
-                [f"``{name}``", math(known.latex), known.unit, known.domain, plain(known.meaning)]
+                [
+                    *(f"``{name}``", math(known.latex), known.unit, known.domain),
+                    mathematics(known.meaning),
+                ]
             )
     head = ["argument", "symbol", "unit", "domain", "meaning"]
     return table("arguments", [head, *rows]) if rows else []
@@ -115,10 +121,55 @@ def _formula(name: str) -> list[str]:
 
 
 def docstrings() -> Iterator[str]:
-    """Whatever autodoc takes over, for its formulas."""
+    """Whatever autodoc takes over, for its formulas; of attributes what their source says."""
     for name in PUBLIC:
         thing = getattr(symhaptic, name)
-        yield inspect.getdoc(thing) or ""
+        yield mathematics(inspect.getdoc(thing) or "")
+        if inspect.isclass(thing):
+            yield " ".join(re.findall(r":math:`[^`]*`", mathematics(inspect.getsource(thing))))
         for member, of in vars(thing).items() if inspect.isclass(thing) else ():
             if not member.startswith("_"):
-                yield inspect.getdoc(of) or ""
+                yield mathematics(inspect.getdoc(of) or "")
+
+
+_LETTER = r"(?:alpha|beta|gamma|delta|[A-Za-z])(?:_[A-Za-z])?"
+_TERM = rf"{_LETTER}(?: [A-Za-z](?:\^2)?)?/[A-Za-z](?:_[A-Za-z]|\^2)?"
+_SYMBOL = re.compile(
+    rf"(?<![\w.])(?:{_LETTER} = {_TERM}|[A-Za-z]_[A-Za-z](?:/[A-Za-z](?:_[A-Za-z])?)?)(?![\w/^(*])"
+    r"(?P<room>  +)?"
+)
+"""A letter with another at its foot, and what is equal to a quotient of letters."""
+
+
+def mathematics(text: str) -> str:
+    r"""Symbols that a docstring has as plain text, as formulas; literals and examples stay.
+
+    Columns of a table stay below each other.
+
+    >>> mathematics("d = t_d/T, ``t_d`` of t_d in s")
+    ':math:`d = t_d/T`, ``t_d`` of :math:`t_d` in s'
+    >>> mathematics("t_d            s")
+    ':math:`t_d`    s'
+    """
+    parts = re.split(
+        r"(:\w+:`[^`]*`|``[^`]*``|`[^`]*`|>>> .*?(?:\n\s*\n|$))", text, flags=re.DOTALL
+    )
+    return "".join(p if at % 2 else _SYMBOL.sub(_as_formula, p) for at, p in enumerate(parts))
+
+
+def _as_formula(found: re.Match[str]) -> str:
+    plain = found[0].rstrip()
+    tex = re.sub(r"alpha|beta|gamma|delta", lambda name: rf"\{name[0]}", plain)
+    role = f":math:`{tex}`"
+    return role.ljust(len(found[0])) if found["room"] else role
+
+
+def _processed(app: Sphinx, what: str, name: str, of: Any, options: Any, lines: list[str]) -> None:
+    lines[:] = mathematics("\n".join(lines)).split("\n")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Sphinx's entry."""
+    app.setup_extension("sphinx.ext.autodoc")
+    app.connect("autodoc-process-docstring", _processed)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

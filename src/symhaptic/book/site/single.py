@@ -26,7 +26,9 @@ _PAGE = Template("""\
 $style
 :root { color-scheme: light dark;
   --color-background-border: #8884; --color-foreground-muted: #767676;
-  --color-background-secondary: Canvas; --color-brand-primary: LinkText; }
+  --color-background-primary: Canvas; --color-background-secondary: Canvas;
+  --color-code-background: Canvas; --color-foreground-primary: CanvasText;
+  --color-brand-primary: LinkText; }
 body { font-family: var(--font-stack); line-height: 1.5;
   max-width: 56em; margin: 2em auto; padding: 0 1em; }
 img { max-width: 100%; height: auto; }

@@ -34,8 +34,8 @@ def formula(tex: str) -> str:
 
 
 def math(tex: str) -> str:
-    """A formula in a line of text."""
-    return f":math:`{formula(tex)}`"
+    """A formula in a line of text; one that is long may be broken."""
+    return _BREAK.join(f":math:`{part}`" for part in _narrow(formula(tex)))
 
 
 def breakable(tex: str) -> str:
@@ -54,23 +54,82 @@ def breakable(tex: str) -> str:
     return " ".join(math(part) for part in parts if part.strip())
 
 
+_NARROW = 16.0
+"""Em, which a line of a narrow screen has."""
+
+_BREAK = "\\ \u200b\\ "
+"""Nothing, behind which a line may end."""
+
+_OPEN = {"(", "=", "<", ">", "+", "-", "/", ",", r"\le", r"\ge", r"\ne", r"\cdot", r"\in", r"\,"}
+"""Behind these a sign belongs to what follows."""
+
+
+def _narrow(tex: str) -> list[str]:
+    r"""A formula in pieces that fit, parted before a sign or a relation and behind a comma.
+
+    What stands between braces, or at the foot or the head of something, is not parted.
+
+    >>> _narrow("a+b")
+    ['a+b']
+    >>> _narrow("=".join("abc"[i] * 20 for i in range(3)))
+    ['aaaaaaaaaaaaaaaaaaaa', '{}=bbbbbbbbbbbbbbbbbbbb', '{}=cccccccccccccccccccc']
+    """
+    if width(tex) <= _NARROW:
+        return [tex]
+    atoms, depth, before = [""], 0, "("
+    for token in re.findall(r"\\[A-Za-z]+|\\.|\s+|[^\\]", tex, re.DOTALL):
+        sign = token in ("+", "-") and before not in _OPEN
+        if depth == 0 and (sign or (token in _RELATIONS and before not in ("^", "_"))):
+            atoms.append("{}" if atoms[-1] else "")
+        atoms[-1] += token
+        depth += (token in _BEGIN) - (token in _END)
+        if depth == 0 and token == ",":
+            atoms.append("")
+        before = token if token.strip() else before
+    return _packed(atoms)
+
+
+_RELATIONS = {"=", "<", ">", r"\le", r"\ge", r"\ne"}
+_BEGIN, _END = {"{", r"\left"}, {"}", r"\right"}
+
+
+def _packed(atoms: Iterable[str]) -> list[str]:
+    """As many atoms to a piece as there is room for."""
+    pieces: list[str] = []
+    for atom in filter(None, atoms):
+        joined = pieces[-1] + atom.removeprefix("{}") if pieces else ""
+        if pieces and width(joined) <= _NARROW:
+            pieces[-1] = joined
+        else:
+            pieces.append(atom)
+    return pieces
+
+
 def plain(text: str) -> str:
     r"""Words without formulas: what reStructuredText takes for itself is written out.
 
     >>> plain(r"a 5\,\% |loss| of `x`_")
     'a 5\u202f% \\|loss\\| of \\`x\\`\\_'
+    >>> plain(r"by \texttt{is\_stable}")
+    'by ``is_stable``'
     """
     for tex, meant in _PLAIN.items():
         text = text.replace(tex, meant)
-    text = re.sub(r"\\(?:emph|texttt|textbf)\{([^{}]*)\}", r"\1", text)
-    return re.sub(r"([\\*`|_])", r"\\\1", text)
+    text = re.sub(r"\\(?:emph|textbf)\{([^{}]*)\}", r"\1", text)
+    parts = re.split(r"\\texttt\{([^{}]*)\}", text)
+    return "".join(
+        f"``{part}``" if at % 2 else re.sub(r"([\\*`|_])", r"\\\1", part)
+        for at, part in enumerate(parts)
+    )
 
 
 def words(text: str) -> str:
     r"""Prose with formulas between dollar signs.
 
-    >>> words("the angle $\\theta$, twice")
-    'the angle :math:`\\theta`\\ , twice'
+    >>> words("the angle $\\theta$ twice")
+    'the angle :math:`\\theta` twice'
+    >>> words("(b) is no item of a list")
+    '\\(b) is no item of a list'
     """
     parts = re.split(r"\$([^$]*)\$", referred(text, lambda number: f"chapter {number}"))
     out = ""
@@ -80,7 +139,7 @@ def words(text: str) -> str:
             out += ("\\ " if follows else "") + plain(part)
         elif part.strip():
             out += ("\\ " if out[-1:].strip() else "") + math(part)
-    return out.strip()
+    return re.sub(r"^(?=\(?(\w|\d+|[ivx]+)[.)]\s)", r"\\", out.strip())
 
 
 def display(rows: Iterable[str]) -> list[str]:

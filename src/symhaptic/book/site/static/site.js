@@ -16,17 +16,26 @@ document.addEventListener("DOMContentLoaded", () => {
     });
     box.append(button);
   }
-  focusable();
-  addEventListener("resize", focusable);
+  wide();
+  addEventListener("resize", wide);
+  addEventListener("scroll", ({ target }) => { if (target.dataset?.more) target.dataset.more = arrow(target); }, { capture: true, passive: true });
   for (const table of document.querySelectorAll("table.ledger")) ledger(table);
 });
 
-// what scrolls can be reached by keyboard
-function focusable() {
-  for (const box of document.querySelectorAll("div.math, .claim p, .answer p, .statement p, .verdict p, pre")) {
-    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
-    else box.removeAttribute("tabindex");
-  }
+// what is wider than its column is reached by keyboard, and an arrow says where it goes on
+function wide() {
+  const boxes = [...document.querySelectorAll("div.math, .claim p, .answer p, .statement p, .verdict p, pre, .table-wrapper")];
+  const arrows = boxes.map(arrow); // all are read before any is written
+  boxes.forEach((box, i) => {
+    if (arrows[i]) Object.assign(box, { tabIndex: 0 }).dataset.more = arrows[i];
+    else for (const name of ["tabindex", "data-more"]) box.removeAttribute(name);
+  });
+}
+
+function arrow(box) {
+  if (box.scrollWidth <= box.clientWidth + 1) return "";
+  const [before, behind] = [box.scrollLeft > 1, box.scrollLeft + box.clientWidth < box.scrollWidth - 1];
+  return [before ? "←" : "", behind ? "→" : ""].join(" ").trim();
 }
 
 function ledger(table) {

@@ -2,16 +2,21 @@
 "use strict";
 (() => {
   const SAMPLES = 800;
+  const EACH = 8; // pieces
   const stable = (n, alpha, beta) => haptic.is_stable(alpha, beta, n.gamma, n.delta, n.d);
 
-  // walls [alpha, beta, theta] with a root at exp(j theta), denser at small angles
-  explorer.curve = (n) => {
+  // walls [alpha, beta, theta] with a root at exp(j theta), denser at small angles; while a wall is
+  // dragged the loop stays the same, and so does its curve
+  let last = { points: [] };
+  explorer.curve = ({ gamma, delta, d }) => {
+    if (last.gamma === gamma && last.delta === delta && last.d === d) return last.points;
     const points = [];
     for (let i = 1; i <= SAMPLES; ++i) {
       const theta = Math.PI * (i / SAMPLES) ** 3;
-      const [alpha, beta] = haptic.stability_boundary(theta, n.gamma, n.delta, n.d);
+      const [alpha, beta] = haptic.stability_boundary(theta, gamma, delta, d);
       if (Number.isFinite(alpha) && Number.isFinite(beta)) points.push([alpha, beta, theta]);
     }
+    last = { gamma, delta, d, points };
     return points;
   };
 
@@ -22,11 +27,23 @@
     return stable(n, x + u, y + v) !== stable(n, x - u, y - v);
   };
 
-  // the same of every piece of a curve, told once; the piece i ends at point i
+  // the same of every piece of a curve, told once; the piece i ends at point i. A run of pieces is of
+  // one kind up to a crossing, so that every eighth is asked, and between two kinds each one; all are
+  // asked where it has to be exact: where the rows of a picture say that a crossing was missed
   const known = new WeakMap();
-  explorer.bordering = (n, points) => {
-    if (!known.has(points)) known.set(points, points.map((point, i) => i > 0 && explorer.borders(n, points[i - 1], point)));
-    return known.get(points);
+  explorer.bordering = (n, points, exactly = false) => {
+    const kept = known.get(points);
+    if (kept && (kept.exact || !exactly)) return kept;
+    const found = new Array(points.length).fill(false);
+    const ask = (i) => explorer.borders(n, points[i - 1], points[i]);
+    const asked = points.map((_, i) => i).filter((i) => i > 0 && (exactly || i % EACH === 1 || i === points.length - 1));
+    asked.forEach((i, at) => {
+      found[i] = ask(i);
+      const last = at > 0 ? asked[at - 1] : i;
+      for (let j = last + 1; j < i; ++j) found[j] = found[i] === found[last] ? found[i] : ask(j);
+    });
+    known.set(points, Object.assign(found, { exact: exactly }));
+    return found;
   };
 
   // alpha + 2 beta of the walls with a root at -1, from the end of the curve
@@ -45,6 +62,32 @@
       found.push([p[0] + share * (q[0] - p[0]), p[2] + share * (q[2] - p[2]), i]);
     }
     return found.sort((one, two) => one[0] - two[0]);
+  };
+
+  // the same for every row of a picture, each with the branch that it is on: a branch rises or falls
+  explorer.rows = (n, points, betas) => {
+    const line = explorer.line(points);
+    const rows = betas.map((beta) => {
+      const found = [{ x: -n.gamma, theta: 0, branch: -1, piece: 0 }];
+      if (Number.isFinite(line)) found.push({ x: line - 2 * beta, theta: Math.PI, branch: -2, piece: 0 });
+      return found;
+    });
+    const [first, last] = [betas[0], betas.at(-1)];
+    const place = (beta) => Math.max(-1, Math.min(betas.length, ((beta - first) / (last - first)) * (betas.length - 1)));
+    let [branch, rising] = [0, null];
+    for (let i = 1; i < points.length; ++i) {
+      const [p, q] = [points[i - 1], points[i]];
+      if ((q[1] > p[1]) !== rising) [branch, rising] = [branch + 1, !rising];
+      const [one, two] = [place(p[1]), place(q[1])];
+      const end = Math.min(betas.length - 1, Math.floor(Math.max(one, two)) + 1);
+      for (let r = Math.max(0, Math.ceil(Math.min(one, two)) - 1); r <= end; ++r) {
+        const beta = betas[r];
+        if ((p[1] < beta) === (q[1] < beta)) continue;
+        const share = (beta - p[1]) / (q[1] - p[1]);
+        rows[r].push({ x: p[0] + share * (q[0] - p[0]), theta: p[2] + share * (q[2] - p[2]), branch, piece: i });
+      }
+    }
+    return rows.map((row) => row.sort((a, b) => a.x - b.x));
   };
 
   // the angle between two samples at which the boundary has this damping, and its stiffness

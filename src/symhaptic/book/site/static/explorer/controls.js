@@ -34,7 +34,9 @@
       field.now = state[key];
       const place = toSlider(q, Number(state[key]));
       if (Number(slider.value) !== place) slider.value = place;
-      slider.setAttribute("aria-valuetext", `${state[key]} ${q.unit}`);
+      const said = `${state[key]} ${q.unit}`;
+      if (slider.getAttribute("aria-valuetext") === said && field.value === state[key]) return;
+      slider.setAttribute("aria-valuetext", said);
       if (document.activeElement !== field) {
         field.value = state[key];
         field.setAttribute("aria-invalid", "false");

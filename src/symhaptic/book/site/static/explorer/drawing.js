@@ -28,34 +28,42 @@
     return String(Number(value.toPrecision(4))).replace("-", "−");
   };
 
-  // a picture with axes: how numbers become pixels, and where to draw
+  // how numbers become pixels
+  explorer.scale = (view, [width, height]) => {
+    const [left, right, top, bottom] = [MARGIN.left, width - MARGIN.right, MARGIN.top, height - MARGIN.bottom];
+    return {
+      x: (value) => left + ((value - view.left) / (view.right - view.left)) * (right - left),
+      y: (value) => bottom - ((value - view.low) / (view.high - view.low)) * (bottom - top),
+      value: (px, py) => [
+        view.left + ((px - left) / (right - left)) * (view.right - view.left),
+        view.low + ((bottom - py) / (bottom - top)) * (view.high - view.low),
+      ],
+      top, bottom, left, right,
+    };
+  };
+
+  // a picture with axes, and where to draw
   explorer.frame = (svg, view, size, names) => {
     const [width, height] = size;
+    const scale = explorer.scale(view, size);
+    const { x, y, left, right, top, bottom } = scale;
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const right = width - MARGIN.right;
-    const bottom = height - MARGIN.bottom;
-    const x = (value) => MARGIN.left + ((value - view.left) / (view.right - view.left)) * (right - MARGIN.left);
-    const y = (value) => bottom - ((value - view.low) / (view.high - view.low)) * (bottom - MARGIN.top);
-    const value = (px, py) => [
-      view.left + ((px - MARGIN.left) / (right - MARGIN.left)) * (view.right - view.left),
-      view.low + ((bottom - py) / (bottom - MARGIN.top)) * (view.high - view.low),
-    ];
     const parts = [];
     const grid = [];
     for (const tick of explorer.ticks(view.left, view.right, width < 420 ? 3 : 6)) {
-      grid.push(`M${x(tick).toFixed(1)} ${MARGIN.top}V${bottom}`);
+      grid.push(`M${x(tick).toFixed(1)} ${top}V${bottom}`);
       parts.push(explorer.element("text", { class: "tick", x: x(tick), y: bottom + 16, "text-anchor": "middle" }, explorer.short(tick)));
     }
     for (const tick of explorer.ticks(view.low, view.high, 5)) {
-      grid.push(`M${MARGIN.left} ${y(tick).toFixed(1)}H${right}`);
-      parts.push(explorer.element("text", { class: "tick", x: MARGIN.left - 7, y: y(tick) + 4, "text-anchor": "end" }, explorer.short(tick)));
+      grid.push(`M${left} ${y(tick).toFixed(1)}H${right}`);
+      parts.push(explorer.element("text", { class: "tick", x: left - 7, y: y(tick) + 4, "text-anchor": "end" }, explorer.short(tick)));
     }
-    parts.push(explorer.element("text", { class: "name", x: (MARGIN.left + right) / 2, y: height - 8, "text-anchor": "middle" }, names[0]));
-    parts.push(explorer.element("text", { class: "name", x: 0, y: 0, transform: `translate(13 ${(MARGIN.top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, names[1]));
-    const inside = explorer.element("svg", { x: MARGIN.left, y: MARGIN.top, width: right - MARGIN.left, height: bottom - MARGIN.top, viewBox: `${MARGIN.left} ${MARGIN.top} ${right - MARGIN.left} ${bottom - MARGIN.top}` });
+    parts.push(explorer.element("text", { class: "name", x: (left + right) / 2, y: height - 8, "text-anchor": "middle" }, names[0]));
+    parts.push(explorer.element("text", { class: "name", x: 0, y: 0, transform: `translate(13 ${(top + bottom) / 2}) rotate(-90)`, "text-anchor": "middle" }, names[1]));
+    const inside = explorer.element("svg", { x: left, y: top, width: right - left, height: bottom - top, viewBox: `${left} ${top} ${right - left} ${bottom - top}` });
     const back = explorer.element("rect", { class: "back", x: 0, y: 0, width, height });
     svg.replaceChildren(back, explorer.element("path", { class: "grid", d: grid.join("") }), inside, ...parts);
-    return { x, y, value, inside, top: MARGIN.top, bottom, left: MARGIN.left, right };
+    return { ...scale, inside };
   };
 
   // the box around what borders stable walls, with the wall itself
@@ -82,27 +90,47 @@
     return { left: left - 0.06 * wide, right: right + 0.08 * wide, low: low - 0.08 * tall, high: high + 0.08 * tall };
   };
 
-  // what is stable, row by row, and the straight parts of its boundary: a root at 1 or at -1
-  explorer.stablePath = (n, points, view, frame) => {
+  // what is stable, row by row, and the straight parts of its boundary: a root at 1 or at -1. Between
+  // the same branches in the same order nothing changes from one row to the next, and after two rows
+  // no root is counted anew. Where the rows contradict what is known of the pieces, all is asked
+  explorer.stablePath = (n, points, view, frame, exactly = false) => {
     const [out, edge] = [[], []];
     const line = explorer.line(points);
+    const bordering = explorer.bordering(n, points, exactly);
     const place = (value) => frame.x(value).toFixed(1);
-    for (let py = frame.top; py < frame.bottom; py += ROW) {
-      const [top, beta, bottom] = [0, ROW / 2, ROW].map((down) => frame.value(0, py + down)[1]);
-      const inside = explorer.marks(n, points, beta).filter(([alpha]) => alpha > view.left && alpha < view.right);
-      const ends = [[view.left, NaN, 1], ...inside, [view.right, NaN, 1]];
-      for (let i = 1; i < ends.length; ++i) {
-        const [from, to] = [ends[i - 1], ends[i]];
-        if (!haptic.is_stable((from[0] + to[0]) / 2, beta, n.gamma, n.delta, n.d)) continue;
-        out.push(`M${place(from[0])} ${py}H${place(to[0])}v${ROW}H${place(from[0])}z`);
-        for (const [, theta, curved] of [from, to]) {
-          if (curved) continue;
+    const tops = [];
+    for (let py = frame.top; py < frame.bottom; py += ROW) tops.push(py);
+    const beta = (py) => frame.value(0, py)[1];
+    const rows = explorer.rows(n, points, tops.map((py) => beta(py + ROW / 2)));
+    let [before, same, stable, sure] = ["", 0, [], true];
+    rows.forEach((row, r) => {
+      const py = tops[r];
+      const side = (x) => (x <= view.left ? "<" : x >= view.right ? ">" : "");
+      const inside = row.filter(({ x }) => !side(x));
+      const ends = [view.left, ...inside.map(({ x }) => x), view.right];
+      const order = row.map(({ x, branch }) => side(x) + branch).join();
+      same = r > 0 && order === before ? same + 1 : 0;
+      before = order;
+      if (same < 2 || exactly) { // a part that has just begun may be too narrow to be judged
+        const middle = beta(py + ROW / 2);
+        stable = ends.slice(1).map((end, i) => haptic.is_stable((ends[i] + end) / 2, middle, n.gamma, n.delta, n.d));
+      }
+      stable.forEach((good, i) => {
+        if (good) out.push(`M${place(ends[i])} ${py}H${place(ends[i + 1])}v${ROW}H${place(ends[i])}z`);
+      });
+      inside.forEach(({ theta, piece }, i) => {
+        const border = stable[i] !== stable[i + 1];
+        if (piece) {
+          const near = [-1, 0, 1].map((by) => bordering[piece + by] ?? bordering[piece]);
+          if (same > 0 && near.every((kind) => kind !== border)) sure = false;
+        } else if (border) {
+          const [top, bottom] = [beta(py), beta(py + ROW)];
           const [above, below] = theta === 0 ? [-n.gamma, -n.gamma] : [line - 2 * top, line - 2 * bottom];
           edge.push(`M${place(above)} ${py}L${place(below)} ${py + ROW}`);
         }
-      }
-    }
-    return [out.join(""), edge.join("")];
+      });
+    });
+    return sure || exactly ? [out.join(""), edge.join("")] : explorer.stablePath(n, points, view, frame, true);
   };
 
   // the curved parts; a piece beside one of another kind holds a corner, and is judged in parts
@@ -127,6 +155,19 @@
       }
     }
     return out;
+  };
+
+  // everything that is drawn of the walls, as paths
+  explorer.paths = (n, points, view, frame) => {
+    const [stable, straight] = explorer.stablePath(n, points, view, frame);
+    const linear = [view.low, view.high].map((beta) => `${frame.x(haptic.linear_limit(beta, n.delta, n.d)).toFixed(1)} ${frame.y(beta).toFixed(1)}`);
+    return {
+      stable,
+      edge: straight + explorer.borderPath(n, points, frame),
+      passive: explorer.passivePath(n, frame),
+      linear: `M${linear.join("L")}`,
+      axis: `M${frame.x(0).toFixed(1)} ${frame.top}V${frame.bottom}M${frame.left} ${frame.y(0).toFixed(1)}H${frame.right}`,
+    };
   };
 
   // the needed damping grows with the wall: in each direction it is a multiple of that of one wall

@@ -1,5 +1,6 @@
 // The page: what changes is drawn once a frame, and written into the address when it rests.
 "use strict";
+const WARM = 24; // states
 document.addEventListener("DOMContentLoaded", () => {
   const find = (id) => document.getElementById(id);
   if (!find("explore")) return;
@@ -9,7 +10,9 @@ document.addEventListener("DOMContentLoaded", () => {
   let asked = 0;
   let resting = 0;
   let held = null;
+  let width = 300; // pixels, of both pictures; asked for once, for a page that is asked is laid out
 
+  const measure = () => { width = Math.max(300, Math.round(region.clientWidth)); };
   const change = (fresh) => {
     Object.assign(state, fresh);
     if (!asked) asked = requestAnimationFrame(draw);
@@ -38,34 +41,34 @@ document.addEventListener("DOMContentLoaded", () => {
     showControls(state, n);
     const [K, B] = [Number(state.m) / Number(state.T) ** 2, Number(state.m) / Number(state.T)];
     drawRegion(n, points, limits, K, B);
-    explorer.drawMotion(motion, state, n, limits.stable);
+    explorer.drawMotion(motion, width, state, n, limits.stable);
     explorer.tell(state, n, limits, K, B);
-    find("code").textContent = explorer.copies[find("language").value](state, n);
+    explorer.write(find("code"), explorer.copies[find("language").value](state, n));
     explorer.took = performance.now() - began;
   }
 
+  const size = () => [width, Math.round(Math.max(280, Math.min(430, width * 0.72)))];
+
   function drawRegion(n, points, limits, K, B) {
     const view = held ?? explorer.view(n, points, find("view").value, limits);
-    const width = Math.max(300, Math.round(region.clientWidth));
     const si = { left: view.left * K, right: view.right * K, low: view.low * B, high: view.high * B };
-    frame = explorer.frame(region, si, [width, Math.round(Math.max(280, Math.min(430, width * 0.72)))], ["virtual stiffness K in N/m", "virtual damping B in Ns/m"]);
-    const plain = {
-      ...frame, view,
-      x: (alpha) => frame.x(alpha * K),
-      y: (beta) => frame.y(beta * B),
-      value: (px, py) => { const [k, b] = frame.value(px, py); return [k / K, b / B]; },
-    };
+    frame = explorer.frame(region, si, size(), ["virtual stiffness K in N/m", "virtual damping B in Ns/m"]);
+    const plain = explorer.scale(view, size());
     const { element } = explorer;
-    const linear = [view.low, view.high].map((beta) => `${plain.x(haptic.linear_limit(beta, n.delta, n.d)).toFixed(1)} ${plain.y(beta).toFixed(1)}`);
-    const [stable, left] = explorer.stablePath(n, points, view, plain);
-    plain.inside.append(
-      element("path", { class: "stable", d: stable }),
-      element("path", { class: "edge", d: left + explorer.borderPath(n, points, plain) }),
-      element("path", { class: "passive", d: explorer.passivePath(n, plain) }),
-      element("path", { class: "linear", d: `M${linear.join("L")}` }),
-      element("path", { class: "axis", d: `M${plain.x(0).toFixed(1)} ${frame.top}V${frame.bottom}M${frame.left} ${plain.y(0).toFixed(1)}H${frame.right}` }),
-      element("circle", { class: limits.stable ? "wall" : "wall lost", cx: plain.x(n.alpha), cy: plain.y(n.beta), r: 7 }),
-    );
+    for (const [name, d] of Object.entries(explorer.paths(n, points, view, plain))) frame.inside.append(element("path", { class: name, d }));
+    frame.inside.append(element("circle", { class: limits.stable ? "wall" : "wall lost", cx: plain.x(n.alpha), cy: plain.y(n.beta), r: 7 }));
+  }
+
+  // a browser compiles what has run often: so that the first drag is not slow, some states are
+  // computed while nothing else is asked for
+  const idle = globalThis.requestIdleCallback ?? ((work) => setTimeout(work, 20));
+  function warm(left) {
+    const n = explorer.numbers({ ...state, t_d: String(Number(state.T) * left * 0.25) });
+    const points = explorer.curve(n);
+    const view = explorer.view(n, points, "stable", explorer.limits(n, points));
+    explorer.paths(n, points, view, explorer.scale(view, size()));
+    explorer.response(n);
+    if (left > 1) idle(() => warm(left - 1));
   }
 
   // the wall is dragged, with the axes held
@@ -91,7 +94,10 @@ document.addEventListener("DOMContentLoaded", () => {
   }
 
   for (const id of ["view", "language"]) find(id).addEventListener("change", () => change({}));
-  addEventListener("resize", () => change({}));
+  new ResizeObserver(() => {
+    measure();
+    change({});
+  }).observe(region.parentElement);
   addEventListener("hashchange", () => {
     state = explorer.fromHash(location.hash);
     change({});
@@ -109,6 +115,8 @@ document.addEventListener("DOMContentLoaded", () => {
   find("copy-code").addEventListener("click", (event) => copied(event.target, find("code").textContent));
   find("save-svg").addEventListener("click", () => explorer.saveSvg(region, "walls"));
   find("save-png").addEventListener("click", () => explorer.savePng(region, "walls"));
+  measure();
   draw();
   rest();
+  idle(() => warm(WARM));
 });

@@ -11,17 +11,21 @@
     return String(text).replace("-", "−");
   };
 
-  function say(id, value, unit, note = "") {
+  // a page lays out what is written, so that only what changes is
+  explorer.write = (place, text) => {
+    if (place.textContent !== text) place.textContent = text;
+  };
+
+  function say(id, value, unit, note = "", text = "") {
     const place = document.getElementById(id);
-    place.textContent = Number.isFinite(value) ? `${explorer.number(value)} ${unit}` : explorer.number(value);
+    explorer.write(place, text || (Number.isFinite(value) ? `${explorer.number(value)} ${unit}` : explorer.number(value)));
     place.dataset.value = String(value);
-    const beside = document.getElementById(`${id}-note`);
-    if (beside) beside.textContent = note;
+    explorer.write(document.getElementById(`${id}-note`), note);
   }
 
   function judge(id, good, yes, no) {
     const place = document.getElementById(id);
-    place.textContent = good ? yes : no;
+    explorer.write(place, good ? yes : no);
     place.className = good ? "judged good" : "judged bad";
   }
 
@@ -33,31 +37,32 @@
     judge("told-passive", limits.passive, "passive", "not passive");
     const limit = Math.abs(limits.alpha) < 1e-14 ? 0 : limits.alpha; // where nothing damps, but for rounding
     say("told-limit", limit * K, "N/m", limit > 0 ? at(limits.theta) : "");
-    say("told-stiffest", limits.stiffest[0] * K, "N/m", Number.isFinite(limits.stiffest[1]) ? `with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m, ${at(limits.stiffest[2])}` : "");
-    if (!Number.isFinite(limits.stiffest[0])) {
-      document.getElementById("told-stiffest").textContent = "not searched for";
-      document.getElementById("told-stiffest-note").textContent = "outside of what the exported search covers";
-    }
+    if (Number.isFinite(limits.stiffest[0])) say("told-stiffest", limits.stiffest[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest[1] * B)} Ns/m, ${at(limits.stiffest[2])}`);
+    else say("told-stiffest", NaN, "N/m", "outside of what the exported search covers", "not searched for");
     say("told-passive-limit", limits.passive_alpha * K, "N/m");
     say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
     say("told-linear", limits.linear * K, "N/m");
     say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `of ${explorer.number(Number(s.b))} Ns/m that are there; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
-    const late = limits.delay === Infinity ? "more than 200 periods" : "";
-    say("told-delay", limits.delay * T * 1000, "ms", late);
-    if (late) document.getElementById("told-delay").textContent = `> ${explorer.number(200 * T * 1000)} ms`;
+    const late = limits.delay === Infinity;
+    say("told-delay", limits.delay * T * 1000, "ms", late ? "more than 200 periods" : "", late ? `> ${explorer.number(200 * T * 1000)} ms` : "");
     rules(s, limit * K);
     short(s, limit * K);
   };
 
-  // the limit beside the rule that one would have used
+  // the limit beside the rule that one would have used, which is shown as it is in print below
   function short(s, exact) {
     const plain = Number(s.B) === 0 && Number(s.t_d) === 0;
     const rule = explorer.rules.find((one) => one.id === (plain ? "twice-damping" : "damping-over-delay"));
     const value = rule.limit(Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)])));
-    const own = exact > 0 ? `At this damping K may reach ${explorer.number(exact)} N/m` : "At this damping no stiffness is stable";
     const times = exact > 0 ? `, ${explorer.number(Number((value / exact).toPrecision(3)))} times that` : "";
-    const name = plain ? "K ≤ 2b/T" : "K < (b + B)/(t_d + T/2)";
-    document.getElementById("told-short").textContent = `${own}; the usual rule, ${name}, allows ${explorer.number(value)} N/m${times}.`;
+    const [own, formula, allows] = document.getElementById("told-short").children;
+    explorer.write(own, exact > 0 ? `At this damping K may reach ${explorer.number(exact)} N/m` : "At this damping no stiffness is stable");
+    explorer.write(allows, `allows ${explorer.number(value)} N/m${times}.`);
+    if (formula.dataset.rule === rule.id) return;
+    formula.dataset.rule = rule.id;
+    const print = document.querySelector(`.rule-${rule.id} math`).cloneNode(true);
+    print.setAttribute("display", "inline");
+    formula.replaceChildren(print);
   }
 
   function rules(s, exact) {
@@ -67,19 +72,19 @@
       const value = rule.limit(values);
       const meant = rule.meant(values);
       const [number, verdict] = row.querySelectorAll(".rule-value, .rule-verdict");
-      number.textContent = Number.isFinite(value) ? `${explorer.number(value)} N/m` : "none";
+      explorer.write(number, Number.isFinite(value) ? `${explorer.number(value)} N/m` : "none");
       number.dataset.value = String(value);
       const over = exact > 0 ? value / exact : Infinity;
       let text = "on the safe side here";
       if (!(value > 0)) text = "allows no stiffness here";
       else if (!(exact > 0)) text = "unstable: no stiffness is stable here";
       else if (over > 1) text = `allows unstable walls: ${over > 10 ? "more than 10" : explorer.number(Number(over.toPrecision(3)))} times the limit`;
-      verdict.textContent = meant ? text : `${text} (not made for this loop)`;
+      explorer.write(verdict, meant ? text : `${text} (not made for this loop)`);
       verdict.className = `rule-verdict ${value > 0 && !(over <= 1) ? "over" : "safe"}`;
     }
   }
 
-  explorer.drawMotion = (svg, s, n, stable) => {
+  explorer.drawMotion = (svg, width, s, n, stable) => {
     const x = explorer.response(n);
     const [T, unit] = [Number(s.T), (1e3 * Number(s.T) ** 2) / Number(s.m)]; // mm of a push of 1 N
     const rest = 1e3 / (Number(s.K) + Number(s.k));
@@ -88,7 +93,6 @@
     const most = Math.min(Math.max(1e-9, ...values), limit);
     const least = Math.max(Math.min(0, ...values), -limit);
     const room = 0.06 * (most - least);
-    const width = Math.max(300, Math.round(svg.clientWidth));
     const view = { left: 0, right: 1e3 * T * Math.max(1, x.length - 1), low: least - room, high: most + room };
     const frame = explorer.frame(svg, view, [width, 240], ["time in ms", "position in mm"]);
     const far = (value) => Math.max(-9999, Math.min(9999, value)).toFixed(1);
