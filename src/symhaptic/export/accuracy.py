@@ -208,9 +208,7 @@ MEASURED_WITH_MUSL: Mapping[Precision, Mapping[str, Worst]] = {
         "passivity_boundary": Worst(
             6.75, "alpha", (2.459030866622925, 2.9691402912139893, 0.27490442991256714)
         ),
-        "max_passive_stiffness": Worst(
-            5.83, "alpha", (0.0090215178206563, 0.14540055394172668)
-        ),
+        "max_passive_stiffness": Worst(5.83, "alpha", (0.0090215178206563, 0.14540055394172668)),
         "linear_limit": Worst(
             2.07, "alpha", (0.5071318745613098, 1.933349994942546e-05, 3.668694257736206)
         ),

@@ -97,9 +97,7 @@ def fractional_roots() -> Routine:
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
     across = do("across", m2 - m0)
-    both = _Products(
-        do("lost", loss * loss), do("square", m2 * m0), do("size", across * across)
-    )
+    both = _Products(do("lost", loss * loss), do("square", m2 * m0), do("size", across * across))
     near = _about(do, "near", both, at_one, together, alpha, v.force)
     far_ = _about(do, "far", both, at_minus_one, apart, v.far, -v.force)
     middle = do("middle", 2 * at_one / (2 - loss))
