@@ -126,7 +126,7 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
 
 
 def test_a_statement_rests_on_what_its_own_lemmas_name():
-    """Rocq lists the axioms of a chapter: what it does not declare, all of them rest on."""
+    """Rocq lists the axioms of a chapter: what it does not declare, or no lemma names, is of all."""
     text = proposition(Symbol("x") > 0)
 
     def step(name, *lines, kind="Lemma"):
@@ -135,15 +135,19 @@ def test_a_statement_rests_on_what_its_own_lemmas_name():
     steps = [
         step("rule_stored_1", kind="Axiom"),
         step("open_step_2", kind="Axiom"),
+        step("rule_hidden_2", kind="Axiom"),
         step("step_3", "exact rule_stored_1."),
         step("lemma_1", "exact step_3."),
         step("lemma_2", "exact open_step_2."),
     ]
     file = File("mine", "Mine", steps, {"one": ("lemma_1",), "two": ("lemma_2",)})
-    said = "Axioms:\nopen_step_2 : True\nrule_stored_1\n  : True\nproof_irrelevance : True\n"
+    said = (
+        "Axioms:\nopen_step_2 : True\nrule_stored_1\n  : True\nproof_irrelevance : True\n"
+        "rule_hidden_2 : True\n"
+    )
     assert compiled.resting(file, said) == {
-        "one": ["proof_irrelevance", "rule_stored_1"],
-        "two": ["open_step_2", "proof_irrelevance"],
+        "one": ["proof_irrelevance", "rule_hidden_2", "rule_stored_1"],
+        "two": ["open_step_2", "proof_irrelevance", "rule_hidden_2"],
     }
 
 

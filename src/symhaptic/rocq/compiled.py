@@ -236,13 +236,15 @@ def _error(said: str) -> str:
 
 
 def resting(file: File, said: str) -> dict[str, list[str]]:
-    """What each statement rests on: what all of them do, but for what its lemmas do not name.
+    """What each statement rests on: what all of them do, but for what only others' lemmas name.
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
     """
     found = {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
     here = {step.name for step in file.steps} | meant() | known_there()
-    return {id: sorted(found - (here - file.named_by(id))) for id in file.statements}
+    named = {id: file.named_by(id) & here for id in file.statements}
+    others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
+    return {id: sorted(found - (others - own)) for id, own in named.items()}
 
 
 def _short(name: str) -> str:
