@@ -126,7 +126,7 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
 
 
 def test_a_statement_rests_on_what_its_own_lemmas_name():
-    """Rocq lists the axioms of a chapter: what it does not declare, or no lemma names, is of all."""
+    """Rocq lists the axioms of a chapter; the library's, and what no lemma names, are of all."""
     text = proposition(Symbol("x") > 0)
 
     def step(name, *lines, kind="Lemma"):
