@@ -37,7 +37,7 @@ class Exact(build_ext):
     def build_extension(self, ext):
         """Compile with what the compiler calls that."""
         if self.compiler.compiler_type != "msvc":
-            ext.extra_compile_args = ["-O2", "-ffp-contract=off"]
+            ext.extra_compile_args = ["-O2", "-ffp-contract=off", "-fno-math-errno"]
             ext.libraries = ["m"]
         super().build_extension(ext)
 

@@ -118,25 +118,26 @@ def at_once(
                 return function(*args, **named)
             if outside() or not known(found):
                 return function(*args, **named)
-            return cast(R, made(found))
+            return made(found)
 
         def plain(*args: P.args, **named: P.kwargs) -> R:
-            found = None if named else one(*args)
-            return many(*args, **named) if found is None else cast(R, found)
+            found: R | None = None if named else one(*args)
+            return many(*args, **named) if found is None else found
 
         def called(*args: P.args, **named: P.kwargs) -> R:
             found = None if named else one(*args)
             if found is None or not known(found):
                 return many(*args, **named)
-            return cast(R, made(found))
+            return made(found)
 
         def known(found: Any) -> bool:
             return not finite or _finite(found[0] if type(found) is tuple else found)
 
-        def made(found: Any) -> Any:
-            if into is None:
-                return found
-            return into(*found) if type(found) is tuple else into(found)
+        def made(found: Any) -> R:
+            if into is not None:
+                found = into(*found) if type(found) is tuple else into(found)
+            result: R = found
+            return result
 
         return wraps(function)(plain if into is None and not finite else called)
 
@@ -153,10 +154,9 @@ def _in_one_piece(ufunc: np.ufunc, *given: Any) -> Any:
     Freed one by one, large ones go back to the system, whose fresh pages cost a sixth of the time.
     """
     shape = np.broadcast_shapes(*map(np.shape, given))
-    if 8 * math.prod(shape) * ufunc.nout > _REUSED:
+    if not shape or 8 * math.prod(shape) * ufunc.nout > _REUSED:
         return ufunc(*given)
-    rows = np.empty((ufunc.nout, *shape))
-    return ufunc(*given, out=tuple(rows)) if shape else ufunc(*given)
+    return ufunc(*given, out=tuple(np.empty((ufunc.nout, *shape))))
 
 
 def _nothing(*numbers: Any) -> None:
