@@ -137,5 +137,6 @@ def test_a_part_with_a_wrong_equation_is_no_theorem(form):
             if isinstance(pair, Relation):
                 with pytest.raises(NotShown):
                     block._pair(Relation(pair.left, "=", pair.right + 1))
-                with pytest.raises(NotShown):
-                    block._pair(Relation(-pair.left, "=", pair.right))
+                if pair.right != 0:  # what is 0 is minus itself
+                    with pytest.raises(NotShown):
+                        block._pair(Relation(-pair.left, "=", pair.right))
