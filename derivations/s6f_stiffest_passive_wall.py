@@ -61,7 +61,6 @@ def derive(page):
         claim=bounded(),
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
-    point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)
     page.settle("fractional-stiffness-bound", allowed, found, example=example(point, GIVEN))
     page.say(

@@ -106,12 +106,12 @@ def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
         (
-            lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls(3),
-            "arms: 3 is not allowed; some Arm",
+            lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls(arm=3),
+            "arm: 3 is not allowed; an ArmRange",
         ),
         (
             lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls("all"),
-            "arms: 'all' is not allowed; some Arm",
+            "arm: 'all' is not allowed; an ArmRange",
         ),
         (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
         (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),

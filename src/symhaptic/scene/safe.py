@@ -17,7 +17,7 @@ from symhaptic.bounds.safe.check import Certificate, recheck
 from symhaptic.bounds.safe.delay import borne, guessed
 from symhaptic.bounds.safe.find import certified
 from symhaptic.bounds.safe.passive import is_passive, passive
-from symhaptic.notation.quantities import decimal, in_unit, number
+from symhaptic.notation.quantities import decimal, in_unit, number, shown
 from symhaptic.scene.arms import Arm, ArmRange
 
 if TYPE_CHECKING:
@@ -243,14 +243,22 @@ def _stiff(K: float) -> str:
     return f"{K:.4g} N/m" if K > 0 else "nothing"
 
 
-def safe_walls(scene: Scene, arms: Arms) -> SafeWalls:
+def _range(arm: Arms) -> ArmRange:
+    """The range that is meant."""
+    if arm is None:
+        return ArmRange()
+    if isinstance(arm, ArmRange):
+        return arm
+    some = [arm] if isinstance(arm, Arm) else list(arm) if isinstance(arm, Iterable) else []
+    if not some or not all(isinstance(one, Arm) for one in some):
+        allowed = "an ArmRange(...), an Arm(...) or some of them are"
+        raise ValueError(f"arm: {shown(arm)} is not allowed; {allowed}")
+    return ArmRange.around(some)
+
+
+def safe_walls(scene: Scene, arm: Arms) -> SafeWalls:
     """What :meth:`symhaptic.scene.scene.Scene.safe_walls` returns."""
-    if arms is None:
-        arms = ArmRange()
-    elif isinstance(arms, Arm):
-        arms = ArmRange.around([arms])
-    elif not isinstance(arms, ArmRange):
-        arms = ArmRange.around(arms)
+    arms = _range(arm)
     loops = Loops(
         decimal(scene.mass),
         decimal(scene.damping or 0.0),

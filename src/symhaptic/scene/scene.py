@@ -490,20 +490,20 @@ class Scene:
         draw(axes, self.held_by(arm) if arm else self, self, wall)
         return axes
 
-    def safe_walls(self, arms: Arms = None) -> SafeWalls:
+    def safe_walls(self, arm: Arms = None) -> SafeWalls:
         """The walls (K, B) that are proved stable, and passive, for every arm of a range.
 
-        The scene is the device without an arm.  ``arms`` is an :class:`symhaptic.ArmRange`, an
+        The scene is the device without an arm.  ``arm`` is an :class:`symhaptic.ArmRange`, an
         :class:`Arm`, or some of them, which stand for all between them; left out it is (23) of the
         paper: up to 23 kg, 1000 N/m and 20 Ns/m per kg, and no arm at all.  Proved by enclosure,
         with a certificate that a second check confirmed; whole and fractional delays up to 60
         periods.  Takes some seconds.
 
-        Raises :class:`ValueError` in one line where no wall is proved.
+        Raises :class:`ValueError` in one line for another ``arm``, and where no wall is proved.
 
         >>> from symhaptic import Arm
         >>> device = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
-        >>> safe = device.safe_walls(Arm(mass=0.8, damping=5.5, stiffness=568))
+        >>> safe = device.safe_walls(arm=Arm(mass=0.8, damping=5.5, stiffness=568))
         >>> safe.contains(K=20_000.0, B=100.0), safe.contains(K=2000.0, B=0.0)
         (True, True)
         >>> safe.is_passive(K=100.0, B=0.0)
@@ -511,7 +511,7 @@ class Scene:
         """
         from symhaptic.scene.safe import safe_walls
 
-        return safe_walls(self, arms)
+        return safe_walls(self, arm)
 
     def simplest(
         self,
