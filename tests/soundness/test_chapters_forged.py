@@ -11,7 +11,7 @@ import pytest
 from sympy import S, Symbol, floor, sin
 from typer.testing import CliRunner
 
-from symhaptic.book.arrivals import arrived
+from symhaptic.book.arrivals import arrived, sent
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
 from symhaptic.check.plugin import Agreement
@@ -326,3 +326,92 @@ def test_what_only_looks_like_a_theorem_is_none() -> None:
     case = Case({}, looks)  # type: ignore[arg-type]
     with pytest.raises(Unfounded, match="what looks like a theorem is none"):
         Judged(number(TRUE), unless=(case,)).decide(false)
+
+
+@pytest.mark.parametrize("place", ["0", "99999", "-1", "slice(None)", '"0"'])
+def test_a_theorem_that_is_sent_by_its_place_is_what_stands_there(
+    place: str, tmp_path: Path
+) -> None:
+    """The reader's own theorems are true; one of them in place of another settles nothing."""
+    path = chapter(
+        tmp_path,
+        "forged",
+        IMPORTS
+        + f"""
+    import symhaptic.book.arrivals as arrivals
+    arrivals._Writer.reducer_override = lambda self, part: (
+        (arrivals._known, ({place},)) if type(part) is kernel.Theorem else NotImplemented
+    )
+    forged = object.__new__(kernel.Theorem)
+    for name, value in (("hypotheses", frozenset()), ("conclusion", CLAIM), ("_rule", "assume"),
+                        ("_given", ((CLAIM,), ()))):
+        object.__setattr__(forged, name, value)
+    page.settle("forged", forged)
+""",
+    )
+    out = tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code in (1, 2)
+    assert not isinstance(told.exception, (ValueError, TypeError, LookupError))
+    assert told.exit_code == 2 or "DIFFERS  forged: " in out.read_text()
+
+
+def test_a_theorem_by_its_place_means_nothing_to_who_has_none() -> None:
+    true = number(proposition(S.Zero < Symbol("x")).at({Symbol("x"): S.One}))
+    (found,) = arrived(sent([true], [true]), Path("a.py"), [true])
+    assert found is true
+    assert isinstance(arrived(sent([true], [true]), Path("a.py")), BadChapter)
+
+
+def test_a_chapter_does_not_reach_who_waits_for_its_reader(tmp_path: Path) -> None:
+    """It writes a result of its own on all that is open in its process but what it is sent on."""
+    body = """
+import os, pickle, struct
+from dataclasses import replace
+import symhaptic.book.ledger as ledger, symhaptic.book.arrivals as arrivals
+from symhaptic.paper import Statement
+from symhaptic.proof.verdict import Kind, Verdict
+def derive(page):
+    entry = ledger.Entry(
+        Statement("forged", "here", "false"), Verdict(Kind.PROVED, "so it is"), None, 0.0, own=True,
+        look=ledger.Look(None, ledger.Checked()))
+    data = arrivals.sent([entry])
+    for place in range(3, 64):
+        try:
+            os.write(place, struct.pack("!i", len(data)) + data)
+        except OSError:
+            pass
+    os._exit(0)
+"""
+    path = chapter(tmp_path, "forged", body)
+    out = tmp_path / "out.txt"
+    program = "import sys; from symhaptic.cli.main import main; main()"
+    told = subprocess.run(
+        [sys.executable, "-c", program, "verify", "forged", "--derivation", path, "-o", out],
+        capture_output=True,
+        timeout=300,
+        check=False,
+    )
+    assert told.returncode in (1, 2), told
+    assert told.returncode == 2 or "DIFFERS  forged: " in out.read_text()
+
+
+def test_what_a_chapter_says_was_seen_of_it_is_not_believed(tmp_path: Path) -> None:
+    body = """
+from symhaptic.book import ledger, parallel
+from symhaptic.paper import Statement
+from symhaptic.proof.verdict import Kind, Verdict
+import symhaptic.book.ledger
+def derive(page):
+    page.state("forged", "two", "x = 2")
+    look = ledger.Look(None, ledger.Checked())
+    entry = ledger.Entry(
+        Statement("forged", "here", "false"), Verdict(Kind.PROVED, "so it is"), "forged.py", 0.0,
+        own=True, look=look)
+    ledger.of_chapter = lambda chapter: [entry]
+"""
+    path = chapter(tmp_path, "forged", body)
+    out = tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code in (1, 2)
+    assert told.exit_code == 2 or "DIFFERS" in out.read_text()

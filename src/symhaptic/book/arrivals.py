@@ -1,9 +1,12 @@
 """What a chapter's process sends, read as data: nothing in it is run but what makes data of ours.
 
+Of a theorem that the reader had derived before, and that the chapter's process had from it, the
+place among these is sent; every other is derived anew.
+
 A pickle names functions and calls them, and changes what it has named.  Here it may name the
-records of this package, the one function by which a theorem is derived anew, and what terms are
-made of; what it names is out of its reach, only records that it has made itself get their fields,
-and no text is given to SymPy, which would run it.
+records of this package, the two functions by which a theorem is found or derived anew, and what
+terms are made of; what it names is out of its reach, only records that it has made itself get their
+fields, and no text is given to SymPy, which would run it.
 """
 
 from __future__ import annotations
@@ -12,6 +15,7 @@ import io
 import pickle
 import sys
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PosixPath, WindowsPath
@@ -25,6 +29,7 @@ from symhaptic.book.chapters import BadChapter
 from symhaptic.notation.proposition import FUNCTIONS, Proposition
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.theorems import kernel
+from symhaptic.proof.theorems.kernel import Theorem
 
 _RELATIONS = {sp.Eq, sp.Ne, sp.Lt, sp.Le, sp.Gt, sp.Ge}
 _SYMBOLS = {sp.Symbol, sp.Dummy}
@@ -34,10 +39,34 @@ _PLAIN = {Counter, Path, PosixPath, WindowsPath, set, frozenset}
 _WRONG = (pickle.UnpicklingError, AttributeError, ImportError, LookupError, TypeError, ValueError)
 
 
-def arrived(sent: bytes, path: Path) -> Any:
+def sent(result: Any, known: Sequence[Theorem] = ()) -> bytes:
+    """A result as it is sent to who has derived these theorems."""
+    stream = io.BytesIO()
+    _Writer(stream, known).dump(result)
+    return stream.getvalue()
+
+
+class _Writer(pickle.Pickler):
+    """Writes the place of a theorem that is known where it arrives."""
+
+    def __init__(self, file: io.BytesIO, known: Sequence[Theorem]) -> None:
+        super().__init__(file)
+        self.places = {id(theorem): place for place, theorem in enumerate(known)}
+
+    def reducer_override(self, part: Any) -> Any:
+        place = self.places.get(id(part)) if type(part) is Theorem else None
+        return NotImplemented if place is None else (_known, (place,))
+
+
+def _known(place: int) -> Theorem:
+    """The theorem of a place; asked of who reads, and of nobody else."""
+    raise pickle.UnpicklingError(f"no theorem is known to be at {place}")
+
+
+def arrived(sent: bytes, path: Path, known: Sequence[Theorem] = ()) -> Any:
     """The result of a chapter, its theorems derived anew; or what is wrong with what was sent."""
     try:
-        return _Reader(io.BytesIO(sent)).load()
+        return _Reader(io.BytesIO(sent), known).load()
     except _WRONG as wrong:
         said = " ".join(str(wrong).split())
         return BadChapter(path, f"what its process sent is no result: {said}")
@@ -73,11 +102,14 @@ class _Reader(pickle._Unpickler):
     stack: list[Any]
     dispatch: ClassVar[dict[int, Any]] = dict(pickle._Unpickler.dispatch)
 
-    def __init__(self, file: io.BytesIO) -> None:
+    def __init__(self, file: io.BytesIO, known: Sequence[Theorem]) -> None:
         super().__init__(file)
         self.records: dict[int, Any] = {}
+        self.known = known
 
     def find_class(self, module: str, name: str) -> _Named:
+        if (module, name) == (__name__, "_known"):
+            return _Named(self.known.__getitem__)
         if (module, name) == (kernel.__name__, "_arrived"):
             return _Named(kernel._arrived)
         if (module, name) == (AppliedUndef.__module__, "_rebuild_undef"):

@@ -1,98 +1,95 @@
-"""What is the package's own and wanted by several chapters: imported and derived once for all.
+"""The lemmas that a chapter takes from the package, derived before the chapter runs.
 
-A theorem is its derivation.  One that is derived here, before any chapter has run, is the same for
-the processes that are forked from this one as if each had derived it.
+A theorem is its derivation.  One that is derived in the process from which the chapter's is forked
+is the same there as if the chapter had derived it, and is not derived anew where it arrives.
 """
 
 from __future__ import annotations
 
 import ast
 import importlib
-import sys
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
-from inspect import signature
+from inspect import isclass, isfunction, ismodule, signature, unwrap
 from pathlib import Path
-from typing import Any
+from types import CodeType
+from typing import Any, TypeAlias
 
 from symhaptic.book import lemmas
 
+Lemma: TypeAlias = Callable[[], Any]
+"""A function of the package that keeps what it derived, and need not be told of what."""
+
 
 class Beforehand:
-    """What chapters take from the package: imported at once, and derived lemma by lemma."""
+    """What chapters take from the package: their modules are imported at once."""
 
     def __init__(self, paths: Sequence[Path]) -> None:
-        self._wanted = [
-            {below for name in _imported(path) for below in _lemmas_of(name)} for path in paths
-        ]
-        several = Counter(name for names in self._wanted for name in sorted(names))
-        self._left = {
-            name: list(_without_arguments(name)) for name, number in several.items() if number > 1
-        }
+        self.lemmas: list[tuple[Lemma, ...]] = [tuple(_lemmas(path)) for path in paths]
 
-    def ready(self, number: int) -> bool:
-        """Whether nothing is left to derive of what this chapter shares with others."""
-        return not self._missing(number)
+    def derive(self, number: int) -> None:
+        """Derive the lemmas of a chapter, as far as they are not derived here."""
+        for lemma in self.lemmas[number]:
+            with suppress(ValueError):  # told by the chapter that needs it
+                lemma()
 
-    def _missing(self, number: int) -> list[str]:
-        """The modules of which a chapter waits for a lemma."""
-        return sorted(name for name in self._wanted[number] if self._left.get(name))
-
-    def derive(self) -> bool:
-        """Derive a lemma of the chapter that waits for the fewest; False where none is left."""
-        waiting = [n for n in map(self._missing, range(len(self._wanted))) if n]
-        if not waiting:
-            return False
-        name = min(waiting, key=lambda names: sum(len(self._left[name]) for name in names))[0]
-        with suppress(ValueError):  # told by the chapters that need it
-            self._left[name].pop(0)()
-        return True
+    def next(
+        self, waiting: Collection[int], here: Collection[Lemma], elsewhere: Collection[Lemma]
+    ) -> int:
+        """The first of the chapters that wait for the fewest lemmas which others have derived."""
+        return min(
+            waiting,
+            key=lambda n: (sum(x in elsewhere and x not in here for x in self.lemmas[n]), n),
+        )
 
 
-def prepare(paths: Sequence[Path]) -> None:
-    """Import what the chapters take from the package, and derive the lemmas of several of them."""
-    beforehand = Beforehand(paths)
-    while beforehand.derive():
-        pass
-
-
-def _imported(path: Path) -> list[str]:
-    """The modules of the package that a chapter takes something from; they are imported."""
+def _lemmas(path: Path) -> Iterator[Lemma]:
+    """The lemmas that a chapter reaches by the names in it."""
     try:
         tree = ast.parse(path.read_bytes())
     except (OSError, SyntaxError, ValueError):
-        return []  # told when it is run
-    found = []
+        return  # told when it is run
+    names = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    taken: dict[str, Any] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
             with suppress(ImportError):  # the same
-                found.append(importlib.import_module(str(node.module)).__name__)
-    return found
+                module = importlib.import_module(str(node.module))
+                taken |= {a.name: vars(module).get(a.name) for a in node.names}
+    yield from _reached(names | set(taken), taken, set())
 
 
-def _lemmas_of(name: str) -> set[str]:
-    """A module of lemmas, and those that it takes something from itself."""
-    found, stack = set[str](), [name]
-    while stack:
-        module = stack.pop()
-        if module.startswith(f"{lemmas.__name__}.") and module not in found:
-            found.add(module)
-            stack += _homes(vars(sys.modules[module]).values())
-    return found
-
-
-def _homes(values: Iterable[object]) -> Iterator[str]:
-    for value in values:
-        home = getattr(value, "__module__", None)
-        if isinstance(home, str):
-            yield home
-
-
-def _without_arguments(name: str) -> Iterator[Callable[[], Any]]:
-    """The lemmas that a module keeps once they are derived, and that need not be told of what."""
-    for value in list(vars(sys.modules[name]).values()):
-        if hasattr(value, "cache_info") and value.__module__ == name:
-            parameters = signature(value).parameters.values()
-            if all(parameter.default is not parameter.empty for parameter in parameters):
+def _reached(names: Collection[str], among: Mapping[str, Any], seen: set[int]) -> Iterator[Lemma]:
+    """The lemmas that stand under names, and those that these name in turn."""
+    for value in [among[name] for name in sorted(names) if name in among]:
+        function = value if ismodule(value) or isclass(value) else _function(value)
+        home = function.__name__ if ismodule(function) else getattr(function, "__module__", None)
+        if id(value) in seen or not str(home).startswith(f"{lemmas.__name__}."):
+            continue
+        if isclass(function):
+            seen.add(id(value))
+            yield from _reached(vars(function), vars(function), seen)
+        elif ismodule(function):
+            yield from _reached(names, vars(function), seen)
+        elif isfunction(function):
+            seen.add(id(value))
+            if hasattr(value, "cache_info") and _needs_nothing(value):
                 yield value
+            yield from _reached(_named(function.__code__), function.__globals__, seen)
+
+
+def _function(value: Any) -> Any:
+    """The function below a method, a property or what keeps its values."""
+    below = getattr(value, "fget", None) or getattr(value, "func", None) or value
+    return unwrap(below) if callable(below) else below
+
+
+def _named(code: CodeType) -> set[str]:
+    """The names in a function, and in those inside of it."""
+    inner = [_named(part) for part in code.co_consts if isinstance(part, CodeType)]
+    return set(code.co_names).union(*inner)
+
+
+def _needs_nothing(function: Any) -> bool:
+    parameters = signature(function).parameters.values()
+    return all(parameter.default is not parameter.empty for parameter in parameters)

@@ -35,6 +35,14 @@ class Twice(ValueError):
 
 
 @dataclass(frozen=True)
+class Look:
+    """What a process of our own says of a verdict that comes from a chapter's."""
+
+    wrong: str | None
+    rocq: Checked
+
+
+@dataclass(frozen=True)
 class Entry:
     """One statement, its verdict, and the derivation that settles it."""
 
@@ -50,6 +58,8 @@ class Entry:
     """What a statement of one's own claims."""
     compared: Settlement | None = None
     """What the print was compared with, where no theorem settles it, to be compared again."""
+    look: Look | None = None
+    """What was seen of it by the process that derived its theorems anew, and kept them."""
 
     @property
     def source(self) -> Source | None:
@@ -64,16 +74,12 @@ class Entry:
     @cached_property
     def rocq(self) -> Checked:
         """How far a foreign kernel has checked it, as far as its record is of what is said here."""
-        return checked(self.statement.id, self.judged)
+        return checked(self.statement.id, self.judged) if self.look is None else self.look.rocq
 
     @cached_property
     def wrong(self) -> str | None:
         """What is wrong with the verdict, judged here, if another process gives it."""
-        return judged_again(self)
-
-    def looked_at(self) -> None:
-        """Find now what is asked of it in the end, while other chapters run."""
-        _ = self.wrong, self.rocq
+        return judged_again(self) if self.look is None else self.look.wrong
 
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
@@ -196,8 +202,7 @@ def judged_again(entry: Entry) -> str | None:
     own = None if claim is None else partial(of_print, claim)
     claimed = CLAIMED.get(statement.id) if known else own
     try:
-        again = replace(judged, told=False)
-        found = Settlement(judged=again, claim=claimed).decide((known or statement).printed)
+        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
     numbers = kind is Kind.ENCLOSED and found.kind is Kind.PROVED
@@ -205,6 +210,20 @@ def judged_again(entry: Entry) -> str | None:
     if not same or found.condition != entry.verdict.condition:
         return f"{statement.id}: judged again it is {found.kind}"
     return None
+
+
+def looked_at(entries: list[Entry]) -> list[Entry]:
+    """What came from a chapter's process, judged again, without the theorems that came with it."""
+    return [
+        replace(
+            entry,
+            look=Look(judged_again(entry), checked(entry.statement.id, entry.judged)),
+            judged=None,
+            claim=None,
+            compared=None,
+        )
+        for entry in entries
+    ]
 
 
 def of_derivation(path: Path) -> list[Entry]:

@@ -25,7 +25,6 @@ from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
-from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.ball import bound
@@ -143,11 +142,9 @@ class Page(Record):
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
         """A theorem of the kernel: its hypotheses, and what they imply."""
-        given = sorted(chains(sorted(theorem.hypotheses, key=written)), key=len)
-        lines = [("", "", text) for text in (*given, written(theorem.conclusion))]
         self._equation(
             title,
-            lines,
+            (),
             "proved",
             "a theorem of the kernel",
             because,

@@ -1,8 +1,9 @@
 """Derivations side by side, each in a process of its own that has run nothing else before.
 
-What one chapter changes in the package, the next does not see.  Where processes can be forked, a
-chapter's is a copy of one that has run the package's own code only; elsewhere it starts from
-nothing.
+What one chapter changes in the package, the next does not see.  A few processes that run the
+package's own code only, the *readers*, derive the lemmas that a chapter takes from the package,
+start the chapter's process, and derive anew what it sends; what they find of it goes to who asked.
+Where processes can be forked a chapter's is a copy of its reader, elsewhere it starts from nothing.
 """
 
 from __future__ import annotations
@@ -10,36 +11,34 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
-import pickle
 import signal
 import sys
-from collections import deque
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
 from pathlib import Path
-from typing import NoReturn, TypeVar
+from typing import Any, NoReturn, TypeAlias, TypeVar
 
-from symhaptic.book.arrivals import arrived as read
-from symhaptic.book.beforehand import Beforehand
+from symhaptic.book.arrivals import arrived, sent
+from symhaptic.book.beforehand import Beforehand, Lemma
 from symhaptic.book.chapters import BadChapter, untouched
-from symhaptic.book.ledger import Entry, of_derivation
+from symhaptic.book.ledger import Entry, looked_at, of_derivation
+from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
 
 SELDOM = 200_000
-"""Objects made after which a derivation's process looks for cycles of them; SymPy makes few."""
-
-BEHIND = 5
-"""How far a derivation's process stands back: who derives anew what arrives is never waited for."""
+"""Objects made after which a process looks for cycles of them; SymPy makes few."""
 
 PAUSE = 0.5
-"""Seconds after which who waits is told again what is under way."""
+"""Seconds after which who waits is told again what is under way, and that a process has to end."""
 
 Result = TypeVar("Result")
-Told = Callable[[int, Path], None]
+Found = TypeVar("Found")
+Told: TypeAlias = Callable[[int, Path], None]
 
 
 def workers() -> int:
@@ -64,14 +63,16 @@ def settled(
     given.
     """
     found: dict[int, list[Entry]] = {}
-    for i, result in each(of_derivation, paths, workers, told):
+    for i, result in each(of_derivation, paths, workers, told, looked_at):
         if isinstance(result, BadChapter):
             failed(result)
         else:
             found[i] = result
-            for entry in result:
-                entry.looked_at()
     return [entry for i in sorted(found) for entry in found[i]]
+
+
+def _itself(result: Any) -> Any:
+    return result
 
 
 def each(
@@ -79,46 +80,41 @@ def each(
     paths: Sequence[Path],
     workers: int,
     told: Told = lambda done, path: None,
-) -> Iterator[tuple[int, Result | BadChapter]]:
+    then: Callable[[Result], Found] = _itself,
+) -> Iterator[tuple[int, Found | BadChapter]]:
     """What becomes of each derivation, with its number, as they end.
 
-    They begin in their order, but for those that share a lemma which is not derived yet: these
-    wait, while others run.  What arrives is derived anew here once the next is under way.
+    ``work`` is done in the chapter's process, and ``then`` in its reader with what arrives of it.
+    They begin in their order, but for those of which another reader has derived a lemma already.
     """
     context = _context()
     lemmas = Beforehand(paths) if context.get_start_method() == "fork" else None
     waiting, done = list(range(len(paths))), 0
-    running, arrived = dict[Connection, tuple[int, BaseProcess]](), deque[tuple[int, bytes]]()
-    before = gc.get_threshold()
-    gc.set_threshold(SELDOM)
+    readers: list[_Reader] = []
     try:
         while done < len(paths):
-            while len(running) < workers:
-                number = next((n for n in waiting if lemmas is None or lemmas.ready(n)), None)
-                if number is None:
-                    break
-                waiting.remove(number)
-                connection, process = _begin(context, work, paths[number])
-                running[connection] = number, process
-            under_way = [number for number, _ in running.values()] or waiting or [len(paths) - 1]
-            told(done, paths[min(under_way)])
-            starving = bool(waiting) and len(running) < workers
-            busy = lemmas is not None and (starving or not arrived) and lemmas.derive()
-            if arrived and not busy:
-                number, sent = arrived.popleft()
-                done += 1
-                yield number, read(sent, paths[number])
-            for ready in wait(list(running), 0 if busy or arrived else PAUSE):
+            while waiting and len(readers) < min(workers, len(paths)):
+                readers.append(_begun(context, work, then, paths, lemmas, readers))
+            for reader in readers:
+                if waiting and reader.busy is None:
+                    reader.busy = _next(waiting, reader, readers, lemmas)
+                    waiting.remove(reader.busy)
+                    reader.connection.send(reader.busy)
+            busy = {reader.connection: reader for reader in readers if reader.busy is not None}
+            told(done, paths[min(reader.busy or 0 for reader in busy.values())])
+            for ready in wait(list(busy), PAUSE):
                 assert isinstance(ready, Connection)
-                number, process = running.pop(ready)
-                arrived.append((number, _sent(ready, process, paths[number])))
+                reader = busy[ready]
+                number, reader.busy = reader.busy, None
+                assert number is not None
+                done += 1
+                found = reader.found(paths[number])
+                if reader.gone:
+                    readers.remove(reader)
+                yield number, found
     finally:
-        gc.set_threshold(*before)
-        gc.unfreeze()
-        for connection, (_, process) in running.items():
-            process.kill()
-            process.join()
-            connection.close()
+        for reader in readers:
+            reader.end()
 
 
 def _context() -> BaseContext:
@@ -127,43 +123,153 @@ def _context() -> BaseContext:
     return multiprocessing.get_context("fork" if fork else "spawn")
 
 
-def _begin(
-    context: BaseContext, work: Callable[[Path], Result], path: Path
-) -> tuple[Connection, BaseProcess]:
+# -- readers, seen from outside --------------------------------------------------------
+
+
+@dataclass
+class _Reader:
+    """A process that reads what chapters send, and the chapter that it has in hand."""
+
+    process: BaseProcess
+    connection: Connection
+    busy: int | None = None
+    lemmas: set[Lemma] = field(default_factory=set)
+    gone: bool = False
+
+    def found(self, path: Path) -> Any:
+        """What it says of a chapter; that it ended, if it did."""
+        try:
+            return arrived(self.connection.recv_bytes(), path)
+        except EOFError:
+            self.gone = True
+            self.end()
+            return _ended(self.process, path)
+
+    def end(self) -> None:
+        """Have it end, and its chapter with it."""
+        self.connection.close()
+        self.process.terminate()
+        self.process.join()
+
+
+def _ended(process: BaseProcess, path: Path) -> BadChapter:
+    what = f"its process ended without a result (exit status {process.exitcode})"
+    return BadChapter(path, what)
+
+
+def _begun(
+    context: BaseContext,
+    work: Callable[[Path], Any],
+    then: Callable[[Any], Any],
+    paths: Sequence[Path],
+    lemmas: Beforehand | None,
+    others: Sequence[_Reader],
+) -> _Reader:
     gc.freeze()  # what is there stays, and is not looked through again in the process
-    ours, theirs = context.Pipe(duplex=False)
-    process = context.Process(target=_child, args=(work, path, theirs), daemon=True)  # type: ignore[attr-defined]
+    ours, theirs = context.Pipe()
+    not_its_own = [ours, *(other.connection for other in others)] if lemmas else []
+    process = context.Process(  # type: ignore[attr-defined]
+        target=_reads, args=(work, then, paths, lemmas, theirs, not_its_own)
+    )
     process.start()
+    gc.unfreeze()
     theirs.close()
-    return ours, process
+    return _Reader(process, ours)
 
 
-def _child(work: Callable[[Path], Result], path: Path, connection: Connection) -> None:
-    """What the process of a derivation does; who started it ends it when interrupted."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _next(
+    waiting: Sequence[int], reader: _Reader, readers: Sequence[_Reader], lemmas: Beforehand | None
+) -> int:
+    """The chapter that a reader takes in hand."""
+    if lemmas is None:
+        return waiting[0]
+    elsewhere = set[Lemma]().union(*(other.lemmas for other in readers if other is not reader))
+    number = lemmas.next(waiting, reader.lemmas, elsewhere)
+    reader.lemmas.update(lemmas.lemmas[number])
+    return number
+
+
+# -- what a reader does ----------------------------------------------------------------
+
+
+def _reads(
+    work: Callable[[Path], Any],
+    then: Callable[[Any], Any],
+    paths: Sequence[Path],
+    lemmas: Beforehand | None,
+    asked: Connection,
+    not_its_own: Sequence[Connection],
+) -> None:
+    """Have chapters run, one by one as they are asked for, until nobody asks."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who started it ends it when interrupted
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     gc.set_threshold(SELDOM)
-    if hasattr(os, "nice"):
-        os.nice(BEHIND)
-    result: Result | BadChapter
+    for connection in not_its_own:
+        connection.close()
+    context = _context()
+    if lemmas is None and context.get_start_method() == "fork":
+        lemmas = Beforehand(paths)
+    while True:
+        try:
+            number = asked.recv()
+        except EOFError:
+            return
+        if lemmas is not None:
+            lemmas.derive(number)
+        known = at_hand() if lemmas is not None else []
+        result = _of_chapter(context, work, paths[number], known, asked)
+        found = result if isinstance(result, BadChapter) else then(result)
+        asked.send_bytes(sent(found))
+
+
+def _of_chapter(
+    context: BaseContext,
+    work: Callable[[Path], Any],
+    path: Path,
+    known: Sequence[Theorem],
+    asked: Connection,
+) -> Any:
+    """What arrives from a chapter that runs in a process of its own, derived anew."""
+    gc.freeze()
+    ours, theirs = context.Pipe(duplex=False)
+    not_its_own = (ours, asked) if context.get_start_method() == "fork" else ()
+    process = context.Process(  # type: ignore[attr-defined]
+        target=_child, args=(work, path, theirs, known, not_its_own), daemon=True
+    )
+    process.start()
+    gc.unfreeze()
+    theirs.close()
+    try:
+        came = ours.recv_bytes()
+        return arrived(came, path, known)
+    except EOFError:
+        process.join()
+        return _ended(process, path)
+    finally:
+        ours.close()
+        process.join(PAUSE)
+        if process.is_alive():
+            process.kill()
+            process.join()
+
+
+def _child(
+    work: Callable[[Path], Any],
+    path: Path,
+    connection: Connection,
+    known: Sequence[Theorem],
+    not_its_own: Sequence[Connection],
+) -> None:
+    """What the process of a chapter does."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    gc.set_threshold(SELDOM)
+    for other in not_its_own:
+        other.close()
+    result: Any
     try:
         result = work(path)
     except BadChapter as wrong:
         result = BadChapter(*wrong.args)
     sys.stderr.flush()
-    connection.send(result)
-
-
-def _sent(connection: Connection, process: BaseProcess, path: Path) -> bytes:
-    """What the process of a derivation has sent; it ends."""
-    try:
-        sent = connection.recv_bytes()
-    except EOFError:
-        process.join()
-        what = f"its process ended without a result (exit status {process.exitcode})"
-        sent = pickle.dumps(BadChapter(path, what))
-    connection.close()
-    process.join(PAUSE)
-    if process.is_alive():
-        process.kill()
-        process.join()
-    return sent
+    connection.send_bytes(sent(result, known))

@@ -6,12 +6,14 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import InitVar, dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
@@ -74,7 +76,15 @@ class Block:
     rows: tuple[tuple[Any, ...], ...] = ()
     """Cells of a table, its head first."""
     theorem: Theorem | None = None
-    """The theorem of which hypotheses and conclusion stand in the lines."""
+    """The theorem that stands in it instead of lines."""
+
+    @cached_property
+    def said(self) -> tuple[tuple[str, ...], str]:
+        """LaTeX of the theorem's hypotheses, the short ones first, and of its conclusion."""
+        if self.theorem is None:
+            raise ValueError(f"{self.title}: no theorem stands in it")
+        given = sorted(chains(sorted(self.theorem.hypotheses, key=written)), key=len)
+        return tuple(given), written(self.theorem.conclusion)
 
 
 @dataclass

@@ -8,6 +8,8 @@ from enum import StrEnum
 
 from sympy import Expr
 
+from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.written import written
 from symhaptic.proof.certificate import Certificate
 
 
@@ -54,12 +56,17 @@ class Verdict:
     note: str | None = None
     argued_for: Kind | None = None
     """What an argument in words claims, of a verdict that is *argued*."""
-    proposition: str | None = None
-    """LaTeX of what the statement claims."""
+    claim: Proposition | None = None
+    """What the statement claims."""
     rests: tuple[str, ...] = ()
     """The deciders and rules that the theorem rests on."""
     certificate: Certificate | None = field(default=None, repr=False, compare=False)
     """Of an inequality on a box; :func:`symhaptic.recheck` checks it again."""
+
+    @property
+    def proposition(self) -> str | None:
+        """LaTeX of what the statement claims."""
+        return None if self.claim is None else written(self.claim)
 
     @property
     def claimed(self) -> Kind:

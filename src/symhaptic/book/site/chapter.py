@@ -146,7 +146,7 @@ def _theorem(block: Block, lead: str, place: Place) -> list[str]:
 
 def _claimed(block: Block, place: Place) -> list[str]:
     """A theorem with what it rests on."""
-    *given, then = (text for _, _, text in block.lines)
+    given, then = block.said
     let = "\\ , ".join(map(breakable, given))
     says = f"Let {let}\\ . Then {breakable(then)}\\ ." if given else f"{breakable(then)}\\ ."
     method = words(block.method)

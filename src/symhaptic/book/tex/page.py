@@ -121,7 +121,7 @@ def _theorem(block: Block, chapter: int, step: int, shown: Mapping[Said, Shown])
 
 def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown]) -> str:
     """A theorem, what it is, and beside it what it rests on."""
-    *given, then = (text for _, _, text in block.lines)
+    given, then = block.said
     place = f"{chapter}.{block.number}"
     number = f"\\theoremplace{{{place}}}\\theoremrow{{{place}}}"
     method = prose(block.method)

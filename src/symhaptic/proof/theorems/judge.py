@@ -110,8 +110,6 @@ class Judged:
     enclosed: bool = False
     shows: str | None = None
     note: str | None = None
-    told: bool = True
-    """Whether the verdict says in LaTeX what is claimed."""
 
     def decide(self, claim: Proposition, right: Proposition | None = None) -> Verdict:
         """The verdict on a claim; ``right`` is the claim with the corrected print."""
@@ -167,7 +165,7 @@ class Judged:
             "a theorem of the kernel",
             shows=self.shows,
             note=self.note,
-            proposition=written(claim) if self.told else None,
+            claim=claim,
             rests=tuple(sorted(rests)),
         )
 

@@ -145,6 +145,11 @@ _known: WeakValueDictionary[Any, Theorem] = WeakValueDictionary()
 A rule gives the same for the same, so that this is the theorem and not a copy of one."""
 
 
+def at_hand() -> list[Theorem]:
+    """What was derived here and need not be derived anew."""
+    return list(_known.values())
+
+
 def forget() -> None:
     """Derive anew from here on, even what has been derived here before."""
     _known.clear()
