@@ -51,7 +51,7 @@ def settled(page):
     point = {gamma: S.Zero, delta: S.Zero, d: S(10), FASTER: S.One}
     page.settle(
         "s6-faster-sampling",
-        for_all(symbols, [*ranges, SLOW], weakened(gained(then), *ranges)),
+        for_all(symbols, [*ranges, SLOW], weakened(gained(), *ranges)),
         example=example(point, [*ranges, SLOW], slow(point)),
         unless=[counterexample(claim, SOON, much(then.at(SOON)), not_slow(), but=SLOW)],
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "

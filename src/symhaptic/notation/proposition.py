@@ -43,6 +43,13 @@ def term(of: Any) -> Expr:
     expr = sp.sympify(of)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
+    _looked_through(expr)
+    return expr
+
+
+@lru_cache(maxsize=1 << 15)
+def _looked_through(expr: Expr) -> None:
+    """Raise :class:`NoTerm` of an expression that is none; of one that is, nothing."""
     left = [expr]
     while left:
         part = left.pop()
@@ -52,10 +59,8 @@ def term(of: Any) -> Expr:
             left += part.args[::-1]
     if not _lasting(expr):
         raise NoTerm(f"{expr} loses a divisor when SymPy writes it anew; write it without")
-    return expr
 
 
-@lru_cache(maxsize=1 << 14)
 def _lasting(expr: Expr) -> bool:
     """Whether all that limits where a term has a value outlives its being written anew."""
     limits = set(_limits(expr))
@@ -81,6 +86,12 @@ def _lasting(expr: Expr) -> bool:
 def _other(symbol: Symbol) -> Symbol:
     """A symbol that stands for another one, always the same, of which SymPy then knows."""
     return sp.Dummy(symbol.name)
+
+
+@lru_cache(maxsize=1 << 15)
+def symbols_in(expr: Expr) -> frozenset[Symbol]:
+    """The free symbols of a term."""
+    return frozenset(expr.free_symbols)
 
 
 def _limits(expr: Expr) -> Iterator[Expr]:
@@ -173,15 +184,16 @@ class Proposition:
     @cached_property
     def free(self) -> frozenset[Symbol]:
         """Its free symbols."""
-        inner = frozenset(s for t in self.terms for s in t.free_symbols)
-        return (inner.union(*(p.free for p in self.parts))) - frozenset(self.bound)
+        below = (p.free for p in self.parts)
+        inner = frozenset[Symbol]().union(*map(symbols_in, self.terms), *below)
+        return inner - frozenset(self.bound)
 
     def at(self, values: Terms) -> Proposition:
         """With terms in place of free symbols; bound symbols give way."""
         values = {s: v for s, v in values.items() if s in self.free and s != v}
         if not values:
             return self
-        met = frozenset(s for v in values.values() for s in v.free_symbols)
+        met = frozenset[Symbol]().union(*map(symbols_in, values.values()))
         fresh = {s: sp.Dummy(s.name) for s in self.bound if s in met}
         inner = {**values, **fresh}
         return self.made(
@@ -252,7 +264,7 @@ class Relation(Proposition):
 
     def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Proposition:
         """The same sign between other terms; false between numbers of which one has no value."""
-        if not any(t.free_symbols for t in terms) and any(without_value(t) for t in terms):
+        if not any(map(symbols_in, terms)) and any(without_value(t) for t in terms):
             return FALSE
         return Relation(terms[0], self.sign, terms[1])
 

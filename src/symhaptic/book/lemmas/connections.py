@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 from sympy import Eq, Expr, Ne
 
@@ -41,11 +42,13 @@ NO_CHAIN = KIND < CHAIN
 HELD = alpha + gamma > 0
 
 
+@cache
 def parallel() -> Theorem:
     """n = 1 => 0 <= R_1 + R_2."""
     return discharged(positive(REAL[PARALLEL] >= 0, [R_1 >= 0], [R_2 >= 0]), Eq(KIND, PARALLEL))
 
 
+@cache
 def fed_back() -> Theorem:
     """n = 2, 1 + Z_1 Z_2 != 0 => 0 <= Re Z_1/(1 + Z_1 Z_2)."""
     apart = assume(Ne(SIZE, 0))
@@ -64,6 +67,7 @@ def no_chain() -> Theorem:
     return discharged(claim, Eq(KIND, CHAIN))
 
 
+@cache
 def connected_is_passive() -> tuple[Theorem, ...]:
     """Side by side and fed back, 0 <= Re, for 0 <= R_1 and 0 <= R_2; of a chain nothing is said."""
     return parallel(), fed_back(), no_chain()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from sympy import Eq, Expr, Ne, S
@@ -13,9 +14,11 @@ from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import And, Or, Relation, negated, proposition
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL
 from symhaptic.paper.ranges import DAMPED, STIFF
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -47,8 +50,10 @@ SLOW = Or((And((DEVICES, proposition(Eq(d, LATE)), proposition(FASTER <= TIMES))
 """One of two devices, ten periods of delay, and at most ten times as fast sampling."""
 
 
-def gained(claim: Any) -> Theorem:
-    """The claim under SLOW."""
+@cache
+def gained() -> Theorem:
+    """What is claimed of faster sampling, under SLOW."""
+    *_, claim = taken_apart(CLAIMED["s6-faster-sampling"](()))
     here = {d: S(LATE)}
     cases = []
     for spring, damper in ARMS:
@@ -118,6 +123,7 @@ def much(then: Any) -> Theorem:
     return not_all(then, reductio(chosen(assume(stable_), wrong), stable_))
 
 
+@cache
 def not_slow() -> Theorem:
     """Nor is the delay one of ten periods."""
     claim: Any = SLOW.at(SOON)
@@ -132,6 +138,7 @@ def slow(point: Any) -> Theorem:
     return widened(conjoined(widened(device, devices), *map(number, rest)), SLOW.at(point))
 
 
+@cache
 def farthest() -> Theorem:
     """How stiff a free mass can be behind the longest of these delays."""
     return none_above(ARMS[0], LATE * TIMES)[1]

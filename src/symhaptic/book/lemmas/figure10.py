@@ -82,6 +82,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     return for_all(symbols, given, weakened(closed(found, *apart, *apart), *given))
 
 
+@cache
 def drawn() -> Theorem:
     """All of Fig. 10."""
     curves, *more = CLAIMED["fig10"](()).of  # type: ignore[attr-defined]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from functools import cache
 from typing import Any
 
 from sympy import Expr, S, cos, sin
@@ -102,6 +103,7 @@ def rises(arm: Arm, delay: int, later: int) -> Theorem:
     return witnessed(found, some, {RATE: share})
 
 
+@cache
 def drawn() -> Theorem:
     """All of Fig. 12."""
     tips = CLAIMED["fig12"](()).of[0]  # type: ignore[attr-defined]

@@ -122,6 +122,7 @@ def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     return conjoined(solid, bound, reached, stiffest)
 
 
+@cache
 def drawn() -> Theorem:
     """All of Fig. 9."""
     region, visible = CLAIMED["fig9"](()).of  # type: ignore[attr-defined]

@@ -182,6 +182,7 @@ def no_wall_near(claim: Proposition) -> Theorem:
     return absurd(chosen(near, wrong), fact(Relation(S.Zero, "<=", S.One)), false)
 
 
+@cache
 def not_soft() -> Theorem:
     """Nor has it a damper."""
     claim = SOFT.at(HALF_SWING)

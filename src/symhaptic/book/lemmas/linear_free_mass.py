@@ -54,6 +54,7 @@ def above_the_line() -> Theorem:
     )
 
 
+@cache
 def of_a_free_mass() -> Theorem:
     """That, and that no wall with alpha (1/2 + d) = beta is stable."""
     above = above_the_line()

@@ -123,6 +123,7 @@ def on_line(stiffness: Theorem, damping: Theorem) -> Theorem:
     return closed(bordering(passive, closed(least, *divisors())), *divisors())
 
 
+@cache
 def decides() -> tuple[Theorem, Theorem]:
     """(9) makes passive, for K >= 0 and B <= b d/(2d+3), and is needed but for equality."""
     delay = positive((d + HALF) * T > 0, [HALF, T > 0, shares()[1]])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from symhaptic.book.lemmas.linear import turned
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.notation import alpha, beta, d, delta, gamma
@@ -20,6 +22,7 @@ from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import chained, either_way
 
 
+@cache
 def exchanged() -> Theorem:
     """stable <=> stable with x of the damping exchanged, where (25) decides for both."""
     before, after = decides(), decides().at(EXCHANGED)

@@ -6,6 +6,7 @@ it rises with the damper.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -58,6 +59,7 @@ UNDELAYED_ARM = Or(
 SIDES = {**RANGES, alpha: (-STIFF, 1), beta: (-1, Rational(21, 10))}
 
 
+@cache
 def minor_rises() -> Theorem:
     """The minor of a wall rises with the damper, on a box of arms and walls."""
     minor: Any = inequalities(0)[-1].conclusion.right  # type: ignore[attr-defined]
@@ -71,6 +73,7 @@ def minor_rises() -> Theorem:
     return more_damped(certificate, minor, HEAVIER, OTHERS)
 
 
+@cache
 def above_minus_one() -> Theorem:
     """-1 < beta of a stable wall."""
     *planes, minor = inequalities(0)
@@ -93,6 +96,7 @@ def above_minus_one() -> Theorem:
     return of_every_plant(closed(found, low, high, apart_of(total)))
 
 
+@cache
 def more_damped_is_stable() -> Theorem:
     """stable with delta gives stable with delta' > delta, for arms of (23) without delay."""
     minor = inequalities(0)[-1]
@@ -122,6 +126,7 @@ def more_damped_is_stable() -> Theorem:
     return closed(found, less, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
 
 
+@cache
 def grown() -> Theorem:
     """The same under UNDELAYED_ARM, with d in its place."""
     here = Implies((STABLE.at({d: S.Zero}), STABLE.at({d: S.Zero, delta: HEAVIER})))
@@ -142,6 +147,7 @@ STIFF_ONE = {
 """A wall that more damping makes unstable, beside a stiff spring."""
 
 
+@cache
 def excluded() -> Theorem:
     """It is not of (23)."""
     claim: Any = UNDELAYED_ARM.at(STIFF_ONE)

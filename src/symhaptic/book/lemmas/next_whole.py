@@ -353,6 +353,7 @@ NOTHING = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 """No wall at all."""
 
 
+@cache
 def nothing_is_passive() -> Theorem:
     """No wall is passive one period late."""
     found = placed(all_between(), {s: v for s, v in {**NOTHING, epsilon: S.One}.items() if s != K})

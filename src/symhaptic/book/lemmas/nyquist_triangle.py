@@ -205,6 +205,7 @@ def stiffer() -> Theorem:
     return witnessed(conjoined(reached(), others), wanted, dict(zip(BESIDE, WALL, strict=True)))
 
 
+@cache
 def other_shape_and_size() -> Theorem:
     """All three parts."""
     shape = for_all((alpha, beta, delta), DAMPERS, weakened(is_triangle(), *DAMPERS))

@@ -128,6 +128,7 @@ def inside(spring: Expr = gamma) -> Theorem:
     return closed(found, *(fact(h) for h in found.hypotheses if not h.free))
 
 
+@cache
 def in_one_plane() -> Theorem:
     """Fig. 11, for whole delays."""
     symbols, given, then = taken_apart(CLAIMED["fig11"](()))
@@ -144,6 +145,7 @@ def in_one_plane() -> Theorem:
     return for_all(symbols, more, weakened(low, *more))
 
 
+@cache
 def up_to_nyquist() -> Theorem:
     """Fig. 13, for whole delays."""
     symbols, given, then = taken_apart(CLAIMED["fig13"](()))
@@ -166,6 +168,7 @@ HALF_LATE = {alpha: LITTLE, beta: LITTLE / 2, delta: DAMPED, d: S.Half}
 """A wall that meets (5) half a period late, and is not stable by (18): in the root of z."""
 
 
+@cache
 def meets_the_condition() -> Theorem:
     """(5), which wants alpha cos(omega/2) - beta cos(3 omega/2) of the damper."""
     slow, fast = omega / 2, 3 * omega / 2

@@ -208,6 +208,7 @@ def instead() -> Any:
     return both([apart, *peak, *free])
 
 
+@cache
 def near_one() -> Theorem:
     """:func:`instead`."""
     _, _, under, _, fallen = instead().of

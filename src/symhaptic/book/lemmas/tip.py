@@ -106,6 +106,7 @@ def tip_beside(side: int) -> Theorem:
     return closed(found, *ends, *divisors, positive(Ne(-sin(psi), 0), [sine()]))
 
 
+@cache
 def wave() -> Theorem:
     """0 < sin(pi/(2N))."""
     low = over(TURN > 0, HALF_PI, size())
@@ -162,6 +163,7 @@ def by_three(goal: Any, below: Theorem, at: Theorem, above: Theorem, angle: Expr
     return by_cases(ordered(N * angle, pi / 2), below, beyond)
 
 
+@cache
 def level() -> Theorem:
     """0 < cos(pi/(2N))."""
     low = over(TURN > 0, HALF_PI, size())

@@ -252,6 +252,7 @@ def _spring(turn: Any, low: Theorem, high: Theorem) -> list[Theorem]:
     return [positive(turn**2 > 0, [low, low]), positive(turn**2 < pi**2, [gap, more])]
 
 
+@cache
 def excluded() -> Theorem:
     """No wall with 0 <= alpha is stable beside the spring with (d + 1) Omega = pi/2, 0 <= d."""
     more = _more()

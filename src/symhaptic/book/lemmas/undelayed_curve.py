@@ -55,6 +55,7 @@ def apart_of(theorem: Theorem) -> Theorem:
     return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
 
 
+@cache
 def needed() -> Theorem:
     """A stable wall lies between them."""
     first, _, _, minor = inequalities(0)
@@ -65,6 +66,7 @@ def needed() -> Theorem:
     return closed(found, *(apart_of(known[n]) for n in ("total", "weight", "late", "toward")))
 
 
+@cache
 def enough() -> Theorem:
     """A wall between them is stable, for -1 < beta."""
     loop = by_inequalities(0)
@@ -148,6 +150,7 @@ def _room(inner: Theorem, near: Theorem, minor: Expr) -> Theorem:
     return by_cases(ordered(S.Zero, ROOM), assume(claim), anything(absurd(inner, less), claim))
 
 
+@cache
 def between() -> Theorem:
     """stable <=> between them."""
     return either_way(needed(), enough(), undelayed(), BETWEEN)

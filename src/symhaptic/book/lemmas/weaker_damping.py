@@ -6,6 +6,7 @@ stiffness on all of (23), near enough for dampings that are two percent apart.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from sympy import Eq, Expr, Rational, S, Symbol, symbols
@@ -176,6 +177,7 @@ def nearer(some: Any) -> Theorem:
     return reductio(chosen(assume(some), wrong), some)
 
 
+@cache
 def not_short() -> Theorem:
     """Nor is it a short delay."""
     claim: Any = SHORT.at(FAR)

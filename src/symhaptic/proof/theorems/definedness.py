@@ -12,7 +12,7 @@ from functools import lru_cache
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Proposition, Relation, is_complex
+from symhaptic.notation.proposition import Proposition, Relation, is_complex, symbols_in
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -77,7 +77,7 @@ def differs(number: Expr) -> bool:
     """Whether a ball shows that a number is not zero; an exponential never is."""
     if isinstance(number, sp.exp):
         return True
-    if number.free_symbols:
+    if symbols_in(number):
         return False
     try:
         return bool(differs_from_zero(number))

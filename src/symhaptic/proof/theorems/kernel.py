@@ -42,6 +42,7 @@ from symhaptic.notation.proposition import (
     negated,
     proposition,
     replaced,
+    symbols_in,
     term,
     without_value,
 )
@@ -431,7 +432,7 @@ def lost(values: Terms, claim: Proposition) -> set[Proposition]:
         bound = set(inside) | set(current.bound)
         here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
-            if not new.free_symbols and without_value(new):
+            if not symbols_in(new) and without_value(new):
                 continue  # the relation is false there, whatever it divides by
             kept = conditions(new)
             for condition in conditions(old, at=here):
