@@ -1,8 +1,11 @@
 """Chapters leave nothing behind, nothing is settled twice, and what fails says where."""
 
 import json
+import os
+import signal
 import subprocess
 import sys
+import time
 from xml.etree import ElementTree
 
 import pytest
@@ -229,3 +232,29 @@ def test_a_report_says_what_is_found_of_each_chapter_alone(tmp_path):
     second = chapter(tmp_path, "second", STATED, RIGHT)
     run = symhaptic("report", "--derivation", first, "--derivation", second, *names)
     assert run.returncode == 0, run.stderr
+
+
+def test_who_interrupts_is_left_alone_by_all_processes(tmp_path):
+    """The chapter's process and its reader end with the one that is interrupted, and say nothing."""
+    begun = tmp_path / "begun"
+    path = chapter(
+        tmp_path,
+        "my",
+        f"    import os, time\n    open({str(begun)!r}, 'w').write(str(os.getpid()))\n"
+        "    time.sleep(200)\n",
+    )
+    program = "from symhaptic.cli.main import main; main()"
+    run = subprocess.Popen(
+        [sys.executable, "-c", program, "verify", "eq1", "--derivation", path],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+    until = time.monotonic() + 100
+    while not (begun.exists() and begun.read_text()) and time.monotonic() < until:
+        time.sleep(0.1)
+    os.killpg(run.pid, signal.SIGINT)
+    assert run.communicate(timeout=60)[1] == b""
+    assert run.returncode == 130
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(begun.read_text()), 0)

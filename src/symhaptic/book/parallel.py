@@ -147,9 +147,9 @@ class _Reader:
 
     def end(self) -> None:
         """Have it end, and its chapter with it."""
-        self.connection.close()
         self.process.terminate()
         self.process.join()
+        self.connection.close()
 
 
 def _ended(process: BaseProcess, path: Path) -> BadChapter:
@@ -246,11 +246,11 @@ def _of_chapter(
         process.join()
         return _ended(process, path)
     finally:
-        ours.close()
         process.join(PAUSE)
         if process.is_alive():
             process.kill()
             process.join()
+        ours.close()
 
 
 def _child(
