@@ -235,7 +235,7 @@ def test_a_report_says_what_is_found_of_each_chapter_alone(tmp_path):
 
 
 def test_who_interrupts_is_left_alone_by_all_processes(tmp_path):
-    """The chapter's process and its reader end with the one that is interrupted, and say nothing."""
+    """The process of the chapter and its reader end with that one, and say nothing."""
     begun = tmp_path / "begun"
     path = chapter(
         tmp_path,
