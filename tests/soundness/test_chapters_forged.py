@@ -415,3 +415,43 @@ def derive(page):
     told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
     assert told.exit_code in (1, 2)
     assert told.exit_code == 2 or "DIFFERS" in out.read_text()
+
+
+def test_a_source_does_not_patch_the_judge(tmp_path: Path) -> None:
+    """The chapter gives its own verdict, and the source has whoever reads it believe it."""
+    source = """
+import symhaptic.book.beforehand as beforehand
+import symhaptic.book.ledger as ledger
+import symhaptic.book.parallel as parallel
+from symhaptic.paper.statement import Source, Statement
+for module in (ledger, parallel, beforehand):
+    if hasattr(module, "judged_again"):
+        module.judged_again = lambda entry: None
+SOURCE = Source("f", "Forged", "A. Author", "2026")
+STATEMENTS = (Statement("f:two", "(1)", "two", (r"x = 2",)),)
+"""
+    (tmp_path / "source.py").write_text(source, encoding="utf-8")
+    settled = COMPARING.replace('page.state("forged", "two", "x = 2")', "").rstrip()
+    chapter(tmp_path, "forged", settled + COMPARED["nothing sent"].replace("forged", "f:two"))
+    program = "from symhaptic.cli.main import main; main()"
+    told = subprocess.run(
+        [sys.executable, "-c", program, "verify", "--source", tmp_path],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert told.returncode == 1
+    assert "DIFFERS  f:two" in told.stdout
+
+
+@pytest.mark.parametrize("said", ['SOURCE = "x"', "STATEMENTS = 3", 'STATEMENTS = ("a",)'])
+def test_a_source_that_says_something_else_is_one_line(said: str, tmp_path: Path) -> None:
+    (tmp_path / "source.py").write_text(
+        "from symhaptic.paper.statement import Source\n"
+        f'SOURCE = Source("f", "A", "B", "2026")\nSTATEMENTS = ()\n{said}\n',
+        encoding="utf-8",
+    )
+    chapter(tmp_path, "one", "def derive(page): pass\n")
+    told = CliRunner().invoke(app, ["verify", "--source", str(tmp_path)])
+    (line,) = str(told.exception).splitlines()
+    assert "source.py" in line

@@ -10,11 +10,12 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType, TracebackType
+from typing import TypeAlias
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import PACKAGE
 from symhaptic.book.sources import add
-from symhaptic.paper.statement import Source
+from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.recheck import confirm
 
 
@@ -112,25 +113,62 @@ def shipped() -> list[Path]:
 
 SOURCE_FILE = "source.py"
 
-_sources: dict[Path, Source] = {}
+Said: TypeAlias = tuple[Source, tuple[Statement, ...]]
+"""A source and its statements, as a ``source.py`` has them."""
+
+_sources: dict[Path, Said] = {}
 """Folders whose source is known."""
+
+
+def known_sources() -> dict[Path, Said]:
+    """The sources of users that are known here, by their folders."""
+    return dict(_sources)
+
+
+def said_beside(path: Path) -> Said | None:
+    """What the ``source.py`` beside a chapter says, which is run for it, if there is one.
+
+    Raises :class:`BadChapter` with what is wrong with it.
+    """
+    file = path.resolve().parent / SOURCE_FILE
+    if not file.is_file():
+        return None
+    module = _load(file)
+    with _SomebodyElses(file):
+        if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
+            raise BadChapter(file, "has no SOURCE or no STATEMENTS")
+        return module.SOURCE, tuple(module.STATEMENTS)
+
+
+def keep(folder: Path, said: Said) -> Source:
+    """Know the source of a folder from here on, and its statements.
+
+    Raises :class:`BadChapter` with what is wrong with them.
+    """
+    if folder not in _sources:
+        file = folder / SOURCE_FILE
+        source, statements = said
+        if type(source) is not Source or any(type(s) is not Statement for s in statements):
+            raise BadChapter(file, "SOURCE is no Source, or STATEMENTS are no Statements")
+        with _SomebodyElses(file):
+            add(source, statements)
+        _sources[folder] = said
+    return _sources[folder][0]
 
 
 def source_beside(path: Path) -> Source | None:
     """The source in whose folder a chapter stands, if it is one.
 
-    Raises :class:`BadChapter` with what is wrong with its ``source.py``.
+    Raises :class:`BadChapter` with what is wrong with its ``source.py``, which is run here if it
+    is not known.
     """
-    file = path.resolve().parent / SOURCE_FILE
-    if file.parent not in _sources:
-        if not file.is_file():
+    folder = path.resolve().parent
+    if folder not in _sources:
+        said = said_beside(path)
+        if said is None:
             return None
-        module = _load(file)
-        with _SomebodyElses(file):
-            if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
-                raise BadChapter(file, "has no SOURCE or no STATEMENTS")
-            _sources[file.parent] = add(module.SOURCE, module.STATEMENTS)
-    return _sources[file.parent]
+        keep(folder, said)
+    return _sources[folder][0]
 
 
 def run(path: Path) -> Chapter:

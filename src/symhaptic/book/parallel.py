@@ -13,7 +13,7 @@ import multiprocessing
 import os
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import BaseContext
@@ -23,8 +23,16 @@ from typing import Any, NoReturn, TypeAlias, TypeVar
 
 from symhaptic.book.arrivals import arrived, sent
 from symhaptic.book.beforehand import Beforehand, Lemma
-from symhaptic.book.chapters import BadChapter, untouched
+from symhaptic.book.chapters import (
+    BadChapter,
+    Said,
+    keep,
+    known_sources,
+    said_beside,
+    untouched,
+)
 from symhaptic.book.ledger import Entry, looked_at, of_derivation
+from symhaptic.paper.statement import Source
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
 MOST = 4
@@ -69,6 +77,20 @@ def settled(
         else:
             found[i] = result
     return [entry for i in sorted(found) for entry in found[i]]
+
+
+def source_apart(path: Path) -> Source | None:
+    """The source in whose folder a chapter stands, read in a process of its own, if it is one.
+
+    Raises :class:`BadChapter` with what is wrong with its ``source.py``.
+    """
+    folder = path.resolve().parent
+    if folder not in known_sources():
+        for _, said in each(said_beside, [path], 1):
+            if isinstance(said, BadChapter):
+                raise said
+            return None if said is None else keep(folder, said)
+    return known_sources()[folder][0]
 
 
 def _itself(result: Any) -> Any:
@@ -169,7 +191,8 @@ def _begun(
     ours, theirs = context.Pipe()
     not_its_own = [ours, *(other.connection for other in others)] if lemmas else []
     process = context.Process(  # type: ignore[attr-defined]
-        target=_reads, args=(work, then, paths, lemmas, theirs, not_its_own)
+        target=_reads,
+        args=(work, then, paths, lemmas, known_sources(), theirs, not_its_own),
     )
     process.start()
     gc.unfreeze()
@@ -197,6 +220,7 @@ def _reads(
     then: Callable[[Any], Any],
     paths: Sequence[Path],
     lemmas: Beforehand | None,
+    sources: Mapping[Path, Said],
     asked: Connection,
     not_its_own: Sequence[Connection],
 ) -> None:
@@ -206,6 +230,8 @@ def _reads(
     gc.set_threshold(SELDOM)
     for connection in not_its_own:
         connection.close()
+    for folder, said in sources.items():
+        keep(folder, said)
     context = _context()
     if lemmas is None and context.get_start_method() == "fork":
         lemmas = Beforehand(paths)
