@@ -7,13 +7,13 @@ device separately.
 
 from sympy import Eq, Poly, S
 
-from symhaptic.book.lemmas.arm import PLAIN, bounds, limits, total
+from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, total
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, s
 from symhaptic.notation.proposition import Relation, negated, proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y
+from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y, y_D, y_H
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined
@@ -81,12 +81,8 @@ def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
     claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
     symbols, given, then = taken_apart(claim)
-    found = [
-        combined(wanted, [assume(rule), S.One])
-        for wanted, rule in zip(then.of, given[-2:], strict=True)
-    ]
-    theorem = for_all(symbols, given, weakened(closed(conjoined(*found), *total()), *given))
-    page.settle("eq19", theorem, *forms, example=example(PLAIN, given))
+    theorem = for_all(symbols, given, weakened(numbers(claim), *given))
+    page.settle("eq19", theorem, *forms, example=example(PLAIN | WHOLE, given))
 
 
 def _bounds(page):
@@ -147,5 +143,5 @@ def _limits(page):
     page.settle(
         "s4c-independent-limits",
         for_all(symbols, given, weakened(found, *given)),
-        example=example(PLAIN | {x: S.One, y: S.One}, given),
+        example=example(PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One), given),
     )
