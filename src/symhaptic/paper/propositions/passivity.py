@@ -32,7 +32,7 @@ PASSIVE = Predicate("passive_wall", (), WALL)
 [FIVE] = next(s.printed for s in EQUATIONS if s.id == "eq5")
 
 
-def at_every_frequency(*conditions: sp.Expr) -> Proposition:
+def at_every_frequency(*conditions: sp.Expr | Proposition) -> Proposition:
     """The conditions for 0 < omega < omega_N."""
     return ForAll((omega,), implied([omega > 0, omega < sp.pi / T], both(conditions)))
 
@@ -60,8 +60,13 @@ def at_given(condition: sp.Expr, answer: sp.Expr) -> sp.Expr:
 
 
 @claims("eq5")
-def _condition_is_sufficient(printed: Printed) -> Proposition:
-    return ForAll(WALL, implied([*LOOP, at_every_frequency(*printed)], PASSIVE))
+def _condition_decides(printed: Printed) -> Proposition:
+    """A wall is passive if it meets (5) at every frequency, and only then.
+
+    That (5) makes it so is what (4) says of it; that no other wall is passive is what the
+    boundaries rest on, which are made of (5).
+    """
+    return ForAll(WALL, implied(LOOP, Iff((at_every_frequency(*printed), PASSIVE))))
 
 
 @claims("s3a-mass-free")
@@ -73,16 +78,18 @@ def _mass_does_not_matter(printed: Printed) -> Proposition:
 
 @claims("s3a-undelayed")
 def _summary_of_the_undelayed_form(printed: Printed) -> Proposition:
-    """The form for d = 0 says the same as (6), its summary."""
-    return ForAll(WALL[:-1], implied(LOOP[:-1], _summed_up(printed)))
+    """(5) is the form for d = 0, at each frequency; and this says the same as (6), its summary."""
+    [form] = map(proposition, printed)
+    same = at_every_frequency(Iff((proposition(FIVE).at({d: sp.S.Zero}), form)))
+    return ForAll(WALL[:-1], implied(LOOP[:-1], both([same, _summed_up(printed)])))
 
 
 @claims("eq6")
 def _condition_without_delay(printed: Printed) -> Proposition:
-    """(6) sums up the form for d = 0, and a wall that meets it is passive."""
+    """(6) sums up the form for d = 0, and the walls that meet it are those that are passive."""
     [six] = map(proposition, printed)
-    sufficient = implied([six], PASSIVE.at({d: sp.S.Zero}))
-    return ForAll(WALL[:-1], implied(LOOP[:-1], both([_summed_up((UNDELAYED,), six), sufficient])))
+    decides = Iff((six, PASSIVE.at({d: sp.S.Zero})))
+    return ForAll(WALL[:-1], implied(LOOP[:-1], both([_summed_up((UNDELAYED,), six), decides])))
 
 
 UNDELAYED = b > K * T / 2 - B * sp.cos(omega * T)
