@@ -80,7 +80,7 @@ def derive(page):
 def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
     claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
-    symbols, given, then = taken_apart(claim)
+    symbols, given, _ = taken_apart(claim)
     theorem = for_all(symbols, given, weakened(numbers(claim), *given))
     page.settle("eq19", theorem, *forms, example=example(PLAIN | WHOLE, given))
 

@@ -154,8 +154,14 @@ def passive() -> Theorem:
 
 
 def passive_in_numbers(point: Mapping[Expr, Expr]) -> Theorem:
-    """Such a wall without delay in numbers."""
-    found = placed(passive(), point)
+    """A wall without delay in numbers is passive, for B >= 0."""
+    up, _ = cosine_bounds(theta)
+    level = K * T / 2 + B
+    margin = combined(
+        passivity.margin().subs(d, 0) >= 0, [assume(b >= level)], [assume(B >= 0), up]
+    )
+    found = follows(passive_by_angle(S.Zero), assume(K >= 0), for_all([theta], INSIDE, margin))
+    found = placed(found, point)
     return closed(found, *map(fact, found.hypotheses))
 
 

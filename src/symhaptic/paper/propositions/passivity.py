@@ -38,25 +38,30 @@ def at_every_frequency(*conditions: sp.Expr | Proposition) -> Proposition:
 
 
 TAPS = sp.symbols("h_0:3")
-"""What an environment answers to a unit pulse: at once, after one period and after two."""
-ANSWER = TAPS[0] + TAPS[1] / z + TAPS[2] / z**2
+"""What an environment answers to a unit pulse: after d periods, d + 1 and d + 2."""
+ANSWER = sum(tap * z ** -(d + k) for k, tap in enumerate(TAPS))
 
 
 @claims("eq4")
 def _condition_guarantees_passivity(printed: Printed) -> Proposition:
-    """No motion gains energy from H(z) = h_0 + h_1/z + h_2/z^2 if it meets (4), as the text says.
+    """No motion gains energy from H(z) = (h_0 + h_1/z + h_2/z^2) z^-d if it meets (4).
 
-    Of H(z) the paper asks nothing and uses (1), which has two terms of these three.
+    So the text says, "guarantees"; that it is needed as well is said of (5).  Of H(z) the paper
+    asks nothing and uses (1) with a delay, which has two terms of these three.
     """
-    met = [at_given(c, ANSWER) for c in printed]
+    met = [at_given(c) for c in printed]
     energy = Predicate("passive", (z,), (ANSWER, b / T))
-    given = [T > 0, b >= 0, at_every_frequency(*met)]
-    return ForAll((*TAPS, b, T), implied(given, energy))
+    given = [T > 0, b >= 0, Predicate("whole", (), (d,)), at_every_frequency(*met)]
+    return ForAll((*TAPS, b, T, d), implied(given, energy))
 
 
-def at_given(condition: sp.Expr, answer: sp.Expr) -> sp.Expr:
-    """A condition on H(z) for one that is given."""
-    return condition.replace(sp.Function("H"), lambda at: answer.xreplace({z: at}))
+def at_given(condition: sp.Expr) -> sp.Expr:
+    """A condition on H(z) for the one that is given, at z = exp(w): z^-n = exp(-n w)."""
+
+    def answer(at: sp.Expr) -> sp.Expr:
+        return sum(tap * sp.exp(-(d + k) * at.exp) for k, tap in enumerate(TAPS))
+
+    return condition.replace(sp.Function("H"), answer)
 
 
 @claims("eq5")
