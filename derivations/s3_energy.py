@@ -98,8 +98,8 @@ def _settle(page, condition):
         "$H(1)=h_0+h_1+h_2$ is its stiffness."
     )
     page.lemma(
-        "No motion gains energy from such a wall if and only if it does not pull and (4) holds "
-        "at each angle, with $\\ge$ in place of $>$",
+        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it does not "
+        "pull and (4) holds at each angle, with $\\ge$ in place of $>$",
         exactly(),
         because="(4) is sufficient, as the paper says, and needed but for equality",
     )

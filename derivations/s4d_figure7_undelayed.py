@@ -39,7 +39,7 @@ def derive(page):
         because="where Jury's minor vanishes, which is linear in $\\alpha$",
     )
     curve = page.lemma(
-        "Above $\\beta=-1$ the stable walls are those between a line and this curve",
+        "The stable walls are those above $\\beta=-1$ between a line and this curve",
         line_and_curve(),
         because="of Jury's inequalities the two half planes follow from these",
     )
