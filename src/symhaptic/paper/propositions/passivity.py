@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.propositions.digits import bounds, quoted
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -199,13 +200,14 @@ def _share(delay: int, *bounds: Callable[[sp.Expr], sp.Expr]) -> Proposition:
 @claims("s3c-kmax-41")
 def _about_41_percent(printed: Printed) -> Proposition:
     """Rounded to a hundredth it is 0.41."""
-    low, high = sp.Rational(405, 1000), sp.Rational(415, 1000)
-    return _share(1, lambda share: share >= low, lambda share: share < high)
+    [share] = quoted("s3c-kmax-41")
+    return _share(1, *bounds(share))
 
 
 @claims("s3c-kmax-27")
 def _below_27_percent(printed: Printed) -> Proposition:
-    return _share(2, lambda share: share < sp.Rational(27, 100))
+    [share] = quoted("s3c-kmax-27")
+    return _share(2, *bounds(share))
 
 
 @claims("s3c-limit-points")
