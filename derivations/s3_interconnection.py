@@ -63,7 +63,7 @@ def derive(page):
         because="negative for $\\omega>1$: the chain is not passive",
     )
     page.step(
-        "Three lags and a gain of 27 in a loop",
+        "Three lags and a gain of 27 in a loop grow without end",
         (s + 1) ** 3 + 27,
         (s + 4) * ((s - S.Half) ** 2 + S(27) / 4),
         because="the closed loop has poles at $\\frac12\\pm\\frac{3\\sqrt3}2j$ and grows like "
@@ -71,7 +71,7 @@ def derive(page):
     )
     page.say("Nor is a passive system stable in the sense that it comes to rest:")
     page.step(
-        "A free mass after a push",
+        "A free mass drifts after a push",
         Plant(m, None, None).transition(t)[0, 1],
         t,
         name=r"x/v_0",

@@ -32,7 +32,7 @@ def derive(page):
     page.show("The boundary without delay has this damping", beta, on_it[beta], root)
     graph = page.same("the curve as a graph", on_it[alpha], CURVE.subs(beta, on_it[beta]))
     page.show(
-        "The curve as a graph over the damping",
+        "The curve gives one stiffness for each damping",
         alpha,
         CURVE,
         graph,

@@ -42,7 +42,7 @@ def derive(page):
         none_above(SPRUNG, PEAK)[1],
     )
     page.lemma(
-        "$\\eta<0.9998$ behind every whole delay but 40",
+        "Behind every whole delay but 40 $\\eta$ is less than $0.9998$",
         elsewhere(),
         because="by a wall for each delay up to 67; beyond, passive walls have "
         "$\\alpha(d+1)\\le2\\delta$, by the slow angles",

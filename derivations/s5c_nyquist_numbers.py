@@ -56,7 +56,12 @@ def derive(page):
 def example_(page, spring):
     """Example 5.1."""
     device = spring.subs(EXAMPLE)
-    page.step("For $m=0.1$ kg and $T=1$ ms", device, 100000 * pi**2 + Rational(5, 2) * b**2, name=k)
+    page.step(
+        "For $m=0.1$ kg and $T=1$ ms the damper adds $\\frac52b^2$",
+        device,
+        100000 * pi**2 + Rational(5, 2) * b**2,
+        name=k,
+    )
     page.say(
         "which is $986\\,960.44\\ldots$ N/m without damping. It rounds to 987 000 N/m as long "
         "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
@@ -86,7 +91,7 @@ def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
     share = b**2 / (4 * m) / (pi**2 * m / T**2)
     page.step(
-        "The share of the damping",
+        "The damping has a share that only $\\delta$ decides",
         share.subs(b, delta * m / T),
         delta**2 / (4 * pi**2),
         name=r"\frac{b^2/(4m)}{\pi^2m/T^2}",

@@ -396,7 +396,7 @@ LISTS = [moved_conclusion, other_panel, named_delays, one_author]
 
 @pytest.mark.parametrize("change", [*LISTS, *SENTENCES])
 def test_a_slip_that_is_none_cannot_be_settled(monkeypatch, change):
-    """With the paper's lists or sentences changed so that the print were right, the chapter stops."""
+    """With the lists or sentences changed so that the print were right, the chapter stops."""
     change(monkeypatch)
     with pytest.raises(BadChapter):
         run(folder() / "s7a_slips_in_words.py")
