@@ -97,8 +97,8 @@ def derive(page):
         unless=[counterexample(claim, FAR, nearer(then.at(FAR)), not_short(), but=SHORT)],
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "
         r"$0.02$",
-        note=r"in terms of the stiffness; nearer dampings, and $d\in\{2,4,8\}$, are a statement of "
-        "their own",
+        note=r"in terms of the stiffness, and of whole delays; nearer dampings, and "
+        r"$d\in\{2,4,8\}$, are a statement of their own",
     )
 
 

@@ -56,8 +56,8 @@ def settled(page):
         unless=[counterexample(claim, SOON, much(then.at(SOON)), not_slow(), but=SLOW)],
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note=r"longer delays are a statement of their own; at most $1+1/d$ times the passive "
-        r"stiffness, of every device",
+        note=r"of whole delays and rates; longer delays are a statement of their own; at most "
+        r"$1+1/d$ times the passive stiffness, of every device",
     )
 
 

@@ -52,6 +52,37 @@ def numbers(claim: Proposition) -> Theorem:
     return closed(conjoined(*found), together, positive(Ne(m_D + m_H, 0), [total]))
 
 
+p = Symbol("p")
+"""The device's share of the mass."""
+
+
+def weighted(claim: Proposition) -> Theorem:
+    """delta/T is the mean of x and y with the weights p and 1 - p, which are positive."""
+    _, given, then = taken_apart(claim)
+    plain, mean, above, below = then.parts
+    rules = {r.left: assume(r) for r in given if isinstance(r, Relation) and r.sign == "="}
+    mass, *apart = total()
+    shares = (
+        over(m_D / (m_D + m_H) > 0, m_D > 0, mass),
+        over(1 - m_D / (m_D + m_H) > 0, m_H > 0, mass),
+    )
+    own = m_D / (m_D + m_H)
+    made = combined(
+        mean,
+        [rules[delta], S.One],
+        [rules[p], -T * (x - y)],
+        [rules[x], -T * own],
+        [rules[y], -T * (1 - own)],
+    )
+    found = conjoined(
+        combined(plain, [rules[delta], S.One]),
+        made,
+        positive(above, [shares[0]], [rules[p], -S.One]),
+        positive(below, [shares[1]], [rules[p], S.One]),
+    )
+    return closed(found, mass, *apart)
+
+
 def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
     """The parts of a claim on gamma and delta from those on (19)."""
     _, given, then = taken_apart(claim)
