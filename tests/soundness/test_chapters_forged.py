@@ -228,6 +228,47 @@ def test_a_print_is_compared_again_where_it_arrives(how: str, tmp_path: Path) ->
     assert "DIFFERS  forged: " in out.read_text()
 
 
+@pytest.mark.xfail(strict=True, reason="what a page shows is not sent: the form alone is compared")
+def test_a_print_that_is_only_typed_again_is_found_where_it_arrives(tmp_path: Path) -> None:
+    """The chapter derived nothing; its page, patched, does not see that the form is the print."""
+    typed = """
+    pages.retyped = lambda printed, derived: False
+    page.settle("forged", Eq(x, 2))
+"""
+    path, out = chapter(tmp_path, "forged", COMPARING + typed), tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code == 1
+    assert "1 proved" not in out.read_text()
+
+
+@pytest.mark.xfail(strict=True, reason="source.py is run by the process that judges")
+def test_a_source_does_not_patch_the_judge(tmp_path: Path) -> None:
+    """The chapter gives its own verdict, and the source has the judge believe it."""
+    source = """
+import symhaptic.book.beforehand as beforehand
+import symhaptic.book.ledger as ledger
+import symhaptic.book.parallel as parallel
+from symhaptic.paper.statement import Source, Statement
+for module in (ledger, parallel, beforehand):
+    if hasattr(module, "judged_again"):
+        module.judged_again = lambda entry: None
+SOURCE = Source("f", "Forged", "A. Author", "2026")
+STATEMENTS = (Statement("f:two", "(1)", "two", (r"x = 2",)),)
+"""
+    (tmp_path / "source.py").write_text(source, encoding="utf-8")
+    settled = COMPARING.replace('page.state("forged", "two", "x = 2")', "").rstrip()
+    body = settled + COMPARED["nothing sent"].replace("forged", "f:two")
+    chapter(tmp_path, "forged", body)
+    code = f"""
+import sys
+sys.argv = ["symhaptic", "verify", "--source", {str(tmp_path)!r}]
+from symhaptic.cli.main import main
+main()
+"""
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert "1 proved" not in told.stdout
+
+
 @pytest.mark.parametrize(
     ("derived", "kind"),
     [
