@@ -5,40 +5,34 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Ne, Rational, S, cos, pi, sin
+from sympy import Rational, S, cos, sin
 
-from symhaptic.book.lemmas.largest_damping import (
+from symhaptic.book.lemmas.condition import (
+    apart,
     frequencies_met,
-    margins,
+    gaining,
+    holds,
     off_border,
     on_the_border,
 )
+from symhaptic.book.lemmas.largest_damping import margins
 from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.passivity import passive_by_angle
-from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.kernel import assume, weakened
 from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
     counterexample,
     either_way,
     example,
     follows,
     for_all,
-    positive,
 )
-
-INSIDE = (omega > 0, omega < pi)
-"""The frequencies for T = 1."""
 
 
 def derive(page):
@@ -130,27 +124,11 @@ def _settle(page, printed):
     border = {K: S.One, B: S.Zero, b: half, T: S.One, d: S.Zero}
     soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}
 
-    def holds(point, *products):
-        relation = frequencies.body.of[1].at(point)
-        return for_all([omega], INSIDE, closed(combined(relation, *products), *divisors(omega)))
-
-    def apart(met):
-        there = positive(
-            Ne(*met.conclusion.body.of[1].terms[::-1]),
-            [at(met, {omega: omega}, *map(assume, INSIDE))],
-        )
-        return for_all([omega], INSIDE, there)
-
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
     full = [quarter, square(1 + cos(omega))], [quarter, bounded(cos, omega)]
-    fractional = holds(late, *slow, [Rational(1, 100)])
-    light = holds(pulled, [Rational(3, 2)])
-    easy = holds(soft, *full, [half])
-
-    def gaining(point, met, motion):
-        there = same.at(point)
-        energy = gains(list(point.values()), motion)
-        return absurd(applied(assume(there), met), energy, there)
+    fractional = holds(claim, late, *slow, [Rational(1, 100)])
+    light = holds(claim, pulled, [Rational(3, 2)])
+    easy = holds(claim, soft, *full, [half])
 
     page.settle(
         "eq5",
@@ -161,14 +139,14 @@ def _settle(page, printed):
             counterexample(
                 claim,
                 late,
-                *(gaining(late, fractional, HALF_LATE), apart(fractional)),
+                *(gaining(claim, late, fractional, HALF_LATE), apart(fractional)),
                 holds=[K >= 0, off_border()],
                 but=whole(d),
             ),
             counterexample(
                 claim,
                 pulled,
-                *(gaining(pulled, light, STEPS), apart(light)),
+                *(gaining(claim, pulled, light, STEPS), apart(light)),
                 holds=[whole(d), off_border()],
                 but=K >= 0,
             ),

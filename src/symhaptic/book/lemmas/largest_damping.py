@@ -4,28 +4,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Eq, Ne, S, cos, pi
+from sympy import Eq, S, cos, pi
 
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import ends, sine
 from symhaptic.book.lemmas.linear_part import shares
-from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
-from symhaptic.book.lemmas.undelayed import passive_in_numbers
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
-from symhaptic.notation.proposition import Proposition, Terms, proposition
-from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
-from symhaptic.proof.theorems.familiar import bounded, square, strictly
-from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
-    absurd,
-    applied,
     assume,
     conjoined,
     discharged,
-    part,
     placed,
     substituted,
 )
@@ -34,7 +27,6 @@ from symhaptic.proof.theorems.tactics import (
     at,
     closed,
     either_way,
-    fact,
     for_all,
     over,
     positive,
@@ -55,45 +47,6 @@ def margins(frequencies: Any) -> Theorem:
     met = at(assume(frequencies), {omega: angle}, *inside)
     found = closed(positive(passivity.margin() >= 0, [met]), not_zero(assume(T > 0)))
     return for_all([theta], INSIDE, closed(found, *divisors(theta)))
-
-
-def frequencies_met(frequencies: Any) -> Theorem:
-    """(5) at every frequency of a passive wall that needs another damping at each of them."""
-    angle = omega * T
-    inside = (
-        positive(angle > 0, [omega > 0, T > 0]),
-        closed(positive(angle < pi, [omega < pi / T, T > 0]), not_zero(assume(T > 0))),
-    )
-    always = part(applied(passive_by_angle(), assume(PASSIVE)), every_margin())
-    weak = positive(b >= FIVE.rhs, [at(always, {theta: angle}, *inside)])
-    below = closed(closed(weak, *divisors(angle)), *inside, not_zero(assume(T > 0)))
-    apart = at(assume(off_border()), {omega: omega}, *map(assume, INSIDE_BAND))
-    return for_all([omega], frequencies.body.of[0].of, strictly(below, apart))
-
-
-INSIDE_BAND = (omega > 0, omega < pi / T)
-
-
-def off_border() -> Proposition:
-    """At no frequency the wall needs just the damping of the device."""
-    return at_every_frequency(Ne(b, FIVE.rhs))
-
-
-def on_the_border(claim: Proposition, point: Terms) -> tuple[Theorem, Theorem]:
-    """A spring that just meets (5) at every frequency is passive: not (5), and it is on the border.
-
-    Said without delay and damping, of T = 1.
-    """
-    same = taken_apart(claim)[2].at(point)
-    passive = passive_in_numbers(point)
-    inside = [fact(proposition(p).at({omega: S.One, T: S.One})) for p in INSIDE_BAND]
-    met = at(applied(assume(same), passive), {omega: S.One}, *inside)
-    need = met.conclusion.left  # type: ignore[attr-defined]
-    equal = identity(need, point[b])
-    equal = closed(equal, *map(fact, equal.hypotheses))
-    denied_ = off_border().at(point)
-    apart = at(assume(denied_), {omega: S.One}, *inside)
-    return absurd(met, equal, same), absurd(apart, equal, denied_)
 
 
 def on_first_half(frequencies: Any) -> Theorem:
