@@ -6,6 +6,7 @@ it rises with the damper.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -79,6 +80,7 @@ AT_ONCE = reached().at({d: S.Zero})
 SIDES = {**RANGES, alpha: (-STIFF, 1), beta: (-1, Rational(21, 10))}
 
 
+@cache
 def minor_rises() -> Theorem:
     """The minor of a wall rises with the damper, on a box of arms and walls."""
     minor: Any = inequalities(0)[-1].conclusion.right  # type: ignore[attr-defined]
@@ -92,6 +94,7 @@ def minor_rises() -> Theorem:
     return more_damped(certificate, minor, HEAVIER, OTHERS)
 
 
+@cache
 def at_the_end() -> dict[str, Theorem]:
     """What holds weakly of the wall (alpha, beta) where all walls on the way to it are stable."""
     begin = dict(zip((alpha, beta), START, strict=True))
@@ -116,6 +119,7 @@ def at_the_end() -> dict[str, Theorem]:
     return {name: ended(theorem) for name, theorem in known.items()}
 
 
+@cache
 def grows() -> Theorem:
     """The wall at which stable walls end right of alpha = -gamma is stable with a larger damper."""
     end, value = at_the_end(), away()[0]
@@ -153,6 +157,7 @@ def grows() -> Theorem:
     return closed(found, less, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
 
 
+@cache
 def more_damped_is_stable() -> Theorem:
     """A stable wall is one of these, the end of no way."""
     begin = dict(zip(START, (alpha, beta), strict=True))

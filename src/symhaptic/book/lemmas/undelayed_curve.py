@@ -166,6 +166,7 @@ def away() -> tuple[Expr, Theorem]:
     return value, on_box(-rest, {**RANGES, beta: (-WIDEST, -1)})
 
 
+@cache
 def above_minus_one() -> Theorem:
     """-1 < beta of a stable wall."""
     *planes, minor = inequalities(0)
@@ -188,6 +189,7 @@ def above_one(minor: Theorem, toward: Theorem, near: Theorem) -> Theorem:
     return by_cases(ordered(-S.One, beta), assume(wanted), no)
 
 
+@cache
 def between() -> Theorem:
     """stable <=> above beta = -1 and between them."""
     above, sides = above_minus_one(), needed()
