@@ -7,18 +7,17 @@ period can be treated like one that is.
 
 from sympy import S
 
-from symhaptic.book.lemmas.sampled import late_answer
+from symhaptic.book.lemmas.sampled import late_answer, lumped
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
-from symhaptic.notation import d, d_1, d_2, function, z
+from symhaptic.notation import d, d_1, d_2, function, l, z
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import q
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import example, for_all
+from symhaptic.proof.theorems.tactics import for_all
 
 
 def derive(page):
@@ -41,10 +40,20 @@ def derive(page):
         "on the way of the external force would enter the numerator alone."
     )
     claim = CLAIMED["s2c-delays-lump"](())
-    symbols, given, then = taken_apart(claim)
-    lumped = weakened(identity(then.left, then.right), *given)
-    point = dict.fromkeys(symbols, S.One)
-    page.settle("s2c-delays-lump", for_all(symbols, given, lumped), example=example(point, given))
+    symbols, given, _ = taken_apart(claim)
+    page.lemma(
+        "Delays before the device, behind it and of the computation act as their sum",
+        lumped(claim),
+        because="a force that comes whole periods late is $z^{-\\ell}$ times the force, and there "
+        "is one answer to it",
+    )
+    point = FREE | {d: S(2), d_1: S.Half, d_2: S.Half, l: S.One, z: S(4)}
+    page.settle(
+        "s2c-delays-lump",
+        for_all(symbols, given, weakened(lumped(claim), *given)),
+        example=shown_at(claim, point),
+        note="the delays of device and sensor need not be whole; those of the computation are",
+    )
     page.say(
         "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
         "one period but arrives $d<1$ periods late; where is the mass when it is sampled next?"

@@ -7,10 +7,10 @@ burns.  Which inequality forbids this, and is it the whole truth?
 
 from sympy import I, S, cos, exp, re
 
-from symhaptic.book.lemmas.answers import PUSHES, holds, no_motion_gains
+from symhaptic.book.lemmas.answers import PUSHES, exactly, holds, no_motion_gains
 from symhaptic.book.lemmas.answers import pulled as gives_energy
 from symhaptic.model import passivity
-from symhaptic.notation import K, T, b, function, omega, p_k, theta, v, x, z
+from symhaptic.notation import K, T, b, d, function, omega, p_k, theta, v, x, z
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import TAPS
@@ -93,15 +93,21 @@ def _settle(page, condition):
     symbols, given, _ = taken_apart(claim)
     theorem = for_all(symbols, [*given, PUSHES], weakened(no_motion_gains(given[-1]), *given))
     page.say(
-        "A wall that is computed from the last three positions has $H=h_0+h_1/z+h_2/z^2$; that of "
-        "(1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$ without delay, and $H(1)=h_0+h_1+h_2$ is its "
-        "stiffness."
+        "A wall that is computed from three positions, the last of them $d$ periods old, has "
+        "$H=(h_0+h_1/z+h_2/z^2)z^{-d}$; that of (1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$, and "
+        "$H(1)=h_0+h_1+h_2$ is its stiffness."
+    )
+    page.lemma(
+        "From a wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ no motion gains energy if and only if it does not "
+        "pull and (4) holds at each angle, with $\\ge$ in place of $>$",
+        exactly(),
+        because="(4) is sufficient, as the paper says, and needed but for equality",
     )
     pulls = [S.One], [S.Half, square(1 + 2 * cos(omega))]
-    soft = dict(zip(TAPS, (S.One, S.Zero, S.Zero), strict=True)) | {b: S.One, T: S.One}
+    soft = dict(zip(TAPS, (S.One, S.Zero, S.Zero), strict=True)) | {b: S.One, T: S.One, d: S.Zero}
     pulled = soft | dict.fromkeys(TAPS, -S.One)
     page.lemma(
-        "A wall $h_0+h_1/z+h_2/z^2$ that meets (4) and does not pull gives no energy away",
+        "A wall $(h_0+h_1/z+h_2/z^2)z^{-d}$ that meets (4) and does not pull gives no energy away",
         theorem,
         because="the energy of a motion is the integral of the margin over the spectrum of its "
         "displacements, and what is stored at the end",

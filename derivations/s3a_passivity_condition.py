@@ -5,25 +5,30 @@ coupled to a device whose only loss is its damping $b$. We ask for which $(K,B)$
 the device can extract energy.
 """
 
-from sympy import Rational, S, cos, pi, sin
+from sympy import Rational, S, cos, sin
 
+from symhaptic.book.lemmas.condition import (
+    apart,
+    frequencies_met,
+    gaining,
+    holds,
+    off_border,
+    on_the_border,
+)
 from symhaptic.book.lemmas.largest_damping import margins
 from symhaptic.book.lemmas.mass import no_mass_differs, of_mass
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS
 from symhaptic.book.lemmas.passivity import passive_by_angle
-from symhaptic.book.lemmas.walls import divisors
 from symhaptic.model import passivity, wall
 from symhaptic.notation import B, K, T, b, d, omega, theta, x, y
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, weakened
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
-    closed,
     counterexample,
+    either_way,
     example,
     follows,
     for_all,
@@ -98,47 +103,63 @@ def _mass(page):
 
 
 def _settle(page, printed):
-    """(5) is sufficient for whole delays and walls that do not pull."""
+    """(5) decides for whole delays and walls that do not pull, but on the border."""
     claim = CLAIMED["eq5"]((printed,))
-    symbols, (*loop, frequencies), _ = taken_apart(claim)
-    passive = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
-    given = [*loop, frequencies, whole(d), K >= 0]
-    theorem = for_all(symbols, given, weakened(passive, *loop))
+    symbols, loop, same = taken_apart(claim)
+    frequencies, passive = same.of
+    extra = [whole(d), K >= 0, off_border()]
+    enough = follows(passive_by_angle(), assume(K >= 0), margins(frequencies))
+    page.lemma("Who meets (5) behind a whole delay and does not pull is passive", enough)
+    needed = page.lemma(
+        "Who is passive behind a whole delay meets (5), but for walls that just meet it",
+        frequencies_met(frequencies),
+        because="the energy of a motion near one frequency is that of the margin there",
+    )
+    both = either_way(enough, needed, frequencies, passive)
+    given = [*loop, *extra]
 
     half, quarter = S.Half, S.Half / 2
     late = {K: S.One, B: S.Zero, b: Rational(101, 100), T: S.One, d: half}
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
+    border = {K: S.One, B: S.Zero, b: half, T: S.One, d: S.Zero}
     soft = {K: S.Zero, B: half, b: S.One, T: S.One, d: S.Zero}
-
-    def holds(point, *products):
-        relation = frequencies.body.of[1].at(point)
-        found = closed(combined(relation, *products), *divisors(omega))
-        return for_all([omega], [omega > 0, omega < pi], found)
 
     slow = [half, square(1 - cos(omega / 2))], [half, bounded(cos, omega / 2)]
     full = [quarter, square(1 + cos(omega))], [quarter, bounded(cos, omega)]
+    fractional = holds(claim, late, *slow, [Rational(1, 100)])
+    light = holds(claim, pulled, [Rational(3, 2)])
+    easy = holds(claim, soft, *full, [half])
+
     page.settle(
         "eq5",
-        theorem,
+        for_all(symbols, given, weakened(both, *loop)),
         printed,
-        example=example(soft, given, holds(soft, *full, [half])),
+        example=example(soft, given, apart(easy)),
         unless=[
             counterexample(
                 claim,
                 late,
-                *(holds(late, *slow, [Rational(1, 100)]), gains(list(late.values()), HALF_LATE)),
-                holds=[K >= 0],
+                *(gaining(claim, late, fractional, HALF_LATE), apart(fractional)),
+                holds=[K >= 0, off_border()],
                 but=whole(d),
             ),
             counterexample(
                 claim,
                 pulled,
-                *(holds(pulled, [Rational(3, 2)]), gains(list(pulled.values()), STEPS)),
-                holds=[whole(d)],
+                *(gaining(claim, pulled, light, STEPS), apart(light)),
+                holds=[whole(d), off_border()],
                 but=K >= 0,
+            ),
+            counterexample(
+                claim,
+                border,
+                *on_the_border(claim, border),
+                holds=[whole(d), K >= 0],
+                but=off_border(),
             ),
         ],
         shows=r"half a period late, (5) holds at every frequency, yet a motion extracts $147/20$",
         note="right as a rewriting of (4) with $z^{-d}$ for every real $d$; for a fractional delay "
-        "of the held force it allows walls that are not passive, and forbids some that are",
+        "of the held force it allows walls that are not passive, and forbids some that are. At "
+        "equality no motion gains energy either: with $\\ge$ the last condition is not needed",
     )

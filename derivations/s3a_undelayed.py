@@ -8,19 +8,22 @@ something else.
 from sympy import Rational, S, cos
 
 from symhaptic.book.lemmas.undelayed import (
+    APART,
     HALF,
     OFF_BORDER,
+    decides,
     either,
     enough,
     not_six,
     off_the_border,
     on_the_border,
     passive,
+    undelayed_form,
     weakly_needed,
 )
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, theta
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation.proposition import And, Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
 from symhaptic.proof.theorems.definitions import gains
@@ -30,12 +33,12 @@ from symhaptic.proof.theorems.kernel import (
     applied,
     assume,
     conjoined,
-    discharged,
     part,
     weakened,
 )
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import (
+    closed,
     counterexample,
     example,
     for_all,
@@ -58,7 +61,7 @@ def derive(page):
         because="tends to 0 for $\\theta\\to\\pi$ and is positive before",
     )
     claim = CLAIMED["s3a-undelayed"]((UNDELAYED,))
-    symbols, loop, same = taken_apart(claim)
+    symbols, loop, (form, same) = _parts(claim)
     frequencies = same.of[0]
     sufficient = page.lemma("The summary (6) is enough at every frequency", enough(frequencies))
     needed = page.lemma(
@@ -80,43 +83,54 @@ def derive(page):
         OFF_BORDER.at(border), number(Relation(S.One, "!=", S.Zero)), identity(border[b], border[b])
     )
     met = on_the_border(frequencies.at(border))
-    broken = absurd(applied(assume(same.at(border)), met), not_six(border), same.at(border))
     off = either(OFF_BORDER.at(easy), identity(S.Zero, S.Zero))
+
+    def broken(whole_claim):
+        """(6) does not sum up (5) on the border."""
+        there = whole_claim.at(border)
+        summed = part(assume(there), same.at(border))
+        return absurd(applied(summed, met), not_six(border), there)
+
+    whole = conjoined(undelayed_form(form), agree)
     page.settle(
         "s3a-undelayed",
-        for_all(symbols, given, weakened(agree, *loop)),
+        for_all(symbols, given, weakened(whole, *loop)),
         UNDELAYED,
         example=example(easy, given, off),
-        unless=[counterexample(claim, border, sides, broken, but=OFF_BORDER)],
+        unless=[counterexample(claim, border, sides, broken(And((form, same))), but=OFF_BORDER)],
         shows=r"(5) holds at every frequency, (6) says $\tfrac32>\tfrac32$",
         note="the form for $d=0$ is right for all values; its summary (6) needs the condition",
     )
     six = CLAIMED["eq6"]((SIX,))
     symbols, loop, both = taken_apart(six)
-    safe = page.lemma("The summary makes a wall passive that does not pull", passive())
-    whole = conjoined(agree, discharged(safe, SIX))
-    given = [*loop, K >= 0, OFF_BORDER]
+    page.lemma("The summary makes a wall passive that does not pull", passive())
+    deciding = page.lemma(
+        "The summary is what passive walls without delay meet, but for those on the border",
+        decides(),
+        because="what holds at every angle holds weakly of its limits at $0$ and $\\pi$",
+    )
+    off = closed(agree, either(OFF_BORDER, assume(APART)))
+    given = [*loop, K >= 0, APART]
     pulled = {K: -S.One, B: S.Zero, b: S.One, T: S.One}
     meets = number(Relation(-HALF, "<", S.One))
     pulls = gains([*pulled.values(), S.Zero], 4 * [(1, 1)])
     there = both.at(pulled)
     runs = absurd(applied(part(assume(there), there.of[1]), meets), pulls, there)
-    there = both.at(border)
-    apart = absurd(applied(part(assume(there), there.of[0]), met), not_six(border), there)
     page.settle(
         "eq6",
-        for_all(symbols, given, weakened(whole, *loop)),
+        for_all(symbols, given, weakened(conjoined(off, deciding), *loop)),
         SIX,
-        example=example(easy, given, off),
+        example=example(easy, given),
         unless=[
-            counterexample(
-                six,
-                pulled,
-                *(runs, either(OFF_BORDER.at(pulled), identity(S.Zero, S.Zero))),
-                holds=[OFF_BORDER],
-                but=K >= 0,
-            ),
-            counterexample(six, border, sides, apart, holds=[K >= 0], but=OFF_BORDER),
+            counterexample(six, pulled, runs, holds=[APART], but=K >= 0),
+            counterexample(six, border, broken(both), holds=[K >= 0], but=APART),
         ],
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
+        note="with $\\ge$ it is the passive walls with $K\\ge0$, those on the border as well",
     )
+
+
+def _parts(claim):
+    """A claim with the parts of its conclusion."""
+    symbols, given, then = taken_apart(claim)
+    return symbols, given, then.of

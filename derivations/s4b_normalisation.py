@@ -77,9 +77,9 @@ def derive(page):
     first = ((2 - c_2 - c_3) * c_1 + (c_2 - c_3) * delta) / (2 * c_1 * gamma)
     second = ((2 * exp(-delta) - c_2 - c_3) * c_1 + (c_3 - c_2) * delta) / (2 * c_1 * gamma)
     for title, name, theirs, form in (
-        ("First sample of the step response", "n_1", device.n1, first),
-        ("Second coefficient", "n_0", device.n0, second),
-        ("Sum of the images", "a", device.a, c_2 + c_3),
+        ("The first sample of the step response is $n_1$", "n_1", device.n1, first),
+        ("The second coefficient is $n_0$", "n_0", device.n0, second),
+        ("The images of the poles add up to $a$", "a", device.a, c_2 + c_3),
     ):
         proof = page.same(name, theirs.xreplace(given), form.xreplace(given))
         page.show(title, name, form, proof)

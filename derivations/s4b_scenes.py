@@ -79,11 +79,23 @@ def derive(page):
     a, e, n_1, n_0 = symbols("a e n_1 n_0")
     bottom, top = z**2 - a * z + e, n_1 * z + n_0
     for title, kept, shape in (
-        ("Damping and delay", Parts(), bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta)),
-        ("Damping, no delay", Parts(delay=False), bottom * z + top * ((alpha + beta) * z - beta)),
-        ("Delay, no virtual damping", Parts(virtual_damping=False), bottom * z**d + alpha * top),
         (
-            "Neither damping nor delay",
+            "With damping and delay the degree is $d+3$",
+            Parts(),
+            bottom * z ** (d + 1) + top * ((alpha + beta) * z - beta),
+        ),
+        (
+            "With damping and without delay the polynomial is cubic",
+            Parts(delay=False),
+            bottom * z + top * ((alpha + beta) * z - beta),
+        ),
+        (
+            "With delay and without virtual damping the degree is $d+2$",
+            Parts(virtual_damping=False),
+            bottom * z**d + alpha * top,
+        ),
+        (
+            "With neither damping nor delay the polynomial is quadratic",
             Parts(virtual_damping=False, delay=False),
             bottom + alpha * top,
         ),

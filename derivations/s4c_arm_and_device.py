@@ -7,18 +7,16 @@ device separately.
 
 from sympy import Eq, Poly, S
 
-from symhaptic.book.lemmas.arm import PLAIN, bounds, limits, total
+from symhaptic.book.lemmas.arm import PLAIN, WHOLE, bounds, limits, numbers, p, weighted
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, s
-from symhaptic.notation.proposition import Relation, negated, proposition
+from symhaptic.notation.proposition import Relation, both, negated, proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y
+from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y, y_D, y_H
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.kernel import conjoined, weakened
 from symhaptic.proof.theorems.tactics import (
-    closed,
     counterexample,
     every,
     example,
@@ -29,8 +27,8 @@ from symhaptic.proof.theorems.tactics import (
 
 
 def derive(page):
-    both = Plant(m_D, b_D, None).characteristic + Plant(m_H, b_H, k_H).characteristic
-    mass, damping, stiffness = Poly(both, s).all_coeffs()
+    together = Plant(m_D, b_D, None).characteristic + Plant(m_H, b_H, k_H).characteristic
+    mass, damping, stiffness = Poly(together, s).all_coeffs()
     spring = page.step(
         "In units of mass and period the spring is a pure number",
         stiffness * T**2 / mass,
@@ -80,13 +78,9 @@ def derive(page):
 def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
     claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
-    symbols, given, then = taken_apart(claim)
-    found = [
-        combined(wanted, [assume(rule), S.One])
-        for wanted, rule in zip(then.of, given[-2:], strict=True)
-    ]
-    theorem = for_all(symbols, given, weakened(closed(conjoined(*found), *total()), *given))
-    page.settle("eq19", theorem, *forms, example=example(PLAIN, given))
+    symbols, given, _ = taken_apart(claim)
+    theorem = for_all(symbols, given, weakened(numbers(claim), *given))
+    page.settle("eq19", theorem, *forms, example=example(PLAIN | WHOLE, given))
 
 
 def _bounds(page):
@@ -117,21 +111,25 @@ def _bounds(page):
 
 
 def _mean(page, mean):
-    given = [*GIVEN, *map(proposition, STATEMENTS["eq19"].printed)]
-    wanted = Relation(delta, "=", T * mean)
+    """With the device's share p of the mass, delta = T (p x + (1 - p) y), a mean of x and y."""
+    parts = {p: m_D / (m_D + m_H), x: b_D / m_D, y: b_H / m_H}
+    known = map(proposition, STATEMENTS["eq19"].printed)
+    given = [*GIVEN, *known, *(Relation(name, "=", of) for name, of in parts.items())]
+    wanted = both([Eq(delta, T * mean), Eq(delta, T * (p * x + (1 - p) * y)), p > 0, p < 1])
+    claim = every((*ARM, gamma, delta, *parts), given, wanted)
     page.state(
         "arm-mean-ratio",
         r"$\delta/T$ is the mean of $b_D/m_D$ and $b_H/m_H$, weighted by the masses",
         r"\delta = T \cdot \left( \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
         r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H} \right)",
-        claim=every((*ARM, gamma, delta), given, wanted),
+        claim=claim,
     )
-    found = closed(combined(wanted, [assume(given[-1]), S.One]), *total())
+    ones = dict.fromkeys((x, y), S.One) | {p: S.Half}
     page.settle(
         "arm-mean-ratio",
-        for_all((*ARM, gamma, delta), given, weakened(found, *given)),
+        for_all((*ARM, gamma, delta, *parts), given, weakened(weighted(claim), *given)),
         Eq(delta, T * mean),
-        example=example(PLAIN, given),
+        example=example(PLAIN | ones, given),
         note="so it is at most the larger of them",
     )
 
@@ -147,5 +145,5 @@ def _limits(page):
     page.settle(
         "s4c-independent-limits",
         for_all(symbols, given, weakened(found, *given)),
-        example=example(PLAIN | {x: S.One, y: S.One}, given),
+        example=example(PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One), given),
     )

@@ -35,7 +35,7 @@ def derive(page):
     for name, value, text in zip(NAMES, before, ("0.000923", "0.0197925"), strict=True):
         more = Rational(text)
         proof = page.same("30 % more", value * 13 / 10, more)
-        page.show(f"A wider ${NAMES[name]}$", rf"1.3\,{NAMES[name]}", text, proof)
+        page.show(f"30 % more make ${NAMES[name]}$ this", rf"1.3\,{NAMES[name]}", text, proof)
         wide.append(ceiling(more / LONGEST) * LONGEST)
     page.say("Rounded up to whole thousandths this is (23): 0.001 and 0.020.")
     page.settle(

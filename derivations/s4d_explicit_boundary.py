@@ -148,5 +148,6 @@ def _settled(page):
         misprint=False,
         unless=[counterexample(claim, there, here, late)],
         shows=r"an explicit boundary for $d=1$, $\gamma=\tfrac3{16}$",
-        note="for fractional delays this is the principal sheet of the paper's substitution",
+        note="the paper says that no other explicit form was found, which is read as that there is "
+        "none; for fractional delays this is the principal sheet of its substitution",
     )

@@ -32,14 +32,14 @@ def derive(page):
     page.show("The boundary without delay has this damping", beta, on_it[beta], root)
     graph = page.same("the curve as a graph", on_it[alpha], CURVE.subs(beta, on_it[beta]))
     page.show(
-        "The curve as a graph over the damping",
+        "The curve gives one stiffness for each damping",
         alpha,
         CURVE,
         graph,
         because="where Jury's minor vanishes, which is linear in $\\alpha$",
     )
     curve = page.lemma(
-        "Above $\\beta=-1$ the stable walls are those between a line and this curve",
+        "The stable walls are those above $\\beta=-1$ between a line and this curve",
         line_and_curve(),
         because="of Jury's inequalities the two half planes follow from these",
     )

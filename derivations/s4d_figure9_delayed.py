@@ -42,7 +42,7 @@ def derive(page):
             device = plant.numbers(gam, DAMPED)
             slack = (bound * size * cos(theta / 2) - along).subs({d: late, **device})
             page.positive(
-                f"The width for $d={late}$",
+                f"No wall of the curve is wider for $d={late}$",
                 positive(slack, {theta: (S.Zero, pi / (late + 1))}),
                 rf"\gamma={float(gam):g}",
                 name=rf"{float(bound):g}-\alpha",
@@ -57,7 +57,7 @@ def derive(page):
     line = polynomial.subs({d: 2, alpha: -gamma}).subs(a, 1 + e - gamma * (n_1 + n_0))
     others = cancel(line / (z - 1))
     for gam, fall in ((S.Zero, S.Zero), (S.Zero, DAMPED), (STIFF, S.Zero), (STIFF, DAMPED)):
-        title = f"$\\gamma={float(gam):g}$, $\\delta={float(fall):g}$"
+        title = f"The others lie inside for $\\gamma={float(gam):g}$, $\\delta={float(fall):g}$"
         point, given = {gamma: gam, beta: Rational(1, 4)}, plant.numbers(gam, fall)
         page.inside(title, others, point, given)
     page.figure(

@@ -87,8 +87,8 @@ def halves(page):
         page.same("difference", g, sum(c * (z**i - z ** (n - i)) for i, c in enumerate(rising)))
     for n, pair in ((3, three), (4, four)):
         proof = page.same("halves", polynomials(names[: n + 1]), pair)
-        for what, name, half in zip(("Sum", "Difference"), "FG", pair, strict=True):
-            page.show(f"{what}, degree {n}", name, half, proof)
+        for what, name, half in zip(("sum", "difference"), "FG", pair, strict=True):
+            page.show(f"For degree {n} the {what} is a polynomial in $x$", name, half, proof)
 
 
 def bezout(page):
@@ -129,8 +129,13 @@ def half_planes(page):
         part = (mapped + (-1) ** n * mapped.subs(s, -s)) / 2
         page.same("parity", part, (1 - s**2) ** (n // 2) * half * (s if n % 2 else S.Half))
     page.say("Let $c_k$ be the coefficients of $(1-s)^np$, so that the sign of $p$ is kept:")
-    for k, at, c in zip((0, 1, 3), ("at 1", "between", "at $-1$"), kept, strict=True):
-        page.show(f"Degree 3, {at}", symbols(f"c_{k}"), c, proof)
+    for k, at, c in zip(
+        (0, 1, 3),
+        ("first half plane belongs to $z=1$", "second lies between", "last belongs to $z=-1$"),
+        kept,
+        strict=True,
+    ):
+        page.show(f"For degree 3 the {at}", symbols(f"c_{k}"), c, proof)
 
 
 def inners(page):

@@ -86,7 +86,12 @@ def necessary(page, minor, between):
     parts += (1 - n_0 * beta) * ((n_1 - n_0) ** 2 * (beta + delta) - 4 * n_0 * RISE)
     same = {delta: (1 - RISE) / n_1}
     proof = page.same("least damping", RISE * minor.subs(same), parts.subs(same))
-    page.show("The least damping", r"(n_1+n_0)\Delta_2", parts, proof)
+    page.show(
+        "The minor is a sum that no $\\beta\\le-\\delta$ makes positive",
+        r"(n_1+n_0)\Delta_2",
+        parts,
+        proof,
+    )
     page.say(
         "Let all roots lie inside. The first half plane says $\\alpha>0$, and "
         "$c_2=4-(n_1+n_0)\\alpha-4n_0\\beta$ is positive, like all $c_k$. If $\\beta\\le-\\delta$, "

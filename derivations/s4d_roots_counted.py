@@ -32,7 +32,7 @@ def derive(page):
     ]
     for name, factor, form in sizes:
         page.show(
-            f"Size of ${name}$ on the circle",
+            f"On the circle $|{name}|^2$ is a polynomial in $y$",
             f"|{name}|^2",
             form,
             page.same(name, factor * factor.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),

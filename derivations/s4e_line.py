@@ -86,7 +86,7 @@ def derive(page):
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
     page.show(
-        "The error (26) in short periods",
+        "In short periods the error (26) is proportional to the way from the crossing",
         r"\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
         r"\frac{(d+1)(2d+3)}6\,(\alpha-\alpha_\times)",
         page.same("error", apart / ((d + HALF) * across), law),

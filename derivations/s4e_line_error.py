@@ -28,7 +28,7 @@ GAP = linear.GAP
 
 def derive(page):
     error = page.define(
-        "The relative error, at the same $\\beta$",
+        "The relative error compares stiffnesses at the same $\\beta$",
         r"|\varepsilon|",
         Abs((alpha_lin - alpha) / (alpha + gamma)),
     )
@@ -39,7 +39,7 @@ def derive(page):
         note="not defined at the boundary's start, $\\alpha=-\\gamma$",
     )
     page.step(
-        "By the surplus over the line",
+        "The error is the surplus over the line, per $(d+\\frac12)(\\alpha+\\gamma)$",
         (lag.line(beta, delta) - alpha) / (alpha + gamma),
         linear.surplus() / ((d + HALF) * (alpha + gamma)),
         name=r"\varepsilon",
@@ -88,14 +88,14 @@ def polynomials(page):
         arc = linear.arc(delay)
         because = "with $\\sigma=s_1+s_2+\\nu(1-\\nu)\\gamma$" if delay else ""
         page.show(
-            f"Denominator for $d={delay}$",
+            f"For $d={delay}$ the denominator is a polynomial in $y$",
             r"|M|^2(\alpha+\gamma)",
             first,
             page.same("right", arc.right, right),
             because=because,
         )
         page.show(
-            f"Surplus for $d={delay}$",
+            f"For $d={delay}$ the surplus is a polynomial in $y$",
             r"|M|^2\Delta",
             second,
             page.same("above", arc.above, above - GAP * size),
@@ -107,7 +107,7 @@ def free_mass(page):
     """gamma = delta = 0."""
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(Parts(False, False))))
     page.step(
-        "The error for a free mass",
+        "Of a free mass the error is a quotient of sines",
         lag.line(damping, 0) / stiffness - 1,
         sin((d + HALF) * theta) / ((2 * d + 1) * sin(theta / 2) * cos((d + 1) * theta)) - 1,
         name=r"\varepsilon",

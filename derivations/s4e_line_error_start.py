@@ -50,7 +50,7 @@ def derive(page):
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.step(
-        "Without a spring $s_1=\\delta$, $s_2=1$",
+        "Without a spring $\\nu$ is a cotangent, $s_1=\\delta$ and $s_2=1$",
         1 - 2 * linear.numbers(device)[nu],
         1 / tanh(delta / 2) - 2 / delta,
         name=r"1-2\nu",

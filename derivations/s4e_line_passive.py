@@ -35,7 +35,7 @@ def derive(page):
     )
     same = page.same("one expression", kept.subs(t_d, d * T), low)
     page.show(
-        "Stability by (24), with $t_d=dT$",
+        "With $t_d=dT$ (24) has the margin of low frequencies",
         "b+B-Kt_e",
         low,
         same,
@@ -64,7 +64,7 @@ def derive(page):
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
     plane = page.same("in Table I", (low * T / m).subs(scaled), linear.surplus())
     page.show(
-        "The passive range in the parameters of Table I",
+        "In the parameters of Table I that margin is the surplus over (25)",
         r"\tfrac TmF|_{\theta\to0}",
         linear.surplus(),
         plane,

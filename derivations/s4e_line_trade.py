@@ -37,7 +37,7 @@ def derive(page):
     law = page.limits(lies / h**4, h, S.Zero, apart)
     bound = (d + HALF) * alpha - delta + alpha * (rise * alpha - flat * delta) / 12
     page.show(
-        "The boundary for short periods, to second order",
+        "For short periods the boundary is this parabola, to second order",
         beta,
         r"(d+\tfrac12)\alpha-\delta+\tfrac1{12}\alpha\bigl((d+1)(2d+1)(2d+3)\,\alpha"
         r"-(6(d+1)^2+1)\,\delta\bigr)",
@@ -45,7 +45,7 @@ def derive(page):
         because="the limit of the surplus over the line that was found with the tangent",
     )
     page.step(
-        "Virtual damping that a unit of physical damping saves",
+        "A unit of physical damping saves more than one of virtual damping",
         -diff(bound, delta),
         1 + flat * alpha / 12,
         name=r"-\frac{\partial\beta}{\partial\delta}\Big|_\alpha",

@@ -19,7 +19,7 @@ from symhaptic.proof.theorems.tactics import example, for_all
 def derive(page):
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     page.step(
-        "The damping of the crossing, for short periods",
+        "For short periods the line crosses at a share of $\\delta$",
         (d + Rational(1, 2)) * flat * delta / rise - delta,
         (2 * d**2 + 2 * d + 1) * delta / (2 * (d + 1) * (2 * d + 3)),
         name=r"\beta_\times",

@@ -39,7 +39,7 @@ def derive(page):
         real_part(on_circle(bottom / ((z - 1) * top))),
     )
     page.show(
-        "At the root's own angle",
+        "At the root's own angle the wall needs $\\Re\\{A/((z-1)N)\\}$",
         r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
         need / (2 * size),
         drawn,

@@ -43,7 +43,7 @@ def derive(page):
     )
     bare = plant.numbers(S.Zero, delta)
     page.limit(
-        "How much larger, without a spring",
+        "Without a spring the bound exceeds that of the damper in the second order",
         (tip.subs(bare) / (2 * delta * tan(theta / 2)) - 1) / theta**2,
         theta,
         S.Zero,
@@ -60,7 +60,7 @@ def derive(page):
     )
     far = symbols("u")
     page.limit(
-        "A long delay, no spring",
+        "Without a spring the stiffness falls with a long delay like its inverse",
         stiffness.subs(bare).subs({theta: phi * far}).subs(d, 1 / far - 1) / far,
         far,
         S.Zero,
@@ -94,7 +94,7 @@ def derive(page):
     gap = Poly(plant_side - wall_side, y).all_coeffs()
     gap = [c.subs(plant.numbers(Rational(1, 1000), Rational(1, 50))) for c in gap]
     page.positive(
-        "A wall for every delay",
+        "One wall is outweighed by the device behind every delay",
         number(4 * gap[0] * gap[2] - gap[1] ** 2),
         "|A|^2-\\alpha^2|N|^2=g_2y^2+g_1y+g_0",
         because="so the plant's part of the polynomial outweighs the wall's all around the circle, "

@@ -38,7 +38,7 @@ def derive(page):
     margin = passivity.margin()
     page.say("For passive walls it is true. The margin of (5) is linear in the stiffness:")
     softer = page.step(
-        "A share $y$ of the stiffness",
+        "With a share $y$ of the stiffness the margin is a mean of two",
         margin.subs(K, y * K),
         y * margin + (1 - y) * (b + B * cos((d + 1) * theta)),
         name="F(yK,B)",

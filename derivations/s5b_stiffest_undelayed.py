@@ -96,7 +96,7 @@ def reached(page, minor, second, third):
     top = {alpha: (RISE - best) ** 2 / (n_0 * n_1**2) - gamma, beta: (best / n_0 - 1) / n_1}
     for name, title, plane in (("c_1", "second", second), ("c_3", "third", third)):
         fact = box.positive(plane.subs(top).subs(BALLS), WIDE, GIVEN)
-        page.positive(f"There the {title} one", fact, IN_WIDE, name=name)
+        page.positive(f"There the {title} of them is positive", fact, IN_WIDE, name=name)
     page.say(
         "and $p_1(1)=(n_1+n_0)(\\alpha+\\gamma)$ is positive. So this holds for every spring up to "
         "ten times and every damper up to five times the largest of the paper's range (23), and "
@@ -113,7 +113,7 @@ def ratio(page):
     device = plant.Sampled(*(s.subs(BALLS) for s in (n_1, n_0, a, e)))
     largest = boundary.largest_undelayed(device)
     page.positive(
-        "More than 17.8 times as stiff",
+        "The stiffest stable wall is more than 17.8 times as stiff",
         box.positive(largest - Rational(356, 10) * delta, RANGES, GIVEN),
         IN_23,
         name=r"\alpha_{\max}(0)-17.8\cdot2\delta",

@@ -46,7 +46,7 @@ def derive(page):
     )
     there = {t: tan(theta / 2), phi: (d + 1) * theta}
     page.show(
-        "In real numbers, with $t=\\tan\\frac\\theta2$ and $\\varphi=(d+1)\\theta$",
+        "With $t=\\tan\\frac\\theta2$ and $\\varphi=(d+1)\\theta$ the stiffness is a real quotient",
         r"\alpha(\theta)",
         r"\frac{\bigl((1+a+e)t^2-(1-a+e)\bigr)C+2(1-e)tS}{(n_1+n_0)^2+(n_1-n_0)^2t^2}",
         page.same("in real numbers", STIFFNESS.subs(there), boundary.wall(DEVICE)[0]),

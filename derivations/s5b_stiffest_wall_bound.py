@@ -53,7 +53,7 @@ def sizes(page):
     )
     surplus = square - circle.in_chord(circle.square(FORCE * WALL), y)
     page.step(
-        "Plant against wall at $z=-1$",
+        "At $z=-1$ plant and wall differ by two squares",
         surplus.subs(y, 4),
         (1 + a + e) ** 2 - (n_1 - n_0) ** 2 * (alpha + 2 * beta) ** 2,
         name=r"|A|^2-|NW|^2",
@@ -61,7 +61,7 @@ def sizes(page):
     push = FORCE * WALL
     first, second = push.subs(z, 0), diff(push, z).subs(z, 0)
     page.step(
-        "The lowest coefficients of a stable polynomial",
+        "The two lowest coefficients leave this difference",
         second - first * -a,
         n_0 * alpha - (n_1 - n_0 + a * n_0) * beta,
         name=r"a_1-a_0a_{d+2}",

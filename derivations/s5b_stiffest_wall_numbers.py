@@ -29,7 +29,7 @@ PLAIN = (1, 2, 5, 10, 20, 40, 100, 122, 200, 500, 1000)
 def derive(page):
     whole = passivity.dirichlet_form().subs({K: alpha, T: S.One}).subs(theta, pi / (2 * (d + 1)))
     page.step(
-        "The largest passive stiffness, (11)",
+        "The stiffness (11) needs all of the damping",
         whole.subs(alpha, passive(delta, d)),
         delta,
         name=r"\text{damping needed by}\ \alpha=2\delta\tan\tfrac{\pi}{4(d+1)}",
@@ -41,7 +41,7 @@ def derive(page):
     there = STIFFNESS.subs({t: tan(ANGLE / 2), phi: 2 * ANGLE}).subs(BALLS)
     need = passive(delta, 1) / Rational(1074, 10000)
     page.positive(
-        "More than 9.31 times as stiff",
+        "One period late a stable wall is more than 9.31 times as stiff",
         box.positive(there - need, RANGES, GIVEN),
         IN_23,
         name=r"\alpha(0.555)-2\delta\tan\tfrac\pi8/0.1074",
@@ -91,7 +91,7 @@ def table(page):
     gap = Poly(circle.in_chord(plant_side - FOR_EVER**2 * wall_side, y), y).all_coeffs()
     gap = 4 * gap[0] * gap[2] - gap[1] ** 2
     page.positive(
-        "The plant outweighs it on the circle",
+        "The plant outweighs this wall all around the circle",
         box.positive(gap.subs(BALLS), {gamma: (STIFF, STIFF), delta: (DAMPED, DAMPED)}, GIVEN),
         r"|A|^2-\alpha^2|N|^2=g_2y^2+g_1y+g_0",
         name="4g_2g_0-g_1^2",

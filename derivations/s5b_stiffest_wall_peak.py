@@ -42,7 +42,7 @@ def derive(page):
         none_above(SPRUNG, PEAK)[1],
     )
     page.lemma(
-        "$\\eta<0.9998$ behind every whole delay but 40",
+        "Behind every whole delay but 40 $\\eta$ is less than $0.9998$",
         elsewhere(),
         because="by a wall for each delay up to 67; beyond, passive walls have "
         "$\\alpha(d+1)\\le2\\delta$, by the slow angles",
@@ -64,6 +64,6 @@ def derive(page):
         shows=r"with the spring, and behind every whole delay, some stable wall is stiffer than "
         r"all passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         r"$d=122$ to less than 0.91 at $d=1000$",
-        note="read as one in print, which 0.9998 is, it is reached; up to there $\\eta$ grows "
-        "between the delays of Fig. 12",
+        note="of whole delays; read as one in print, which 0.9998 is, it is reached; up to there "
+        "$\\eta$ grows between the delays of Fig. 12",
     )

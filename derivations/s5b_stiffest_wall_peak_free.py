@@ -65,7 +65,9 @@ def without_spring(page, known):
     for text, low, high in (("1 to 118", *ends[:2]), ("126 to 1000", *ends[2:])):
         fact = box.positive(above, {phi: (low, high)}, balls)
         on = rf"{low.n(5)}\le\varphi\le{high.n(5)}"
-        page.positive(f"Delays {text}", fact, on, name=name)
+        page.positive(
+            f"For delays of {text} periods $\\eta$ is less than $\\eta(122)$", fact, on, name=name
+        )
     delays = [value(1 / far - 1, {phi: end}) for end in ends]
     names = [rf"d\big|_{{\varphi={end.n(5)}}}" for end in ends]
     page.enclosed(
@@ -88,7 +90,7 @@ def without_spring(page, known):
     page.same("over u", free / h, tail)
     region = {h: (S.Zero, Rational(1, 1001)), kappa: (S.One, 1 + Rational(1, 10**6))}
     page.positive(
-        "All longer delays",
+        "For all longer delays it is less, too, by the wall at $\\varphi=2$",
         box.positive(tail * peak - DAMPED * pi * kappa / 2, region, balls),
         r"0\le u\le\tfrac1{1001}",
         name=r"\bigl(\alpha\,\eta(122)-2\delta\tan\tfrac{\pi u}4\bigr)/u",

@@ -30,7 +30,7 @@ def derive(page):
         "$F=z^{d+1/2}A/N$:"
     )
     page.step(
-        "The plant on the circle",
+        "Without damping the plant is real on the circle",
         on_circle((z**2 - a * z + 1) / z),
         2 * cos(theta) - a,
         name="A/z",

@@ -33,7 +33,7 @@ def derive(page):
     undelayed = boundary.largest_undelayed(DEVICE).subs(BALLS)
     facts = [
         page.positive(
-            "No delay",
+            "Without delay $\\alpha_{\\max}/\\delta$ falls with the damping",
             box.positive(undelayed - delta * dash(undelayed), RANGES, GIVEN),
             IN_23,
             name=r"\alpha_{\max}-\delta\,\alpha_{\max}'",
@@ -54,10 +54,12 @@ def derive(page):
             fact = box.positive(below, {**RANGES, phi: side}, GIVEN)
             on = rf"{latex(side[0])}\le\varphi\le{latex(side[1])},\ " + IN_23
             name = r"\alpha|_{\varphi=1.1}-\alpha"
-            facts.append(page.positive(f"$d={delay}$, lower there", fact, on, name=name))
+            facts.append(
+                page.positive(f"For $d={delay}$ the curve is lower there", fact, on, name=name)
+            )
         falls = box.positive(curve - delta * dash(curve), {**RANGES, phi: (LOW, HIGH)}, GIVEN)
         page.positive(
-            f"$d={delay}$",
+            f"For $d={delay}$ the quotient $\\alpha/\\delta$ falls at each angle",
             falls,
             r"\tfrac12\le\varphi\le\tfrac32,\ " + IN_23,
             name=r"\alpha-\delta\,\alpha'",
@@ -95,8 +97,8 @@ def derive(page):
         unless=[counterexample(claim, FAR, nearer(then.at(FAR)), not_short(), but=SHORT)],
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "
         r"$0.02$",
-        note=r"in terms of the stiffness; nearer dampings, and $d\in\{2,4,8\}$, are a statement of "
-        "their own",
+        note=r"in terms of the stiffness, and of whole delays; nearer dampings, and "
+        r"$d\in\{2,4,8\}$, are a statement of their own",
     )
 
 

@@ -37,7 +37,7 @@ def derive(page):
     rate = sqrt(k / m - b**2 / (4 * m**2))
     one, two = damped.poles(2 * I * rate)
     page.step(
-        "Poles of a swinging device",
+        "A swinging device has a pole at $-\\frac b{2m}+j\\omega$",
         damped.characteristic.subs("s", one),
         S.Zero,
         name=r"ms^2+bs+k\,\big|_{s=-\frac{b}{2m}+j\omega}",
@@ -54,7 +54,7 @@ def derive(page):
     unit = plant.normalised(Parts())
     turns = sqrt(gamma - delta**2 / 4)
     page.step(
-        "In units of mass and period",
+        "In units of mass and period the pole lies at $-\\delta/2+j\\omega T$",
         unit.characteristic.subs("s", unit.poles(2 * I * turns)[0]),
         S.Zero,
         name=r"s^2+\delta s+\gamma\,\big|_{s=-\delta/2+j\omega T}",

@@ -88,7 +88,10 @@ def human(page):
         "that of the arm: Hogan's arm, 0.8 kg and 568 N/m, would need $k=\\pi^2m/T^2$, and the "
         "device of Example 5.1 alone, 0.1 kg, much less:"
     )
-    for title, mass in (("Hogan's arm", HOGAN[m]), ("The device against that arm", DEVICE[m])):
+    for title, mass in (
+        ("For Hogan's arm the spring is 13\\,900 times as stiff", HOGAN[m]),
+        ("For the device alone it is 1740 times as stiff as that arm", DEVICE[m]),
+    ):
         limit = spring_of(mass).subs(T, HOGAN[T]) / HOGAN[k_H]
         page.step(title, limit, mass * 10**6 * pi**2 / 568, name=r"\frac{\pi^2m}{T^2k_H}")
     claim = CLAIMED["s6-human-10000"](())

@@ -19,6 +19,7 @@ from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model.plant import Plant
 from symhaptic.notation import T, b, delta, k, m
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import EXAMPLE
 from symhaptic.proof import box
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
@@ -35,9 +36,6 @@ from symhaptic.proof.theorems.tactics import (
     for_all,
     positive,
 )
-
-DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
-"""Example 5.1, in kg and s."""
 
 
 def derive(page):
@@ -57,8 +55,13 @@ def derive(page):
 
 def example_(page, spring):
     """Example 5.1."""
-    device = spring.subs(DEVICE)
-    page.step("For $m=0.1$ kg and $T=1$ ms", device, 100000 * pi**2 + Rational(5, 2) * b**2, name=k)
+    device = spring.subs(EXAMPLE)
+    page.step(
+        "For $m=0.1$ kg and $T=1$ ms the damper adds $\\frac52b^2$",
+        device,
+        100000 * pi**2 + Rational(5, 2) * b**2,
+        name=k,
+    )
     page.say(
         "which is $986\\,960.44\\ldots$ N/m without damping. It rounds to 987 000 N/m as long "
         "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
@@ -69,11 +72,13 @@ def example_(page, spring):
         r"0\le b\le14.6\ \mathrm{Ns/m}",
         name="987\\,500-k",
     )
-    symbols, given, _ = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
+    symbols, given, then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
+    _, rounds = then.of
+    about = discharged(rounded(spring, rounds.of[1]), rounds.of[0])
     point = {m: S.One, b: S.Zero, k: S.One, T: S.One}
     page.settle(
         "eq31",
-        for_all(symbols, given, weakened(spring_of_nyquist(), *given)),
+        for_all(symbols, given, weakened(conjoined(spring_of_nyquist(), about), *given)),
         Eq(k, spring),
         example=example(point, given),
         enclosed=True,
@@ -86,7 +91,7 @@ def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
     share = b**2 / (4 * m) / (pi**2 * m / T**2)
     page.step(
-        "The share of the damping",
+        "The damping has a share that only $\\delta$ decides",
         share.subs(b, delta * m / T),
         delta**2 / (4 * pi**2),
         name=r"\frac{b^2/(4m)}{\pi^2m/T^2}",
@@ -98,7 +103,7 @@ def marginal(page, spring):
     less = closed(
         combined(small, [scale(), room], [scale(), weak(SHARE), Rational(1, 4)]), *divisors()
     )
-    about = discharged(rounded(spring, rounds.of[1]), rounds.of[0])
+    about = rounded(spring, rounds)
     page.settle(
         "s5c-marginal-b",
         for_all(symbols, given, weakened(closed(conjoined(less, about), *divisors()), *given)),
@@ -107,13 +112,14 @@ def marginal(page, spring):
     )
 
 
-def rounded(spring, bounds):
-    """986500 < k < 987500 for Example 5.1, where b <= 2."""
-    mass, period = (assume(Eq(s, DEVICE[s])) for s in (m, T))
+def rounded(spring, claim):
+    """986500 <= k < 987500 for Example 5.1, where b <= 2."""
+    values, bounds = claim.of
+    mass, period = (assume(Eq(s, EXAMPLE[s])) for s in (m, T))
     same = combined(
         Eq(spring, 100000 * pi**2 + Rational(5, 2) * b**2),
         [mass, pi**2 / T**2 - 5 * b**2 / (2 * m)],
-        [period, -100000 * pi**2 * (T + DEVICE[T]) / T**2],
+        [period, -100000 * pi**2 * (T + EXAMPLE[T]) / T**2],
     )
     most = combined(b <= 2, [100, assume(SHARE <= FIFTIETH)], [mass, b / m], [period, -100 * b / m])
     room = positive(2 + b > 0, [damped()], [2])
@@ -122,4 +128,4 @@ def rounded(spring, bounds):
     upper = combined(
         high, [above(987490, 100000 * pi**2)], [Rational(5, 2), most, room], [same, S.One]
     )
-    return closed(conjoined(lower, upper), *divisors())
+    return discharged(closed(conjoined(lower, upper), *divisors()), values)

@@ -26,7 +26,7 @@ def derive(page):
         "after each period. Its numerator shares the double pole at $-1$ once."
     )
     page.step(
-        "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$",
+        "At $\\gamma=\\pi^2$, $\\delta=0$ the polynomial has the factor $z+1$",
         loop.characteristic(Parts(damping=False)).subs(gamma, pi**2),
         (z + 1) * ((z + 1) * z ** (d + 1) + 2 * ((alpha + beta) * z - beta) / pi**2),
         name="p_1(z)",

@@ -50,7 +50,7 @@ def derive(page):
     total, late = alpha + beta, d + 1
     square = late * (total**2 + beta**2 - 2 * cos(Omega) * total * beta) - total**2 + beta**2
     page.step(
-        "At the device's own angle $\\theta=\\Omega$",
+        "At the device's own angle $\\theta=\\Omega$ two terms are left",
         speed * back + slowed * value - (d + 3) * value * back,
         -4 * n_0 * sin(Omega) * (along * sin(late * Omega) - across * cos(late * Omega))
         - 2 * n_0**2 * (1 + cos(Omega)) * square,

@@ -63,7 +63,7 @@ def derive(page):
         on_circle(z ** (1 - epsilon) * late.device.numerator, Omega).subs(gamma, Omega**2),
     )
     page.show(
-        "A fraction of a period, at $z=e^{j\\Omega}$",
+        "At $z=e^{j\\Omega}$ a fraction of a period only turns",
         "M(z)",
         r"z^{1-\varepsilon}(n_1z+n_0)",
         own,

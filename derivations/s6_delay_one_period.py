@@ -27,7 +27,7 @@ def derive(page):
     curve = STIFFNESS.subs(t, tan(phi / 4)).subs(BALLS)
     whole = {**RANGES, phi: (0, Rational(42, 10))}
     page.positive(
-        "Less than 22 %",
+        "One period of delay leaves less than 22 %",
         box.positive(Rational(22, 100) * MOST - curve, whole, GIVEN),
         IN_23 + r",\ 0\le\theta\le\tfrac{2\pi}3",
         name=r"0.22\,\alpha_{\max}(0)-\alpha(\theta)|_{d=1}",
@@ -39,7 +39,7 @@ def derive(page):
         for g, v in (("0.001", 0.02), (0, 0.02), (0, 0.03))
     ]
     page.enclosed(
-        "The share that is left",
+        "The share that is left is enclosed",
         list(zip(names, shares, strict=True)),
         because="the first is that of Figs. 11 and 12; beyond the range, at $\\delta=0.03$, it is "
         "more than 22 %",

@@ -56,8 +56,8 @@ def settled(page):
         unless=[counterexample(claim, SOON, much(then.at(SOON)), not_slow(), but=SLOW)],
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "
         r"times as fast gives a free mass more than 3.7 times the stable stiffness",
-        note=r"longer delays are a statement of their own; at most $1+1/d$ times the passive "
-        r"stiffness, of every device",
+        note=r"of whole delays and rates; longer delays are a statement of their own; at most "
+        r"$1+1/d$ times the passive stiffness, of every device",
     )
 
 
@@ -65,7 +65,7 @@ def passive(page):
     """The passive stiffness for a given delay in seconds."""
     stiffness = 2 * b / T * tan(pi / (4 * (d + 1)))
     scaled = page.step(
-        "The largest passive stiffness, (11), with $T=t_d/d$",
+        "With $T=t_d/d$ the stiffness (11) is a number over the delay",
         (stiffness * t_d / b).subs(T, t_d / d),
         2 * d * tan(pi / (4 * (d + 1))),
         name=r"Kt_d/b",
@@ -107,7 +107,7 @@ def stable(page):
     limit = value(LONG, {phi: angle})
     now = {n: most(S.Zero, S.Zero, n) for n in (1, 10)}
     page.enclosed(
-        "The gain of a free mass",
+        "Endlessly fast sampling gains a free mass these factors",
         [
             (rf"d={n}:\quad\text{{gain}}", over(limit, over(n**2 * S.One, over(S.One, now[n]))))
             for n in now
@@ -125,7 +125,7 @@ def heavier(page):
     grown = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
     proof = page.same("the same loop", physical.xreplace(grown), physical)
     page.show(
-        "Twice the mass and everything else",
+        "Twice the mass and twice everything else is the same loop",
         r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}",
         function("p")(z),
         proof,

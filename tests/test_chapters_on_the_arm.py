@@ -375,9 +375,28 @@ def one_author(monkeypatch):
     patched(monkeypatch, 8, writers=3)
 
 
-@pytest.mark.parametrize("change", [moved_conclusion, other_panel, named_delays, one_author])
+def right_sentence(id, wrong, right):
+    """A sentence of the paper without its slip."""
+
+    def change(monkeypatch):
+        assert wrong in outline.SENTENCES[id]
+        sentence = outline.SENTENCES[id].replace(wrong, right)
+        monkeypatch.setitem(outline.SENTENCES, id, sentence)
+
+    return change
+
+
+SENTENCES = [
+    right_sentence("s1-conclusion", "Section IV", "Section VI"),
+    right_sentence("s5b-ratio-panels", "12(a)", "12(b)"),
+    right_sentence("s4d-bound-of-b", "virtual stiffness", "virtual damping"),
+]
+LISTS = [moved_conclusion, other_panel, named_delays, one_author]
+
+
+@pytest.mark.parametrize("change", [*LISTS, *SENTENCES])
 def test_a_slip_that_is_none_cannot_be_settled(monkeypatch, change):
-    """With the paper's lists changed so that the print were right, the chapter stops."""
+    """With the lists or sentences changed so that the print were right, the chapter stops."""
     change(monkeypatch)
     with pytest.raises(BadChapter):
         run(folder() / "s7a_slips_in_words.py")

@@ -92,11 +92,11 @@ def test_three_lags_in_a_loop_grow_and_a_pushed_mass_drifts():
             found = np.linalg.det(s * np.eye(3) - chain)
             assert complex(value(polynomial, s=s)) == pytest.approx(found, rel=1e-13)
 
-    only(agrees, shown(CHAPTER, "Three lags and a gain of 27 in a loop"))
+    only(agrees, shown(CHAPTER, "Three lags and a gain of 27 in a loop grow without end"))
 
     def agrees_with_the_mass(drift):
         for t in (0.2, 70.0):
             move, _ = motion.held(1.3, 0.0, 0.0, t)
             assert number(drift, t=t) == pytest.approx(move[0, 1], rel=1e-13)
 
-    only(agrees_with_the_mass, shown(CHAPTER, "A free mass after a push"))
+    only(agrees_with_the_mass, shown(CHAPTER, "A free mass drifts after a push"))

@@ -61,9 +61,9 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
                 # 60 digits, of which the print loses some where gamma is small
                 assert abs(value(ours, **numbers) - theirs) < 1e-45
 
-    first = shown("s4b_normalisation", "First sample of the step response")
-    second = shown("s4b_normalisation", "Second coefficient")
-    images = shown("s4b_normalisation", "Sum of the images")
+    first = shown("s4b_normalisation", "The first sample of the step response is $n_1$")
+    second = shown("s4b_normalisation", "The second coefficient is $n_0$")
+    images = shown("s4b_normalisation", "The images of the poles add up to $a$")
     product = shown("s4b_normalisation", "The two poles have the product $e$")
     only(agrees, first, second, images, product)
 

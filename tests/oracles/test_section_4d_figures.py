@@ -118,7 +118,7 @@ def test_with_a_delay_the_spring_is_a_visible_part_of_the_width():
             alpha, _ = stiffest(gamma, 0.02, d, 0.01, high)
             assert 0.85 * bound < alpha < bound
     for gamma, delta in ((0, 0), (0, 0.02), (1e-3, 0), (1e-3, 0.02)):
-        title = f"$\\gamma={gamma:g}$, $\\delta={delta:g}$"
+        title = f"The others lie inside for $\\gamma={gamma:g}$, $\\delta={delta:g}$"
         moduli = np.sort(oracle.moduli(-gamma, 0.25, gamma, delta, 2))
         assert moduli[-1] == pytest.approx(1, abs=1e-12)
         # printed with four decimals, rounded up

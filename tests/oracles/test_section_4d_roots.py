@@ -50,7 +50,7 @@ class Loop:
 
 
 def sizes():
-    return [shown(COUNTED, f"Size of ${name}$ on the circle") for name in "ANW"]
+    return [shown(COUNTED, f"On the circle $|{name}|^2$ is a polynomial in $y$") for name in "ANW"]
 
 
 @guards("s4d_roots_counted")

@@ -164,8 +164,11 @@ def test_the_error_along_the_boundary_and_at_its_start():
         for d, theta in ((0, 0.5), (2, 0.3)):
             assert abs(value(free, d=d, theta=theta) - error(theta, 0, 0, d)[0]) < 1e-40
 
-    titles = ["The relative error, at the same $\\beta$", "By the surplus over the line"]
-    titles.append("The error for a free mass")
+    titles = [
+        "The relative error compares stiffnesses at the same $\\beta$",
+        "The error is the surplus over the line, per $(d+\\frac12)(\\alpha+\\gamma)$",
+    ]
+    titles.append("Of a free mass the error is a quotient of sines")
     only(agrees, *(shown("s4e_line_error", title) for title in titles))
 
     def agrees_at_the_start(bare, undamped):
@@ -253,7 +256,7 @@ def test_walls_of_the_linear_condition_below_the_crossing_are_stable(d):
             found = crossing(1e-12, delta, d) * (d + 0.5) - delta
             assert number(damping, delta=delta, d=d) == pytest.approx(found, rel=1e-3)
 
-    title = "The damping of the crossing, for short periods"
+    title = "For short periods the line crosses at a share of $\\delta$"
     kept = () if d else ("d",)
     only(agrees, shown("s4e_line_unstable_below", title), by=0.05, kept=kept)
 
@@ -402,7 +405,7 @@ def test_physical_damping_is_worth_more_than_virtual_damping():
             ours = value(worth, alpha=alpha, d=d)
             assert abs((found - 1) / (ours - 1) - 1) < 1e-4
 
-    title = "Virtual damping that a unit of physical damping saves"
+    title = "A unit of physical damping saves more than one of virtual damping"
     only(agrees, shown("s4e_line_trade", title))
     virtual = counterexample("s4e_line_trade", "s6-linear-dissipation")
     assert not oracle.stable(*(virtual[n] for n in ("alpha", "beta", "gamma", "delta", "d")))

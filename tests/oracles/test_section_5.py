@@ -31,7 +31,9 @@ def test_at_the_angle_of_a_root_passivity_wants_more_than_the_damper():
             assert ours == pytest.approx(found, rel=1e-9)
             assert ours > delta
 
-    only(agrees, shown("s5a_figure", "At the root's own angle"))
+    only(
+        agrees, shown("s5a_figure", "At the root's own angle the wall needs $\\Re\\{A/((z-1)N)\\}$")
+    )
 
 
 @guards("s5a_figure")
@@ -112,7 +114,10 @@ def test_the_tips_of_both_regions():
             found = (alpha / (2 * delta * mpmath.tan(theta / 2)) - 1) / theta**2
             assert abs(found - value(more, delta=delta)) < 1e-9
 
-    only(agrees_at_low_angles, shown(TIP, "How much larger, without a spring"))
+    only(
+        agrees_at_low_angles,
+        shown(TIP, "Without a spring the bound exceeds that of the damper in the second order"),
+    )
 
 
 @guards("s5b_figure")
@@ -127,7 +132,7 @@ def test_long_delays_and_a_wall_that_no_delay_destabilises():
 
     only(
         agrees,
-        shown(TIP, "A long delay, no spring"),
+        shown(TIP, "Without a spring the stiffness falls with a long delay like its inverse"),
         shown(TIP, "The stiffest passive wall falls like the inverse of the delay"),
     )
     phi = np.linspace(0, np.pi, 100_001)
@@ -189,7 +194,13 @@ def test_the_polynomial_at_half_a_swing_per_period():
                 found = np.polyval(roots, z)
                 assert complex(value(polynomial, **at)) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown("s5c_nyquist_pole", "The polynomial at $\\gamma=\\pi^2$, $\\delta=0$"))
+    only(
+        agrees,
+        shown(
+            "s5c_nyquist_pole",
+            "At $\\gamma=\\pi^2$, $\\delta=0$ the polynomial has the factor $z+1$",
+        ),
+    )
 
 
 @guards("s5c_robust")
@@ -227,7 +238,10 @@ def test_what_zeros_inside_have_to_outpace_at_the_angle_of_the_device():
             at = {"alpha": alpha, "beta": beta, "d": d, "Omega": mpmath.mpf(swing), "n_0": n0}
             assert abs(found - value(surplus, **at)) < 1e-15
 
-    only(agrees, shown("s5c_robust", "At the device's own angle $\\theta=\\Omega$"))
+    only(
+        agrees,
+        shown("s5c_robust", "At the device's own angle $\\theta=\\Omega$ two terms are left"),
+    )
 
 
 @guards("s5c_robust_figure")

@@ -24,7 +24,10 @@ def test_a_share_of_the_stiffness_of_a_passive_wall():
                 assert number(softer, y=0.6, **at) == pytest.approx(1.3 - need[0], abs=1e-12)
                 assert number(without, **at) == pytest.approx(1.3 - need[1], abs=1e-12)
 
-    titles = ("A share $y$ of the stiffness", "Without stiffness the margin is not negative")
+    titles = (
+        "With a share $y$ of the stiffness the margin is a mean of two",
+        "Without stiffness the margin is not negative",
+    )
     only(agrees, *(shown(SOFT, title) for title in titles))
     for d, direction in walls:
         wall = np.array([np.cos(direction), np.sin(direction)])

@@ -129,8 +129,8 @@ def test_sizes_at_two_angles_and_two_coefficients():
             p = np.poly(oracle.loops(float(alpha), float(beta), gamma, delta, d))[::-1]
             assert number(lowest, **at) == pytest.approx(p[1] - p[0] * p[d + 2], abs=1e-12)
 
-    titles = ["$|A|$ rises from $\\theta_r$ on", "Plant against wall at $z=-1$"]
-    titles.append("The lowest coefficients of a stable polynomial")
+    titles = ["$|A|$ rises from $\\theta_r$ on", "At $z=-1$ plant and wall differ by two squares"]
+    titles.append("The two lowest coefficients leave this difference")
     only(agrees, *(shown(BOUND, title) for title in titles))
 
 

@@ -26,7 +26,7 @@ def test_the_spring_of_the_example():
             assert number(stiffness, b=b) == pytest.approx(k, rel=1e-9)
 
     # rounding of the exponential hides 1e-10: a hundredth of b^2/(4m) at b = 14.6 is 5e-6
-    only(agrees, shown(NUMBERS, "For $m=0.1$ kg and $T=1$ ms"))
+    only(agrees, shown(NUMBERS, "For $m=0.1$ kg and $T=1$ ms the damper adds $\\frac52b^2$"))
 
     def agrees_with_eq31(stiffness):
         for m, b, T in ((0.1, 14.6, 1e-3), (2.0, 30.0, 0.05)):
@@ -52,7 +52,7 @@ def test_the_share_of_the_damping():
             found = half_swing(1.0, delta, 1.0) / half_swing(1.0, 0.0, 1.0) - 1
             assert number(share, delta=delta) == pytest.approx(found, rel=1e-7)
 
-    share = shown(NUMBERS, "The share of the damping")
+    share = shown(NUMBERS, "The damping has a share that only $\\delta$ decides")
     only(agrees, share)
     assert number(share, delta=0.02) < 1.02e-5
 
@@ -65,7 +65,16 @@ def test_against_the_stiffness_of_an_arm():
         assert number(hogan) == pytest.approx(arm, rel=1e-9)
         assert number(example) == pytest.approx(device, rel=1e-9)
 
-    only(agrees, *(shown(ARMS, t) for t in ("Hogan's arm", "The device against that arm")))
+    only(
+        agrees,
+        *(
+            shown(ARMS, t)
+            for t in (
+                "For Hogan's arm the spring is 13\\,900 times as stiff",
+                "For the device alone it is 1740 times as stiff as that arm",
+            )
+        ),
+    )
     (limit,) = page(ARMS).settled["s5c-human-10000"].settlement.values
     assert number(limit) == pytest.approx(half_swing(1.0, 0.0, 1.0) / 1e-3, rel=1e-9)
     point = counterexample(ARMS, "s6-human-10000")

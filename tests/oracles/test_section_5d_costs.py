@@ -81,6 +81,6 @@ def test_the_plant_without_damping_on_the_circle():
 
     only(
         agrees,
-        shown(UNDAMPED, "The plant on the circle"),
+        shown(UNDAMPED, "Without damping the plant is real on the circle"),
         shown(UNDAMPED, "With its delay the force is real times a turn"),
     )

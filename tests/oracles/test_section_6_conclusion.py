@@ -27,7 +27,7 @@ def most(gamma, delta, d):
 
 @guards("s6_delay_one_period")
 def test_what_one_period_of_delay_leaves_by_a_search():
-    found = decimals("s6_delay_one_period", "The share that is left")
+    found = decimals("s6_delay_one_period", "The share that is left is enclosed")
     arms = [(1e-3, 0.02), (0.0, 0.02), (0.0, 0.03)]
     for (gamma, delta), share in zip(arms, found, strict=True):
         late, _ = stiffest(gamma, delta, 1, 0.1, 0.7, top=0.5)
@@ -53,11 +53,11 @@ def test_what_faster_sampling_gains_at_the_same_delay():
         assert number(limit) == pytest.approx(K * (far + 1), rel=1e-8)
 
     titles = (
-        "The largest passive stiffness, (11), with $T=t_d/d$",
+        "With $T=t_d/d$ the stiffness (11) is a number over the delay",
         r"With endlessly fast sampling $Kt_d/b$ tends to $\pi/2$",
     )
     only(agrees, *(shown("s6_gains", title) for title in titles))
-    ends = decimals("s6_gains", "The gain of a free mass")
+    ends = decimals("s6_gains", "Endlessly fast sampling gains a free mass these factors")
     late = 10**8  # endlessly fast to 1e-16
     limit = first_arc(0, 0, late) * (late + 1) ** 2
     for d, top, gain in ((1, 0.5, ends[0]), (10, 0.02, ends[1])):

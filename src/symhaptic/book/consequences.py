@@ -10,7 +10,8 @@ CONSEQUENCES: dict[str, str] = {
     "eq4": "Check $K\\ge0$ as well. A wall that pulls (negative stiffness, as in a detent) can "
     "pass (4) and push the hand.",
     "eq5": "With a delay that is no whole number of periods, round it up before using (5); with "
-    "$K\\ge0$ that is safe. Used as printed, it can let a wall through that gives energy away.",
+    "$K\\ge0$ that is safe. Used as printed, it can let a wall through that gives energy away. "
+    "Walls that just meet it are passive, too.",
     "eq6": "None in practice: walls on the border are passive, so $\\ge$ will do for $K\\ge0$.",
     "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no boundary. "
     "Without delay use (6).",
@@ -35,7 +36,7 @@ CONSEQUENCES: dict[str, str] = {
     "fig5": "Between whole delays the curve is on either side of the truth. Read it at the next "
     "whole delay, which is safe.",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
-    "and walls by force and velocity, side by side or in a loop.",
+    "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
     # -- the loop ---------------------------------------------------------------------------
     "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution can "
     "be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",

@@ -10,8 +10,8 @@ from sympy import Add, Integer, Ne, S, cos, pi
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import T, b, omega, theta, z
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation import T, b, d, omega, theta, z
+from symhaptic.notation.proposition import Relation, whole
 from symhaptic.paper.propositions.passivity import ANSWER, TAPS
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.kernel import Theorem, assume
@@ -33,12 +33,17 @@ from symhaptic.proof.theorems.tactics import (
 PUSHES = Add(*TAPS) >= 0
 """H(1) >= 0: at rest the environment does not pull."""
 
-_WHOLE = tuple(is_whole(Integer(late)) for late in range(3))
+_WHOLE = tuple(is_whole(d + late, assume(whole(d))) for late in (1, 2))
 
 
 def by_angle() -> Theorem:
     """passive <=> H(1) >= 0 and the margin at every angle."""
     return toeplitz(ANSWER, z, b / T, theta)
+
+
+def exactly() -> Theorem:
+    """The same for T > 0 and a whole delay."""
+    return closed(by_angle(), *apart(), *_WHOLE)
 
 
 def no_motion_gains(frequencies: Any) -> Theorem:
@@ -72,8 +77,8 @@ def holds(frequencies: Any, point: Mapping[Any, Any], *margin: Any) -> Theorem:
 
 def pulled() -> Theorem:
     """-(1 + 1/z + 1/z^2) gives energy away beside the damper b/T = 1."""
-    energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1)), z, S.One, theta)
+    energy = toeplitz(ANSWER.subs(dict.fromkeys(TAPS, -1) | {d: 0}), z, S.One, theta)
     static, _ = energy.conclusion.of[1].of  # type: ignore[attr-defined]
     negative = denied(combined(Relation(S(-3), "<", S.Zero), [3]), static)
     gains = denied_by(energy, not_all(energy.conclusion.of[1], negative))  # type: ignore[attr-defined]
-    return closed(gains, *_WHOLE)
+    return closed(gains, *map(is_whole, map(Integer, range(3))))

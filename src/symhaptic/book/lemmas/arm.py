@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from sympy import Eq, Expr, Ne, S, Symbol
 
-from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
-from symhaptic.notation.proposition import Or, Proposition, Relation, Terms
-from symhaptic.paper.propositions.arm import x, y
+from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
+from symhaptic.notation.proposition import Implies, Or, Proposition, Relation, Terms
+from symhaptic.paper.propositions.arm import x, y, y_D, y_H
 from symhaptic.proof.theorems.familiar import ordered
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
@@ -14,6 +14,7 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     by_cases,
     conjoined,
+    discharged,
     substituted,
     widened,
 )
@@ -22,6 +23,8 @@ from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""
+WHOLE = {m: S(2), b: S(2), k: S.One}
+"""Mass, damper and spring of both."""
 SPRING, DAMPER = T**2 * k_H / (m_D + m_H), T * (b_D + b_H) / (m_D + m_H)
 """gamma and delta of (19)."""
 
@@ -33,14 +36,63 @@ def total() -> tuple[Theorem, ...]:
     return mass, positive(Ne(m_D + m_H, 0), [mass]), *apart
 
 
+def numbers(claim: Proposition) -> Theorem:
+    """gamma and delta of (19), from Table I for the m, b and k of (2)."""
+    _, given, then = taken_apart(claim)
+    mass, damper, spring, stiff, slow = (assume(p) for p in given[-5:])
+    total = positive(m_D + m_H > 0, m_D > 0, m_H >= 0)
+    share = {gamma: T**2 * k_H, delta: T * (b_D + b_H)}
+    found = [
+        combined(wanted, [rule, S.One], [part, power / m], [mass, -share[name] / (m * (m_D + m_H))])
+        for wanted, name, rule, part, power in zip(
+            then.parts, (gamma, delta), (stiff, slow), (spring, damper), (T**2, T), strict=True
+        )
+    ]
+    together = positive(Ne(m, 0), [positive(m > 0, [total], [mass, -S.One])])
+    return closed(conjoined(*found), together, positive(Ne(m_D + m_H, 0), [total]))
+
+
+p = Symbol("p")
+"""The device's share of the mass."""
+
+
+def weighted(claim: Proposition) -> Theorem:
+    """delta/T is the mean of x and y with the weights p and 1 - p, which are positive."""
+    _, given, then = taken_apart(claim)
+    plain, mean, above, below = then.parts
+    rules = {r.left: assume(r) for r in given if isinstance(r, Relation) and r.sign == "="}
+    mass, *apart = total()
+    shares = (
+        over(m_D / (m_D + m_H) > 0, m_D > 0, mass),
+        over(1 - m_D / (m_D + m_H) > 0, m_H > 0, mass),
+    )
+    own = m_D / (m_D + m_H)
+    made = combined(
+        mean,
+        [rules[delta], S.One],
+        [rules[p], -T * (x - y)],
+        [rules[x], -T * own],
+        [rules[y], -T * (1 - own)],
+    )
+    found = conjoined(
+        combined(plain, [rules[delta], S.One]),
+        made,
+        positive(above, [shares[0]], [rules[p], -S.One]),
+        positive(below, [shares[1]], [rules[p], S.One]),
+    )
+    return closed(found, mass, *apart)
+
+
 def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
     """The parts of a claim on gamma and delta from those on (19)."""
     _, given, then = taken_apart(claim)
-    rules = [p for p in given if getattr(p, "left", None) in (gamma, delta)]
-    return [
-        closed(positive(wanted, [found], [assume(rule), S.One]), *total())
-        for wanted, found, rule in zip(then.parts, above, rules, strict=True)
-    ]
+    rules = {p.left: p for p in given if isinstance(p, Relation) and p.sign == "="}
+    found = []
+    for part, known in zip(then.parts, above, strict=True):
+        wanted = part.parts[1] if isinstance(part, Implies) else part
+        rule = rules[wanted.left]  # type: ignore[attr-defined]
+        found.append(closed(positive(wanted, [known], [assume(rule), S.One]), *total()))
+    return found
 
 
 def bounds(claim: Proposition) -> list[Theorem]:
@@ -63,7 +115,10 @@ def bounds(claim: Proposition) -> list[Theorem]:
 
 
 def limits(claim: Proposition) -> list[Theorem]:
-    """gamma <= T^2 x and delta <= T y from limits x and y of stiffness and damping per mass."""
+    """gamma <= T^2 x and delta <= T (y_D + y_H) from limits x, y_D and y_H per mass.
+
+    And delta <= T y from y_D, y_H <= y.
+    """
     mass, *_ = total()
     soft = k_H / m_H <= x
     ratio = over(k_H / m_H >= 0, k_H >= 0, m_H > 0)
@@ -73,13 +128,34 @@ def limits(claim: Proposition) -> list[Theorem]:
         [T > 0, T > 0, soft, m_H > 0],
         [T > 0, T > 0, reach, m_D > 0],
     )
-    calm = positive(
-        T * (y * (m_D + m_H) - b_D - b_H) >= 0,
-        [T > 0, b_D / m_D <= y, m_D > 0],
-        [T > 0, b_H / m_H <= y, m_H > 0],
-    )
     spring = over(T**2 * x - SPRING >= 0, room, mass)
-    return _named(claim, [spring, over(T * y - DAMPER >= 0, calm, mass)])
+    each = [T > 0, b_D / m_D <= y_D, m_D > 0], [T > 0, b_H / m_H <= y_H, m_H > 0]
+    ratios = over(b_D / m_D >= 0, b_D >= 0, m_D > 0), over(b_H / m_H >= 0, b_H >= 0, m_H > 0)
+    own = (
+        positive(y_D >= 0, b_D / m_D <= y_D, [ratios[0]]),
+        positive(y_H >= 0, b_H / m_H <= y_H, [ratios[1]]),
+    )
+    calm = positive(
+        T * ((y_D + y_H) * (m_D + m_H) - b_D - b_H) >= 0,
+        *each,
+        [T > 0, own[0], m_H > 0],
+        [T > 0, own[1], m_D > 0],
+    )
+    shared = positive(
+        T * (y * (m_D + m_H) - b_D - b_H) >= 0,
+        *each,
+        [T > 0, y_D <= y, m_D > 0],
+        [T > 0, y_H <= y, m_H > 0],
+    )
+    *sums, mean = _named(
+        claim,
+        [
+            spring,
+            over(T * (y_D + y_H) - DAMPER >= 0, calm, mass),
+            over(T * y - DAMPER >= 0, shared, mass),
+        ],
+    )
+    return [*sums, discharged(mean, y_D <= y, y_H <= y)]
 
 
 def in_seconds(claim: Proposition) -> Theorem:

@@ -5,41 +5,45 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-from sympy import Eq, Expr, Ne
+import sympy as sp
+from sympy import Eq, Expr, Ne, S
 
-from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
-from symhaptic.book.lemmas.walls import damped, margins
-from symhaptic.notation import alpha, gamma
-from symhaptic.notation.proposition import Proposition, negated
-from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
+from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, z
+from symhaptic.notation.proposition import negated, whole
+from symhaptic.paper.propositions.comparison import LOOP
 from symhaptic.paper.propositions.systems import (
     CHAIN,
+    FED_BACK,
     KIND,
-    LOOP,
     PARALLEL,
     PRODUCT,
     R_1,
     R_2,
     REAL,
     SIZE,
+    WALL,
     X_1,
     connected,
 )
-from symhaptic.proof.theorems.familiar import square, strictly
+from symhaptic.proof.theorems.definitions import loop
+from symhaptic.proof.theorems.familiar import square, strictly, with_rest
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
     anything,
     applied,
     assume,
+    chosen,
     discharged,
-    part,
 )
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, fact, over, positive
+from symhaptic.proof.theorems.leaves import combined, identity
+from symhaptic.proof.theorems.roots import zero_on_circle
+from symhaptic.proof.theorems.tactics import at, closed, denied_by, fact, one, over, positive
 
 NO_CHAIN = KIND < CHAIN
 HELD = alpha + gamma > 0
+DAMPED = delta > 0
 
 
 @cache
@@ -56,8 +60,8 @@ def fed_back() -> Theorem:
     size = strictly(combined(SIZE >= 0, [along], [across]), apart)
     answer = R_1 + (R_1**2 + X_1**2) * R_2
     first, turned = [R_2 >= 0, square(R_1)], [R_2 >= 0, square(X_1)]
-    found = over(REAL[LOOP] >= 0, positive(answer >= 0, [R_1 >= 0], first, turned), size)
-    return discharged(closed(found, apart), Eq(KIND, LOOP), Ne(SIZE, 0))
+    found = over(REAL[FED_BACK] >= 0, positive(answer >= 0, [R_1 >= 0], first, turned), size)
+    return discharged(closed(found, apart), Eq(KIND, FED_BACK), Ne(SIZE, 0))
 
 
 def no_chain() -> Theorem:
@@ -81,7 +85,26 @@ def negative(point: Mapping[Expr, Expr]) -> Theorem:
     return absurd(applied(assume(claim), fact(kind)), below, claim)
 
 
-def passive_wall_is_stable(frequencies: Proposition) -> Theorem:
-    """A wall that does not pull and meets (5) is stable if it or the spring holds the device."""
-    found = closed(part(passive_is_stable(), STABLE), margins(frequencies))
-    return closed(found, damped(frequencies))
+@cache
+def passive_wall_is_stable() -> Theorem:
+    """A passive wall keeps a damped device stable, behind any delay, if a spring or it holds it."""
+    turns = closed(with_rest(d, S.One, l), one())
+    behind = {alpha: alpha, beta: beta, gamma: gamma, delta: delta, l: l, epsilon: d - l}
+    given = [
+        *map(assume, (gamma >= 0, DAMPED, HELD, whole(l))),
+        combined(d - l >= 0, [assume(l <= d)]),
+        combined(d - l < 1, [assume(d < l + 1)]),
+        assume(WALL),
+    ]
+    found = at(late_passive_is_stable(), behind, *given)
+    return chosen(turns, found)
+
+
+def stays_on_circle(point: Mapping[Expr, Expr], angle: Expr) -> Theorem:
+    """A loop without delay has a zero at exp(j angle), on the circle: it does not come to rest."""
+    values = [point[s] for s in LOOP]
+    parts = {"stiffness": point[gamma] != 0, "damping": point[delta] != 0}
+    found = closed(loop(values, z, **parts), fact(whole(S.Zero)))
+    zeros = found.conclusion.of[1].of[0]  # type: ignore[attr-defined]
+    value = sp.expand(zeros.xreplace({z: sp.exp(sp.I * angle)}))
+    return denied_by(found, zero_on_circle(zeros, z, angle, identity(value, S.Zero)))

@@ -80,9 +80,9 @@ def between(frequencies: Any) -> tuple[Theorem, Theorem]:
 def limit_points(claim: Any, frequencies: Any) -> Theorem:
     """The largest and the smallest damping, and that they just meet (5)."""
     found = []
-    for part, bound, way in zip(claim.of, between(frequencies), (1, -1), strict=True):
-        spring, damper = map(assume, part.of[0].of)
-        met, order = part.of[1].of
+    for end, bound, way in zip(claim.of, between(frequencies), (1, -1), strict=True):
+        spring, damper = map(assume, end.of[0].of)
+        met, order = end.of[1].of
         angle = omega * T
         turn = (d + 1) * angle
         wave = combined(
@@ -100,7 +100,7 @@ def limit_points(claim: Any, frequencies: Any) -> Theorem:
         weak = closed(weak, *divisors(angle), *inside, not_zero(assume(T > 0)))
         weak = for_all([omega], met.body.of[0].of, weak)
         last = combined(order, [bound], [damper, S(-way)])
-        found.append(discharged(conjoined(weak, last), *part.of[0].of))
+        found.append(discharged(conjoined(weak, last), *end.of[0].of))
     return conjoined(*found)
 
 

@@ -14,7 +14,8 @@ from sympy import Eq, Rational, S
 
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
-from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
     damping_between,
@@ -22,40 +23,60 @@ from symhaptic.book.lemmas.stiffest_stable import (
     no_stiffer,
     of_every_plant,
     on_box,
-    towards,
 )
-from symhaptic.book.lemmas.undelayed_curve import apart_of, between, needed, plants
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1
-from symhaptic.notation.proposition import And, Implies, Or, Relation, negated, proposition
+from symhaptic.book.lemmas.undelayed_curve import (
+    above_minus_one,
+    above_one,
+    apart_of,
+    away,
+    between,
+    needed,
+    plants,
+)
+from symhaptic.notation import alpha, beta, d, delta, gamma, n_1
+from symhaptic.notation.proposition import And, Or, Proposition, negated, proposition
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
-from symhaptic.paper.propositions.stability import HEAVIER
+from symhaptic.paper.propositions.stability import HEAVIER, START, WAY, reached
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED
-from symhaptic.proof.theorems.familiar import device_exists, of_device, ordered
+from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.proof.theorems.familiar import device_exists
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
-    anything,
     applied,
     assume,
     by_cases,
     chosen,
     conjoined,
+    cut,
     discharged,
     part,
     placed,
+    weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, more_damped, number
-from symhaptic.proof.theorems.tactics import closed, none_of, not_all, over, positive
+from symhaptic.proof.theorems.leaves import combined, more_damped, number, tends
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    for_all,
+    none_of,
+    not_all,
+    one,
+    over,
+    positive,
+)
 
 OTHERS = sp.symbols("n_1'' n_0'' a'' e''")
 UNDELAYED_ARM = Or(
     (And((proposition(Eq(d, 0)), proposition(gamma <= STIFF), proposition(HEAVIER <= DAMPED))),)
 )
 """No delay, and both arms of (23)."""
+BARE = STABLE.at({d: S.Zero})
+AT_ONCE = reached().at({d: S.Zero})
 SIDES = {**RANGES, alpha: (-STIFF, 1), beta: (-1, Rational(21, 10))}
 
 
@@ -74,66 +95,96 @@ def minor_rises() -> Theorem:
 
 
 @cache
-def above_minus_one() -> Theorem:
-    """-1 < beta of a stable wall."""
-    *planes, minor = inequalities(0)
-    low, high, inside = damping_between(0, RANGES)
-    wide = {**RANGES, beta: (-WIDEST, WIDEST)}
-    toward = towards(planes, minor, inside, wide)
-    first, late = planes[0], on_box(n_0, RANGES)
-    total = on_box(n_0 + n_1, RANGES)
-    static = of_device("device at rest", assume(DEVICE))
-    pushed = combined((alpha + gamma) * (n_0 + n_1) > 0, [first], [static])
-    near = over(alpha + gamma > 0, pushed, total)
-    value: Any = minor.conclusion.right  # type: ignore[attr-defined]
-    weight = n_0 * (1 + n_1 * beta)
-    rest = sp.expand(value + (alpha + gamma) * weight)
-    below = on_box(-rest, {**RANGES, beta: (-WIDEST, -1)})
-    product = combined(Relation(value, "<=", S.Zero), [below], [late, toward, near])
-    wanted = Relation(-S.One, "<", beta)
-    no = anything(absurd(minor, product), wanted)
-    found = by_cases(ordered(-S.One, beta), assume(wanted), no)
-    return of_every_plant(closed(found, low, high, apart_of(total)))
+def at_the_end() -> dict[str, Theorem]:
+    """What holds weakly of the wall (alpha, beta) where all walls on the way to it are stable."""
+    begin = dict(zip((alpha, beta), START, strict=True))
+    way = {end: start + WAY * (end - start) for end, start in begin.items()}
+    on_it = at(assume(AT_ONCE), {WAY: WAY}, positive(WAY >= 0, WAY > 0), assume(WAY < 1))
+    _, high, _ = damping_between(0, RANGES)
+    softer = no_stiffer(0, (LIMIT, NEAR), RANGES)
+    known = {
+        "minor": inequalities(0)[-1],
+        "above": above_minus_one(),
+        "high": high,
+        "softer": softer,
+    }
+
+    def ended(theorem: Theorem) -> Theorem:
+        here: Any = closed(placed(theorem, way), on_it)
+        rest = here.conclusion.right - here.conclusion.left
+        end: Any = theorem.conclusion
+        end = tends(rest, WAY, S.One, sp.expand(end.right - end.left))
+        return cut(in_the_limit(here, WAY, S.Zero, S.One, end), one())
+
+    return {name: ended(theorem) for name, theorem in known.items()}
 
 
 @cache
-def more_damped_is_stable() -> Theorem:
-    """stable with delta gives stable with delta' > delta, for arms of (23) without delay."""
-    minor = inequalities(0)[-1]
-    low, high, _ = damping_between(0, RANGES)
-    known = plants()
-    bound = over(CURVE - alpha > 0, assume(minor.conclusion), known["weight"])
-    apart = [apart_of(known[n]) for n in ("weight", "late", "toward", "total")]
-    left = closed(combined(alpha < CURVE, [bound]), *apart)
-    right = part(needed(), alpha > -gamma)
+def grows() -> Theorem:
+    """The wall at which stable walls end right of alpha = -gamma is stable with a larger damper."""
+    end, value = at_the_end(), away()[0]
+    minor = positive(value >= 0, [end["minor"]])
+    weak = positive(beta >= -1, [end["above"]])
+    near = positive(alpha + gamma > 0, alpha > -gamma)
+    toward = positive(1 + n_1 * beta > 0, [on_box(1 - n_1, RANGES)], [on_box(n_1, RANGES), weak])
+    high = positive(beta <= WIDEST, [end["high"]])
+    above = closed(above_one(minor, toward, near), positive(beta >= -WIDEST, [weak], [WIDEST - 1]))
     rise = minor_rises()
     after = rise.conclusion.right  # type: ignore[attr-defined]
+    known = plants()
+    bound = over(CURVE - alpha > 0, assume(inequalities(0)[-1].conclusion), known["weight"])
+    apart = [apart_of(known[n]) for n in ("weight", "late", "toward", "total")]
+    left = closed(combined(alpha < CURVE, [bound]), *apart)
     other = {delta: HEAVIER, **dict(zip(NUMBERS, OTHERS, strict=True))}
     there = closed(placed(left, other), positive(after > 0, [minor], [rise]))
-    same = placed(between(), other)
-    found = applied(same, conjoined(right, there))
-    above = above_minus_one()
-    softer = no_stiffer(0, (LIMIT, NEAR), RANGES)
+    right = assume(alpha > -gamma)
+    found = applied(placed(between(), other), conjoined(assume(beta > -1), right, there))
     steep = LIMIT.coeff(delta)
     ends = [
-        positive(beta >= -1, [above]),
+        weak,
+        high,
         positive(alpha >= -STIFF, [right], gamma <= STIFF),
-        positive(alpha <= 1, [softer], [steep, delta <= DAMPED], [1 - LIMIT.subs(delta, DAMPED)]),
+        positive(
+            alpha <= 1,
+            [end["softer"]],
+            [steep, delta <= DAMPED],
+            [1 - LIMIT.subs(delta, DAMPED)],
+        ),
     ]
-    found = closed(closed(found, low, high, *ends), above, *ends)
+    found = closed(closed(found, above), *ends)
     found = of_every_plant(chosen(device_exists(gamma, HEAVIER, OTHERS), found))
     less = positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED)
     return closed(found, less, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
 
 
 @cache
-def grown() -> Theorem:
-    """The same under UNDELAYED_ARM, with d in its place."""
-    here = Implies((STABLE.at({d: S.Zero}), STABLE.at({d: S.Zero, delta: HEAVIER})))
-    bare = discharged(more_damped_is_stable(), here.of[0])
-    with_delay = Implies((STABLE, STABLE.at({delta: HEAVIER})))
-    found = applied(valued(with_delay, d, S.Zero, bare), assume(STABLE))
-    return by_cases(assume(UNDELAYED_ARM), found)
+def more_damped_is_stable() -> Theorem:
+    """A stable wall is one of these, the end of no way."""
+    begin = dict(zip(START, (alpha, beta), strict=True))
+    still = for_all([WAY], [WAY >= 0, WAY < 1], weakened(assume(BARE), WAY >= 0, WAY < 1))
+    right = of_every_plant(part(needed(), alpha > -gamma))
+    found = closed(placed(grows(), begin), still, closed(right, above_minus_one()))
+    return closed(found, positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED))
+
+
+def kept() -> Theorem:
+    """A wall that is stable with the larger damper is right of alpha = -gamma."""
+    right = of_every_plant(part(needed(), alpha > -gamma))
+    found = placed(closed(right, above_minus_one()), {delta: HEAVIER})
+    return closed(found, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
+
+
+def grown(then: Proposition) -> Theorem:
+    """The claim under UNDELAYED_ARM, with d in its place."""
+    more, wider, right = then.at({d: S.Zero}).parts
+    wide: Any = wider
+    there = for_all(wide.over, [wide.body.of[0]], grows())
+    bare = conjoined(
+        discharged(more_damped_is_stable(), more.parts[0]),
+        there,
+        discharged(kept(), right.parts[0]),
+    )
+    return by_cases(assume(UNDELAYED_ARM), valued(then, d, S.Zero, bare))
 
 
 STIFF_ONE = {
@@ -145,6 +196,15 @@ STIFF_ONE = {
     d: S.Zero,
 }
 """A wall that more damping makes unstable, beside a stiff spring."""
+
+
+def lost(then: Proposition) -> Theorem:
+    """What is claimed is false of it."""
+    there = then.at(STIFF_ONE)
+    more = part(assume(there), there.parts[0])
+    kept_ = applied(more, stable_at(STIFF_ONE))
+    unstable = unstable_at({**STIFF_ONE, delta: STIFF_ONE[HEAVIER]})
+    return absurd(kept_, unstable, there)
 
 
 @cache

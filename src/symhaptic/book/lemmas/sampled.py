@@ -7,12 +7,12 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
-from sympy import Expr, Ne, exp, sqrt
+from sympy import Expr, Ne, S, exp, sqrt
 
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
-from symhaptic.notation import T, X, X_d, b, d, k, m, s, t, z
-from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
+from symhaptic.notation import B, K, T, X, X_d, b, d, d_1, d_2, k, l, m, s, t, z
+from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
 from symhaptic.proof.theorems.judge import taken_apart
@@ -21,12 +21,14 @@ from symhaptic.proof.theorems.kernel import (
     applied,
     assume,
     conjoined,
+    general,
     part,
     placed,
+    substituted,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, factor
-from symhaptic.proof.theorems.samples import held_answer, one_answer
+from symhaptic.proof.theorems.leaves import combined, factor, identity
+from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
 from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 DEVICE = (m, b, k)
@@ -106,6 +108,29 @@ def late_answer() -> Theorem:
     """X_d = z^-d X behind whole delays, for every device."""
     later = applied(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
     return one_answer(assume(LATE), later)
+
+
+def lumped(claim: Proposition) -> Theorem:
+    """Of X behind two delays and X_d behind their sum and l periods: 1 + X z^-l H = 1 + X_d H.
+
+    And the polynomials of both loops, cleared of their divisors.
+    """
+    _, given, then = taken_apart(claim)
+    wall, cleared = then.parts
+    own = next(p for p in given if isinstance(p, Predicate) and p.over and p.of[2] == X)
+    total = next(p for p in given if isinstance(p, Relation) and p.left == d)
+    late = (d_1 + d_2) * T
+    moved = applied(shifted(DEVICE, late, z, X, T, l), assume(own))
+    rate = sp.Dummy("rate")  # of exp(rate s)
+    behind = answers(transfer(DEVICE, -rate, s), s, z, z**-l * X, T)
+    sum_ = combined(Relation(-(late + l * T), "=", -d * T), [assume(total), T])
+    equal = one_answer(assume(LATE), substituted(behind, rate, moved, sum_))
+    factor_ = (K + B * (z - 1) / (T * z)) * -S.One
+    alive, period = turns(assume(LATE)), positive(Ne(T, 0), T > 0)
+    same = closed(combined(wall, [equal, factor_]), alive, period)
+    polynomial = cleared.body  # type: ignore[attr-defined]
+    found = closed(identity(polynomial.left, polynomial.right), alive)
+    return conjoined(same, general(found, *cleared.over))  # type: ignore[attr-defined]
 
 
 def sampled_as(form: Expr) -> Theorem:

@@ -61,8 +61,10 @@ def completed(
             values[claimed.left] = claimed.right.xreplace(values)
         if isinstance(claimed, Predicate) and claimed.name == "answers":
             before = claimed.of[0] * (m * s**2 + b * s + k)
-            known = {p: point[p] for p in (*DEVICE, d, z)}
-            value, shown = answered(known, late=s in before.free_symbols)
+            late = s in before.free_symbols  # exp(-d T s)
+            known = {p: point[p] for p in (*DEVICE, z)}
+            known[d] = -(before.exp / s).xreplace(values) if late else S.Zero
+            value, shown = answered(known, late=late)
             if before != 1 and s not in before.free_symbols:  # a gain
                 device, gain = [values[p] for p in DEVICE], before.xreplace(values)
                 more = amplified(device, 0, values[z], value, S.One, gain)

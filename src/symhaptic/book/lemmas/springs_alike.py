@@ -163,6 +163,6 @@ def springs_alike() -> Theorem:
 
 @cache
 def line_and_curve() -> Theorem:
-    """Above beta = -1 the stable walls lie between alpha = -gamma and the curve."""
+    """The stable walls lie above beta = -1, between alpha = -gamma and the curve."""
     symbols, given, _ = taken_apart(between_line_and_curve())
     return for_all(symbols, given, weakened(between(), *given))

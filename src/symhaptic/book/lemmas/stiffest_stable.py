@@ -53,6 +53,12 @@ FREE = {TOGETHER: 1 - P, LATE: S.Half - M}
 
 def on_box(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a box, by balls."""
+    return _on_box(sp.sympify(expr), tuple(ranges.items()))
+
+
+@cache
+def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Theorem:
+    ranges = dict(sides)
     small = _expanded(sp.sympify(expr).xreplace(BALLS).xreplace(FREE))
     found = box.positive(small, ranges, named(SMALL))
     certificate: Any = found.certificates[0]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from sympy import Abs, Eq, Expr, Ne, S, cos, pi
 
-from symhaptic.book.lemmas.passivity import INSIDE, passive_by_angle
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta
 from symhaptic.notation.proposition import Or, Relation, proposition
@@ -22,9 +24,12 @@ from symhaptic.proof.theorems.familiar import (
 )
 from symhaptic.proof.theorems.kernel import (
     Theorem,
+    applied,
     assume,
     by_cases,
     cut,
+    part,
+    placed,
     widened,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -37,15 +42,21 @@ from symhaptic.proof.theorems.tactics import (
     at,
     closed,
     either_way,
+    fact,
     follows,
     for_all,
     over,
     positive,
+    sine_of_half,
 )
 
 HALF = S.Half
 BORDER = K * T / 2 + Abs(B)
-OFF_BORDER = Or((proposition(Eq(B, 0)), proposition(Ne(b, BORDER))))
+APART = proposition(Ne(b, BORDER))
+OFF_BORDER = Or((proposition(Eq(B, 0)), APART))
+NEED = K * T / 2 - B * cos(theta)
+"""The damping that an angle needs."""
+STEADY = PASSIVE.at({d: S.Zero})
 PI = number(Relation(S.Zero, "<", pi))
 
 
@@ -85,8 +96,12 @@ def at_an_angle(frequencies: Any) -> Theorem:
 
 def weakly_needed(frequencies: Any) -> Theorem:
     """The condition at every frequency gives b >= KT/2 + |B|, at one end of the interval."""
-    inside = at_an_angle(frequencies)
-    rest = b - (K * T / 2 - B * cos(theta))
+    return _on_the_border(at_an_angle(frequencies))
+
+
+def _on_the_border(inside: Theorem) -> Theorem:
+    """b >= KT/2 + |B| from b > KT/2 - B cos(theta), or >=, at every angle."""
+    rest = b - NEED
     ends = [
         cut(in_the_limit(inside, theta, S.Zero, pi, tends(rest, theta, end, value)), PI)
         for end, value in ((pi, b - K * T / 2 - B), (S.Zero, b - K * T / 2 + B))
@@ -122,20 +137,59 @@ def middle_inside() -> tuple[Theorem, Theorem]:
 
 
 def passive() -> Theorem:
-    """(6) and K >= 0 make the wall passive without delay."""
+    """b >= KT/2 + |B| and K >= 0 make the wall passive without delay."""
     found = passive_by_angle(S.Zero)
-    margin = passivity.margin().subs(d, 0)
+    margin, enough_ = passivity.margin().subs(d, 0), assume(b >= BORDER)
     up, down = cosine_bounds(theta)
-    above = combined(margin >= 0, [assume(SIX)], [magnitude(B), -1], [assume(B >= 0), up])
+    above = combined(margin >= 0, [enough_], [magnitude(B), -1], [assume(B >= 0), up])
     below = combined(
         margin >= 0,
-        [assume(SIX)],
+        [enough_],
         [magnitude(B, negative=True), -1],
         [positive(-B >= 0, B < 0), down],
     )
     below = closed(below, positive(B <= 0, B < 0))
     always = for_all([theta], INSIDE, by_sign_of_damping(above, below))
     return follows(found, assume(K >= 0), always)
+
+
+def passive_in_numbers(point: Mapping[Expr, Expr]) -> Theorem:
+    """A wall without delay in numbers is passive, for B >= 0."""
+    up, _ = cosine_bounds(theta)
+    level = K * T / 2 + B
+    margin = combined(
+        passivity.margin().subs(d, 0) >= 0, [assume(b >= level)], [assume(B >= 0), up]
+    )
+    found = follows(passive_by_angle(S.Zero), assume(K >= 0), for_all([theta], INSIDE, margin))
+    found = placed(found, point)
+    return closed(found, *map(fact, found.hypotheses))
+
+
+def decides() -> Theorem:
+    """(6) <=> passive, for K >= 0 and b != KT/2 + |B|."""
+    held = applied(passive_by_angle(S.Zero), assume(STEADY))
+    always = part(held, every_margin(S.Zero))
+    inside = positive(b >= NEED, [at(always, {theta: theta}, *map(assume, INSIDE))])
+    needed = strictly(_on_the_border(inside), assume(Ne(b, BORDER)))
+    enough_ = closed(passive(), positive(b >= BORDER, [assume(SIX)]))
+    return either_way(enough_, needed, SIX, STEADY)
+
+
+def undelayed_form(claim: Any) -> Theorem:
+    """(5) without delay is the form, at each frequency (``claim``)."""
+    inside, same = claim.body.of
+    five, form = same.of
+    angle = omega * T
+    within = (
+        positive(angle > 0, [omega > 0, T > 0]),
+        closed(positive(angle < pi, [omega < pi / T, T > 0]), not_zero(assume(T > 0))),
+    )
+    half = sine_of_half(angle)
+    turned = not_zero(positive(1 - cos(angle) > 0, [2, half, half]))
+    doubled = not_zero(positive(2 - 2 * cos(angle) > 0, [4, half, half]))
+    ways = combined(form, [assume(five)]), combined(five, [assume(form)])
+    there, back = (closed(closed(way, turned, doubled), *within) for way in ways)
+    return for_all([omega], inside.of, either_way(there, back, five, form))
 
 
 def on_the_border(frequencies: Any) -> Theorem:

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import sympy as sp
 from sympy import Expr, S
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import inequalities, on_box
+from symhaptic.book.lemmas.stiffest_stable import (
+    WIDEST,
+    damping_between,
+    inequalities,
+    of_every_plant,
+    on_box,
+    towards,
+)
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1
 from symhaptic.notation.proposition import Relation, both
 from symhaptic.paper.propositions.plots import CURVE, undelayed
@@ -23,11 +31,13 @@ from symhaptic.proof.theorems.kernel import (
     assume,
     by_cases,
     conjoined,
+    part,
 )
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
 
 BETWEEN = both([alpha > -gamma, alpha < CURVE])
+WALLS = both([beta > -1, *BETWEEN.parts])
 NEAR, ROOM = alpha + gamma, 1 - n_0 * beta
 TOTAL, WEIGHT = n_0 + n_1, n_0 * (1 + n_1 * beta)
 WIDE = {**RANGES, beta: (-1, sp.Rational(21, 10))}
@@ -151,6 +161,39 @@ def _room(inner: Theorem, near: Theorem, minor: Expr) -> Theorem:
 
 
 @cache
+def away() -> tuple[Expr, Theorem]:
+    """The minor, negative for -2.1 <= beta <= -1 but for what alpha > -gamma takes from it."""
+    value: Any = inequalities(0)[-1].conclusion.right  # type: ignore[attr-defined]
+    rest = sp.expand(value + (alpha + gamma) * n_0 * (1 + n_1 * beta))
+    return value, on_box(-rest, {**RANGES, beta: (-WIDEST, -1)})
+
+
+@cache
+def above_minus_one() -> Theorem:
+    """-1 < beta of a stable wall."""
+    *planes, minor = inequalities(0)
+    low, high, inside = damping_between(0, RANGES)
+    toward = towards(planes, minor, inside, {**RANGES, beta: (-WIDEST, WIDEST)})
+    total = on_box(TOTAL, RANGES)
+    static = of_device("device at rest", assume(DEVICE))
+    pushed = combined((alpha + gamma) * TOTAL > 0, [planes[0]], [static])
+    near = over(alpha + gamma > 0, pushed, total)
+    found = above_one(minor, toward, near)
+    return of_every_plant(closed(found, low, high, apart_of(total)))
+
+
+def above_one(minor: Theorem, toward: Theorem, near: Theorem) -> Theorem:
+    """-1 < beta, from 0 <= minor, 0 < 1 + n_1 beta and 0 < alpha + gamma."""
+    value, below = away()
+    negative = combined(Relation(value, "<", S.Zero), [below], [on_box(n_0, RANGES), toward, near])
+    wanted = Relation(-S.One, "<", beta)
+    no = anything(absurd(minor, negative), wanted)
+    return by_cases(ordered(-S.One, beta), assume(wanted), no)
+
+
+@cache
 def between() -> Theorem:
-    """stable <=> between them."""
-    return either_way(needed(), enough(), undelayed(), BETWEEN)
+    """stable <=> above beta = -1 and between them."""
+    above, sides = above_minus_one(), needed()
+    known = conjoined(above, *(part(sides, p) for p in BETWEEN.parts))
+    return either_way(closed(known, above), enough(), undelayed(), WALLS)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import sympy as sp
 from sympy import Expr, Rational, Symbol
 
-from symhaptic.notation import T, b_D, b_H, delta, gamma, k_H, m_D, m_H, second
+from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
 from symhaptic.notation.proposition import (
     ForAll,
     Or,
@@ -28,14 +28,7 @@ GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)
 """Arms and devices with masses; without one, (20) divides by zero."""
 LONGEST = Rational(1, 1000)
 """The longest sampling period of the paper, in s."""
-x, y, k_1, k_2 = sp.symbols("x y k_1 k_2")
-
-
-def combined_numbers() -> list[Expr]:
-    """gamma and delta of Table I for the arm and the device of (2)."""
-    both_of_them = {line.lhs: line.rhs for line in transcribed("eq2")}
-    rules = [rule for rule in transcribed("tab1") if rule.lhs in (gamma, delta)]
-    return [rule.xreplace(both_of_them) for rule in rules]
+x, y, y_D, y_H, k_1, k_2 = sp.symbols("x y y_D y_H k_1 k_2")
 
 
 def of_arms(given: list[object], then: Proposition) -> Proposition:
@@ -45,8 +38,14 @@ def of_arms(given: list[object], then: Proposition) -> Proposition:
 
 @claims("eq19")
 def _numbers_of_the_arm(printed: Printed) -> Proposition:
-    """What Table I makes of (2)."""
-    return of_arms(list(combined_numbers()), both(printed))
+    """What Table I makes of mass, damper and spring if these are those of (2).
+
+    A device that nobody holds, m_H = b_H = k_H = 0, is one of them.
+    """
+    parts = [T > 0, m_D > 0, *(part >= 0 for part in (m_H, b_D, b_H, k_H))]
+    rules = [rule for rule in transcribed("tab1") if rule.lhs in (gamma, delta)]
+    given = [*parts, *transcribed("eq2"), *rules]
+    return ForAll((*ARM, m, b, k, gamma, delta), implied(given, both(printed)))
 
 
 @claims("eq20")
@@ -57,16 +56,24 @@ def _bounds_of_the_numbers(printed: Printed) -> Proposition:
 
 @claims("s4c-independent-limits")
 def _limits_on_their_own(printed: Printed) -> Proposition:
-    """x limits the arm's stiffness per mass, y its damping per mass and that of the device."""
-    given = [*GIVEN, *transcribed("eq19"), k_H / m_H <= x, b_D / m_D <= y, b_H / m_H <= y]
-    then = both([gamma <= T**2 * x, delta <= T * y])
-    return ForAll((*ARM, gamma, delta, x, y), implied(given, then))
+    """x limits the arm's stiffness per mass; y_H its damping per mass, y_D that of the device.
+
+    What (20) makes of them limits gamma and delta; and where one limit y is for both dampings, it
+    is for delta as well.
+    """
+    mine = [k_H / m_H <= x, b_D / m_D <= y_D, b_H / m_H <= y_H]
+    then = [gamma <= T**2 * x, delta <= T * (y_D + y_H)]
+    shared = implied([y_D <= y, y_H <= y], delta <= T * y)
+    given = [*GIVEN, *transcribed("eq19"), *mine]
+    return ForAll((*ARM, gamma, delta, x, y, y_D, y_H), implied(given, both([*then, shared])))
 
 
 @claims("s4c-series")
 def _joints_in_series(printed: Printed) -> Proposition:
-    """Two springs, under the same force, of which the ways add up to that of one spring k."""
-    k = Symbol("k")
+    """Two springs, under the same force, of which the ways add up to that of one spring k.
+
+    One of them may stand for all joints but one: so any number of them is meant.
+    """
     given = [k_1 > 0, k_2 > 0, k > 0, sp.Eq(1 / k, 1 / k_1 + 1 / k_2)]
     return ForAll((k, k_1, k_2), implied(given, both([k < k_1, k < k_2])))
 

@@ -39,6 +39,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.device import normalised
+from symhaptic.paper.propositions.digits import bounds, example, number, quoted
 from symhaptic.paper.propositions.passivity import BORDER, WALL, at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
@@ -138,12 +139,31 @@ def _up_to_nyquist(printed: Printed) -> Proposition:
     return ForAll((T, gamma, delta, omega), implied(given, both([same, calm])))
 
 
+EXAMPLE = example("eq31")
+"""Example 5.1."""
+DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)
+"""The damper is within (23)."""
+[SPRING] = (r.rhs for r in transcribed("eq31"))
+
+
+def rounds_as_printed() -> Proposition:
+    """The stiffness (31) of Example 5.1 rounds to the number that is printed there."""
+    [about] = quoted("eq31")
+    given = [sp.Eq(symbol, value) for symbol, value in EXAMPLE.items()]
+    return implied(given, both(bound(SPRING) for bound in bounds(about)))
+
+
 @claims("eq31")
 def _spring_of_nyquist(printed: Printed) -> Proposition:
-    """Just this spring makes the device swing with the Nyquist frequency."""
+    """Just this spring makes the device swing with the Nyquist frequency.
+
+    In Example 5.1, with a damper of (23), it rounds to the number that is printed.
+    """
     there = SWINGS.at({omega: sp.pi / T})
     given = [m > 0, b >= 0, T > 0]
-    return ForAll((m, b, k, T), implied(given, Iff((both(printed), there))))
+    same = Iff((both(printed), there))
+    rounds = implied(DAMPED, rounds_as_printed())
+    return ForAll((m, b, k, T), implied(given, both([same, rounds])))
 
 
 LATE = l / q
@@ -175,11 +195,6 @@ def _mirrored_pole(printed: Printed) -> Proposition:
     return ForAll((alpha, beta, delta, l, q), implied(given, both([pole, *inside])))
 
 
-EXAMPLE = {m: sp.Rational(1, 10), T: sp.Rational(1, 1000)}
-"""Example 5.1, in kg and s."""
-DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)
-"""The damper is within (23)."""
-[SPRING] = (r.rhs for r in transcribed("eq31"))
 STIFFEST = next(r.rhs for r in transcribed("eq23") if r.lhs == gamma)
 """The largest gamma of (23)."""
 ABOUT = sp.Rational(95, 100), sp.Rational(105, 100)
@@ -191,10 +206,8 @@ def _damping_hardly_matters(printed: Printed) -> Proposition:
     """The damper adds 1.02 10^-5 of the stiffness at most, and leaves 987 000 N/m as it is."""
     free = SPRING.subs(b, 0)
     share = proposition(SPRING - free <= sp.Rational(102, 10**7) * free)
-    rounds = both([SPRING > 986500, SPRING < 987500])
-    example = [sp.Eq(symbol, number) for symbol, number in EXAMPLE.items()]
     given = [m > 0, T > 0, *DAMPED]
-    return ForAll((m, b, T), implied(given, both([share, implied(example, rounds)])))
+    return ForAll((m, b, T), implied(given, both([share, rounds_as_printed()])))
 
 
 @claims("s5c-human-10000")
@@ -202,5 +215,7 @@ def _far_stiffer_than_an_arm(printed: Printed) -> Proposition:
     """Where (30) is an equation gamma is about 10000 times the largest of (23), and less."""
     [limit] = transcribed("eq30")
     damped = [r for r in transcribed("eq23") if delta in r.free_symbols]
-    near = [ABOUT[0] * 10000 * STIFFEST <= gamma, gamma < 10000 * STIFFEST]
+    [about] = quoted("s5c-human-10000")
+    times = number(about)
+    near = [ABOUT[0] * times * STIFFEST <= gamma, gamma < times * STIFFEST]
     return ForAll((gamma, delta), implied([*damped, sp.Eq(*limit.args)], both(near)))

@@ -8,6 +8,7 @@ from sympy import Rational, Symbol
 from symhaptic.notation import B, K, T, alpha, b, d, delta, gamma, k, k_H, m, omega, v, x, y
 from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
 from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
+from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
@@ -19,9 +20,11 @@ from symhaptic.paper.reading import Printed
 def _springs_against_arms(printed: Printed) -> Proposition:
     """A spring that swings with the Nyquist frequency has about 10000 times an arm's stiffness."""
     swings = SWINGS.at({omega: sp.pi / T})
-    about = [ABOUT[0] * 10000 * k_H <= k, k <= ABOUT[1] * 10000 * k_H]
+    [about] = quoted("s5c-human-10000")
+    times = number(about)
+    near = [ABOUT[0] * times * k_H <= k, k <= ABOUT[1] * times * k_H]
     given = [m > 0, T > 0, k_H > 0, *DAMPED, swings]
-    return ForAll((m, b, k, k_H, T), implied(given, both(about)))
+    return ForAll((m, b, k, k_H, T), implied(given, both(near)))
 
 
 @claims("s6-sampling")

@@ -38,6 +38,7 @@ from symhaptic.notation import (
     gamma,
     k,
     k_H,
+    l,
     m,
     m_D,
     m_H,
@@ -212,19 +213,30 @@ def _characteristic_polynomial(printed: Printed) -> Proposition:
 
 @claims("s2c-delays-lump")
 def _delays_add_up(printed: Printed) -> Proposition:
-    """Delays of d_1 and d_2 make the polynomial of (18) for their sum.
+    """A loop with several delays has the characteristic equation of their sum d.
 
-    A device (n_1 z + n_0)/(z^2 - a z + e) and the wall in the units of Table I, cleared of their
-    divisors.
+    d_1 periods pass before a force acts and d_2 before a position is read, whole or not; l whole
+    ones while the force is computed.  X is the answer of the device behind d_1 and d_2, so that the
+    loop has the equation 1 + X z^-l H(z) = 0, and X_d that behind d.  And the polynomial of (18),
+    of a device (n_1 z + n_0)/(z^2 - a z + e) in the units of Table I, is that for d_1 + d_2 where
+    z^-d_1 stands in the wall and z^-d_2 at the device, cleared of the divisors.
     """
+    given = [
+        *(delay >= 0 for delay in (d_1, d_2)),
+        whole(l),
+        Relation(d, "=", d_1 + d_2 + l),
+        answers(delayed(PLANT, (d_1 + d_2) * T), X),
+        answers(delayed(PLANT), X_d),
+    ]
+    same = Relation(1 + X * z**-l * WALL, "=", 1 + X_d * WALL)
     below, above = z**2 - a * z + e, n_1 * z + n_0
     push = (alpha + beta * (z - 1) / z) * z**-d_1
     total = d_1 + d_2
     two = (below + above * z**-d_2 * push) * z ** (total + 1)
     one = below * z ** (total + 1) + above * ((alpha + beta) * z - beta)
-    given = [d_1 >= 0, d_2 >= 0, Relation(z, "!=", sp.S.Zero)]
-    over = (a, e, n_1, n_0, alpha, beta, d_1, d_2, z)
-    return ForAll(over, implied(given, Relation(two, "=", one)))
+    cleared = ForAll((a, e, n_1, n_0, alpha, beta), Relation(two, "=", one))
+    over = (*DEVICE, K, B, d, d_1, d_2, l, z, X, X_d)
+    return ForAll(over, implied([*GIVEN, *given], both([same, cleared])))
 
 
 @claims("s2d-arm-in-force")

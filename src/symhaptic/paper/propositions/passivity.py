@@ -21,6 +21,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.figures import DELAYS
+from symhaptic.paper.propositions.digits import bounds, quoted
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -32,36 +33,46 @@ PASSIVE = Predicate("passive_wall", (), WALL)
 [FIVE] = next(s.printed for s in EQUATIONS if s.id == "eq5")
 
 
-def at_every_frequency(*conditions: sp.Expr) -> Proposition:
+def at_every_frequency(*conditions: sp.Expr | Proposition) -> Proposition:
     """The conditions for 0 < omega < omega_N."""
     return ForAll((omega,), implied([omega > 0, omega < sp.pi / T], both(conditions)))
 
 
 TAPS = sp.symbols("h_0:3")
-"""What an environment answers to a unit pulse: at once, after one period and after two."""
-ANSWER = TAPS[0] + TAPS[1] / z + TAPS[2] / z**2
+"""What an environment answers to a unit pulse: after d periods, d + 1 and d + 2."""
+ANSWER = sum(tap * z ** -(d + k) for k, tap in enumerate(TAPS))
 
 
 @claims("eq4")
 def _condition_guarantees_passivity(printed: Printed) -> Proposition:
-    """No motion gains energy from H(z) = h_0 + h_1/z + h_2/z^2 if it meets (4), as the text says.
+    """No motion gains energy from H(z) = (h_0 + h_1/z + h_2/z^2) z^-d if it meets (4).
 
-    Of H(z) the paper asks nothing and uses (1), which has two terms of these three.
+    So the text says, "guarantees"; that it is needed as well is said of (5).  Of H(z) the paper
+    asks nothing and uses (1) with a delay, which has two terms of these three.
     """
-    met = [at_given(c, ANSWER) for c in printed]
+    met = [at_given(c) for c in printed]
     energy = Predicate("passive", (z,), (ANSWER, b / T))
-    given = [T > 0, b >= 0, at_every_frequency(*met)]
-    return ForAll((*TAPS, b, T), implied(given, energy))
+    given = [T > 0, b >= 0, Predicate("whole", (), (d,)), at_every_frequency(*met)]
+    return ForAll((*TAPS, b, T, d), implied(given, energy))
 
 
-def at_given(condition: sp.Expr, answer: sp.Expr) -> sp.Expr:
-    """A condition on H(z) for one that is given."""
-    return condition.replace(sp.Function("H"), lambda at: answer.xreplace({z: at}))
+def at_given(condition: sp.Expr) -> sp.Expr:
+    """A condition on H(z) for the one that is given, at z = exp(w): z^-n = exp(-n w)."""
+
+    def answer(at: sp.Expr) -> sp.Expr:
+        return sum(tap * sp.exp(-(d + k) * at.exp) for k, tap in enumerate(TAPS))
+
+    return condition.replace(sp.Function("H"), answer)
 
 
 @claims("eq5")
-def _condition_is_sufficient(printed: Printed) -> Proposition:
-    return ForAll(WALL, implied([*LOOP, at_every_frequency(*printed)], PASSIVE))
+def _condition_decides(printed: Printed) -> Proposition:
+    """A wall is passive if it meets (5) at every frequency, and only then.
+
+    That (5) makes it so is what (4) says of it; that no other wall is passive is what the
+    boundaries rest on, which are made of (5).
+    """
+    return ForAll(WALL, implied(LOOP, Iff((at_every_frequency(*printed), PASSIVE))))
 
 
 @claims("s3a-mass-free")
@@ -73,16 +84,18 @@ def _mass_does_not_matter(printed: Printed) -> Proposition:
 
 @claims("s3a-undelayed")
 def _summary_of_the_undelayed_form(printed: Printed) -> Proposition:
-    """The form for d = 0 says the same as (6), its summary."""
-    return ForAll(WALL[:-1], implied(LOOP[:-1], _summed_up(printed)))
+    """(5) is the form for d = 0, at each frequency; and this says the same as (6), its summary."""
+    [form] = map(proposition, printed)
+    same = at_every_frequency(Iff((proposition(FIVE).at({d: sp.S.Zero}), form)))
+    return ForAll(WALL[:-1], implied(LOOP[:-1], both([same, _summed_up(printed)])))
 
 
 @claims("eq6")
 def _condition_without_delay(printed: Printed) -> Proposition:
-    """(6) sums up the form for d = 0, and a wall that meets it is passive."""
+    """(6) sums up the form for d = 0, and the walls that meet it are those that are passive."""
     [six] = map(proposition, printed)
-    sufficient = implied([six], PASSIVE.at({d: sp.S.Zero}))
-    return ForAll(WALL[:-1], implied(LOOP[:-1], both([_summed_up((UNDELAYED,), six), sufficient])))
+    decides = Iff((six, PASSIVE.at({d: sp.S.Zero})))
+    return ForAll(WALL[:-1], implied(LOOP[:-1], both([_summed_up((UNDELAYED,), six), decides])))
 
 
 UNDELAYED = b > K * T / 2 - B * sp.cos(omega * T)
@@ -187,13 +200,14 @@ def _share(delay: int, *bounds: Callable[[sp.Expr], sp.Expr]) -> Proposition:
 @claims("s3c-kmax-41")
 def _about_41_percent(printed: Printed) -> Proposition:
     """Rounded to a hundredth it is 0.41."""
-    low, high = sp.Rational(405, 1000), sp.Rational(415, 1000)
-    return _share(1, lambda share: share >= low, lambda share: share < high)
+    [share] = quoted("s3c-kmax-41")
+    return _share(1, *bounds(share))
 
 
 @claims("s3c-kmax-27")
 def _below_27_percent(printed: Printed) -> Proposition:
-    return _share(2, lambda share: share < sp.Rational(27, 100))
+    [share] = quoted("s3c-kmax-27")
+    return _share(2, *bounds(share))
 
 
 @claims("s3c-limit-points")

@@ -96,10 +96,10 @@ CURVE = (1 - e + (n_1 - n_0 + a * n_0) * beta - n_0 * (n_0 + n_1) * beta**2) / (
 
 
 def between_line_and_curve() -> Proposition:
-    """Above beta = -1 the stable walls are those between alpha = -gamma and the curve."""
-    between = both([alpha > -gamma, alpha < CURVE])
+    """The stable walls are those above beta = -1 between alpha = -gamma and the curve."""
+    between = both([beta > -1, alpha > -gamma, alpha < CURVE])
     symbols = (gamma, delta, *NUMBERS, alpha, beta)
-    return ForAll(symbols, implied([*ARMS, DEVICE, beta > -1], Iff((undelayed(), between))))
+    return ForAll(symbols, implied([*ARMS, DEVICE], Iff((undelayed(), between))))
 
 
 @claims("fig7")

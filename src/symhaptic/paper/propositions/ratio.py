@@ -29,6 +29,7 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.paper.propositions.comparison import STABLE, transcribed
+from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
@@ -82,9 +83,9 @@ def _without_delay(printed: Printed) -> Proposition:
 
     In the figures, where both numbers are read, it is less than 17.9 times, and eta > 0.0561.
     """
-    times, eta = Rational("17.8"), Rational("0.0562")
-    more = stiffer(0, times * alpha < x, alpha < eta * x)
-    digits = not_stiffer(0, alpha < Rational("17.9") * x, Rational("0.0561") * alpha < x)
+    times, eta = quoted("s5b-eta-d0")
+    more = stiffer(0, number(times) * alpha < x, alpha < number(eta) * x)
+    digits = not_stiffer(0, alpha < number(times, 1) * x, number(eta, -1) * alpha < x)
     return on_the_range(more, digits)
 
 
@@ -94,9 +95,9 @@ def _one_period_late(printed: Printed) -> Proposition:
 
     In the figures, where both numbers are read, it is less than 9.4 times, and eta > 0.1073.
     """
-    times, eta = Rational("9.3"), Rational("0.1074")
-    more = stiffer(1, times * alpha < x, alpha < eta * x)
-    digits = not_stiffer(1, alpha < Rational("9.4") * x, Rational("0.1073") * alpha < x)
+    times, eta = quoted("s5b-eta-d1")
+    more = stiffer(1, number(times) * alpha < x, alpha < number(eta) * x)
+    digits = not_stiffer(1, alpha < number(times, 1) * x, number(eta, -1) * alpha < x)
     return on_the_range(more, digits)
 
 
@@ -106,8 +107,10 @@ def _stiffness_left_by_one_period(printed: Printed) -> Proposition:
 
     In the figures, from which it is read, it rounds to 22 %: more than 21.5 % is left.
     """
-    below = outdoes(stable(0, BEST), stable(1), alpha < Rational("0.22") * x)
-    digits = outdoes(stable(1, BEST), stable(0), Rational("0.215") * alpha < x).at(ARM)
+    [share] = quoted("s6-stable-22")
+    nearest = number(share) - Rational(str(share.unit)) / 2
+    below = outdoes(stable(0, BEST), stable(1), alpha < number(share) * x)
+    digits = outdoes(stable(1, BEST), stable(0), nearest * alpha < x).at(ARM)
     return on_the_range(below, digits)
 
 

@@ -94,14 +94,33 @@ HEAVIER = Symbol("delta'")
 """A larger damper."""
 
 
+START = sp.symbols("alpha_1 beta_1")
+"""A wall from which one goes on in some direction."""
+WAY = Symbol("x")
+"""How far, as a share of the way to (alpha, beta)."""
+
+
+def reached() -> Proposition:
+    """All walls on the way to (alpha, beta) are stable."""
+    on_it = {
+        end: begin + WAY * (end - begin) for begin, end in zip(START, (alpha, beta), strict=True)
+    }
+    return ForAll((WAY,), implied([WAY >= 0, WAY < 1], STABLE.at(on_it)))
+
+
 @claims("s4d-delta-grows")
 def _damping_enlarges_the_region(printed: Printed) -> Proposition:
-    """What is stable with a damper is stable with a larger one.
+    """What is stable with a damper is so with a larger one, and the region grows to each side.
 
-    On the left nothing is gained: that bound is alpha = -gamma, another statement.
+    From a stable wall in any direction: where the stable walls end, right of alpha = -gamma, the
+    wall that is no longer stable is so with the larger damper.  On the left nothing is gained: no
+    wall is stable that is not right of alpha = -gamma.
     """
-    given = [*PLANT, d >= 0, delta < HEAVIER, STABLE]
-    return ForAll((*LOOP, HEAVIER), implied(given, STABLE.at({delta: HEAVIER})))
+    more = STABLE.at({delta: HEAVIER})
+    wider = ForAll(START, implied([alpha > -gamma, reached()], more))
+    kept = implied([more], alpha > -gamma)
+    given = [*PLANT, d >= 0, delta < HEAVIER]
+    return ForAll((*LOOP, HEAVIER), implied(given, both([implied([STABLE], more), wider, kept])))
 
 
 PHYSICAL = (K, B, T, m, b, k, d)

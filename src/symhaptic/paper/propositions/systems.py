@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from sympy import Eq, Ne, symbols
+from sympy import Eq, Ne, S, symbols
 
 from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import ForAll, Proposition, both, implied, proposition, whole
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.notation.proposition import (
+    ForAll,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    proposition,
+)
+from symhaptic.paper.propositions.comparison import LOOP
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -14,7 +21,7 @@ R_1, X_1, R_2, X_2 = FREQUENCY = symbols("R_1 X_1 R_2 X_2")
 """Real and imaginary part of what two systems answer to a sine, Z = R + j X; passive is 0 <= R."""
 
 KIND = symbols("n")
-PARALLEL, LOOP, CHAIN = range(1, 4)
+PARALLEL, FED_BACK, CHAIN = range(1, 4)
 """Of the same motion; fed back to each other; one after the other."""
 
 PRODUCT = R_1 * R_2 - X_1 * X_2, R_1 * X_2 + R_2 * X_1
@@ -23,7 +30,7 @@ SIZE = (1 + PRODUCT[0]) ** 2 + PRODUCT[1] ** 2
 """|1 + Z_1 Z_2|^2."""
 REAL = {
     PARALLEL: R_1 + R_2,
-    LOOP: (R_1 + (R_1**2 + X_1**2) * R_2) / SIZE,
+    FED_BACK: (R_1 + (R_1**2 + X_1**2) * R_2) / SIZE,
     CHAIN: PRODUCT[0],
 }
 """The real part of Z_1 + Z_2, of Z_1/(1 + Z_1 Z_2) and of Z_1 Z_2."""
@@ -31,18 +38,22 @@ REAL = {
 
 def connected(kind: int) -> Proposition:
     """What is connected in this way is passive."""
-    given = [Eq(KIND, kind), Ne(SIZE, 0)] if kind == LOOP else [Eq(KIND, kind)]
+    given = [Eq(KIND, kind), Ne(SIZE, 0)] if kind == FED_BACK else [Eq(KIND, kind)]
     return implied(given, proposition(REAL[kind] >= 0))
+
+
+WALL = Predicate("passive_wall", (), (alpha, beta, delta, S.One, d))
+COMES_TO_REST = Predicate("stable_loop", (), (alpha, beta, gamma, delta, d))
 
 
 @claims("s3-interconnection")
 def _what_is_connected_is_passive_and_stable(printed: Printed) -> Proposition:
-    """In parallel, n = 1, fed back, n = 2, and in a chain, n = 3; at each frequency of a sine.
+    """In parallel, n = 1, fed back, n = 2, and in a chain, n = 3, passive systems are passive.
 
-    And the loop of a passive wall, which does not pull and meets (5), is stable behind every whole
-    delay.
+    Said of linear systems, at each frequency of a sine.  Stable is said of what the paper connects,
+    an arm and a device with the wall: a loop comes to rest, behind every delay, if no motion gains
+    energy from its wall and its damper.
     """
-    wall = [alpha >= 0, gamma >= 0, d >= 0, whole(d), passive()]
-    every = both([*map(connected, REAL), STABLE])
-    symbols = (*FREQUENCY, KIND, alpha, beta, gamma, delta, d)
-    return ForAll(symbols, implied([R_1 >= 0, R_2 >= 0, *wall], every))
+    given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, WALL]
+    every = both([*map(connected, REAL), COMES_TO_REST])
+    return ForAll((*FREQUENCY, KIND, *LOOP), implied(given, every))

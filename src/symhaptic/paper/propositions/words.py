@@ -39,7 +39,7 @@ def conclusion_is(section: int) -> Proposition:
 @claims("s1-conclusion")
 def _conclusion(printed: Printed) -> Proposition:
     """The section that is named is the one with this heading."""
-    return conclusion_is(outline.CONCLUSION_NAMED)
+    return conclusion_is(outline.conclusion_named())
 
 
 def ratio_in(panels: Sequence[str]) -> Proposition:
@@ -52,7 +52,7 @@ def ratio_in(panels: Sequence[str]) -> Proposition:
 @claims("s5b-ratio-panels")
 def _ratio(printed: Printed) -> Proposition:
     """The panels that are named are those with the ratio on their axis."""
-    return ratio_in(outline.RATIO_NAMED)
+    return ratio_in(outline.ratio_named())
 
 
 def told_apart(parts: Sequence[str]) -> Proposition:
@@ -76,7 +76,7 @@ def called(name: str) -> Proposition:
 @claims("s4d-bound-of-b")
 def _bound_of_damping(printed: Printed) -> Proposition:
     """The name that the text gives to B is the one of Table I, row for row."""
-    return called(outline.NAME_OF_B)
+    return called(outline.name_of_b())
 
 
 def damping_has_the_unit() -> Proposition:
