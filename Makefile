@@ -1,6 +1,9 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
+# what Python has compiled is kept: a test that starts processes would compile the package in each
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: report test check rocq bench clean
 
 report: .venv/ready

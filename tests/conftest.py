@@ -19,11 +19,11 @@ os.environ.setdefault(
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
-    """Tests that look at chapters stand together, so that one process runs these for most of them.
+    """Tests that look at chapters come first, so that one process alone runs the chapters.
 
-    Each process begins with tests beside each other, and what is left over is shared at the end.
+    Each process begins with tests beside each other; who is done takes over from another's end.
     """
-    items.sort(key=lambda item: _looks_at_chapters(getattr(item, "module", None)))
+    items.sort(key=lambda item: not _looks_at_chapters(getattr(item, "module", None)))
 
 
 def _looks_at_chapters(module):

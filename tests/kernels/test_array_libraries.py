@@ -136,12 +136,39 @@ def test_every_function_can_be_traced(name):
 
 
 def test_vectors_of_a_traced_search_step_by_step(monkeypatch):
-    """As `jax.jit` has it, searches and all, but without the minute of its compiler."""
+    """What `jax.jit` compiles, searches and all, but without the minute of its compiler."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
     monkeypatch.setattr(haptic, "_at_hand", lambda _: False)
     columns, expected, tolerance = known("max_stable_stiffness")
-    with jax.disable_jit():
-        hold(haptic.max_stable_stiffness(*(make(c) for c in columns)), expected, tolerance)
+    arrays = [make(c) for c in columns]
+    traced = jax.make_jaxpr(haptic.max_stable_stiffness)(*arrays)
+    hold(tuple(stepped(traced, arrays)), expected, tolerance)
+
+
+def stepped(traced, given):
+    """What a traced function gives, each of its operations done by itself."""
+    variables = (*traced.jaxpr.constvars, *traced.jaxpr.invars)
+    values = dict(zip(variables, (*traced.consts, *given), strict=True))
+
+    def value(atom):
+        return atom.val if hasattr(atom, "val") else values[atom]
+
+    for equation in traced.jaxpr.eqns:
+        args, has = [value(atom) for atom in equation.invars], equation.params
+        if equation.primitive.name == "cond":
+            found = stepped(has["branches"][int(args[0])], args[1:])
+        elif equation.primitive.name == "while":
+            asks, goes = has["cond_nconsts"], has["cond_nconsts"] + has["body_nconsts"]
+            found = args[goes:]
+            while bool(stepped(has["cond_jaxpr"], [*args[:asks], *found])[0]):
+                found = stepped(has["body_jaxpr"], [*args[asks:goes], *found])
+        elif "jaxpr" in has:
+            found = stepped(has["jaxpr"], args)
+        else:
+            found = equation.primitive.bind(*args, **has)
+            found = found if equation.primitive.multiple_results else [found]
+        values.update(zip(equation.outvars, found, strict=True))
+    return [value(atom) for atom in traced.jaxpr.outvars]
 
 
 def test_jax_without_x64_stays_single():

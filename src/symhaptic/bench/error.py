@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tempfile
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,7 @@ Worst = dict[str, tuple[float, tuple[float, ...]]]
 """For each result its largest error and the arguments there."""
 
 
+@cache
 def functions(form: Form) -> Any:
     """The routines of the array export, each alone, to find the sizes of terms with."""
     language = TARGETS["numpy"]
@@ -36,6 +38,11 @@ def functions(form: Form) -> Any:
 
 def exactly(form: Form, point: list[float]) -> list[Any]:
     """The results of a form, and after them their derivatives if it has any."""
+    return list(_exactly(form, tuple(point), flint.ctx.prec))
+
+
+@lru_cache(maxsize=8192)  # several exports are held against the same points
+def _exactly(form: Form, point: tuple[float, ...], precision: int) -> list[Any]:
     plain = form.plain or form
     found = list(EXACT[plain.name](*point))
     named = {s.name: v for s, v in zip(form.arguments, point, strict=True)}
