@@ -14,7 +14,8 @@ from symhaptic.cli.main import app
 def told():
     """What the command says and its status, in processes that have the chapters of this one.
 
-    All else is as always: each sends its statements, which are derived, judged and compared anew.
+    All else is as always: each sends its statements, which are judged and compared anew.  That
+    their theorems are derived anew, too, a slow test of ``test_cli.py`` sees, from nothing.
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(ledger, "run", lambda path: chapter(path.stem))
