@@ -201,6 +201,8 @@ def _step(
     free, hypotheses, statement = stated(theorem)
     rule = theorem.given[0] if theorem.rule == "known" else theorem.rule
     step = Step(own or f"step_{number}", rule, free, hypotheses, theorem.conclusion, statement)
+    if rule in BOXED:
+        step.pieces = theorem.given[0].pieces
     if theorem.rule == "known":
         return [_axiom(step, rule, own)]
     if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
@@ -230,16 +232,7 @@ def _introduce(proof: Proof, over: Sequence[str]) -> None:
 def _opened(step: Step, why: str) -> Step:
     """The leaf as an axiom that every statement on it is seen to rest on."""
     name = step.name if step.name.startswith("open_") else f"open_{step.name}"
-    return Step(
-        name,
-        step.rule,
-        step.free,
-        step.hypotheses,
-        step.conclusion,
-        step.statement,
-        "Axiom",
-        why=f"{OPEN} {why}",
-    )
+    return replace(step, name=name, kind="Axiom", lines=[], why=f"{OPEN} {why}")
 
 
 def _axiom(step: Step, name: str, own: str | None) -> Step:

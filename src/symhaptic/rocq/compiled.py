@@ -55,6 +55,8 @@ class Outcome:
     of the library, and the axioms and predicates that its lemmas name."""
     steps: dict[str, list[int]] = field(default_factory=dict)
     """Of each rule, how many steps were checked and how many there are."""
+    pieces: list[int] = field(default_factory=lambda: [0, 0])
+    """Of all boxes, how many pieces were checked and how many there are."""
     open: dict[str, str] = field(default_factory=dict)
     """The leaves that are not checked, and why."""
     seconds: float = 0.0
@@ -176,8 +178,9 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
-        unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
-        return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, of)
+        outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
+        outcome.pieces[0], outcome.open = 0, {"the file": why}
+        return _marked(outcome, chapter, of)
     rests = resting(file, done.stdout)
     outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
@@ -305,6 +308,8 @@ def _outcome(
             count = steps.setdefault(step.rule, [0, 0])
             count[0] += not is_open(step.name)
             count[1] += 1
+    boxes = [(0 if is_open(step.name) else step.pieces, step.pieces) for step in file.steps]
+    pieces = [sum(counts) for counts in zip(*boxes, strict=True)] or [0, 0]
     statements = {}
     for id, one in chapter.page.settled.items():
         if one.settlement.judged is None:
@@ -314,4 +319,4 @@ def _outcome(
         else:
             statements[id] = said[id]
     open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
-    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), open_)
+    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), pieces, open_)

@@ -40,6 +40,8 @@ class Step:
     lines: list[str] = field(default_factory=list)
     why: str = ""
     """The source of a classical rule, or why a leaf is not checked."""
+    pieces: int = 0
+    """Of a box: into how many it was cut."""
 
     def written(self) -> str:
         """The lemma with its proof."""
