@@ -584,7 +584,9 @@ Ltac sampled :=
     [apply Rabs_le; lra | apply Rabs_le; lra | clear V];
     repeat match goal with Q : _ = ?m |- _ =>
       lazymatch m with context [- a + e + 1] => rewrite A in Q end end;
-    assert (a = 1 + e - g * (n1 + n0)) by lra; clear A; subst a n1 n0 e
+    let B := fresh in
+    assert (B : a = 1 + e - g * (n1 + n0)) by lra; clear A;
+    try rewrite B in *; try rewrite N1 in *; try rewrite N0 in *; try rewrite E in *; clear B N1 N0 E
   end.
 Ltac reified l vs :=
   lazymatch vs with

@@ -546,6 +546,7 @@ Ltac Cmirrored :=
       let E := fresh in
       pose proof (f_equal Cconj H) as E; clear - E; revert E; Cconjugated; intro E; Cangles;
       first [exact E | etransitivity; [| etransitivity; [exact E |]]; Cring]
+  | H : ~ @eq C ?l ?r |- ~ @eq C _ _ => let E := fresh in intro E; apply H; clear H; Cmirrored
   end.
 Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
 Proof.

@@ -297,15 +297,15 @@ def on_plants(proof: Proof, theorem: Theorem) -> None:
     meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in named.items()}
     names, claim = proof.names, _relation(theorem)
     sides = [tuple(real_text(term(x), names) for x in pair) for pair in certificate.box.values()]
+    old, meant = real_text(claim.right, names), [real_text(m, names) for m in meanings.values()]
     with names.introduced(*meanings) as new:
-        for i, (v, m) in enumerate(zip(new, meanings.values(), strict=True), 1):
-            proof.say(f"named {v} Q{i} ({real_text(m, names)}).")
-        texts = [real_text(term(t), names) for t in (claim.right, certificate.expr)]
+        by = real_text(term(certificate.expr), names)
+    proof.say(
+        *(f"named {v} Q{i} ({m})." for i, (v, m) in enumerate(zip(new, meant, strict=True), 1))
+    )
     if meanings:
         shown = ", ".join(f"?Q{i}" for i in range(1, len(new) + 1))
-        proof.say(
-            f"replace ({texts[0]}) with ({texts[1]}) by (rewrite {shown}; same_field).", "sampled."
-        )
+        proof.say(f"replace ({old}) with ({by}) by (rewrite {shown}; same_field).", "sampled.")
     cuts = " ".join(textwrap.wrap(certificate.cuts, 60))
     proof.say(
         f"in_pieces {_list(new, 'R')} {_list([names[s] for s in certificate.box], 'R')} "
