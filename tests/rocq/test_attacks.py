@@ -141,6 +141,14 @@ ATTACKS = {
         lambda: mirrored(assume(Relation(exp(I * x), "=", I * y))),
         [("= -Ci*y", "= Ci*y"), ("(Cexp(-Ci*x)", "(Cexp(-2*Ci*x)")],
     ),
+    "a mirror of what is not zero": (
+        lambda: mirrored(assume(Relation(n + y * exp(I * x), "!=", S.Zero))),
+        [
+            ("+ y*Cexp(-Ci*x)", "- y*Cexp(-Ci*x)"),
+            ("Cexp(-Ci*x)", "Cexp(-2*Ci*x)"),
+            ("((n + y*Cexp(Ci*x) <> 0 :> C)%C) -> ", ""),
+        ],
+    ),
     "digits": (
         lambda: less(Rational(16568, 10000), 4 * tan(pi / 8)),
         [("2071/1250 <", "2072/1250 <"), ("2071/1250 <", "2071/1249 <"), ("4*sqrt", "3*sqrt")],
