@@ -387,13 +387,12 @@ Ltac Cnz := Cnz_with Cnz_hard.
 Ltac Cquick_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz_quick]].
 Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; field; Cnz]].
 
+Ltac enclosed := first [lra | interval | interval with (i_prec 100) | interval with (i_prec 400)].
 Ltac numeric :=
   first
-    [ lra
-    | interval
-    | interval with (i_prec 100)
-    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    [ enclosed
+    | solve [apply Rlt_not_eq; enclosed]
+    | solve [apply Rgt_not_eq; enclosed]
     | nz
     | Cnz ].
 
