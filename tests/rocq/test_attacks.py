@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, symbols, tan
 
+from symhaptic.book import foreign
 from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
 from symhaptic.notation import X, s, z
 from symhaptic.notation.proposition import Relation, proposition, whole
@@ -109,7 +110,7 @@ def plants(expr):
 
 
 ATTACKS = {
-    # kind: the theorem, wrong variants of its statement, and which lemma if it is not the last
+    # kind: the theorem, and wrong variants of its statement
     "an identity": (
         lambda: identity((x**2 - 1) / (x - 1), x + 1),
         [("x + 1)", "x - 1)"), ("(x - 1 <> 0) -> ", ""), ("(x^2 - 1)", "(x^3 - 1)")],
@@ -139,6 +140,14 @@ ATTACKS = {
     "a mirror": (
         lambda: mirrored(assume(Relation(exp(I * x), "=", I * y))),
         [("= -Ci*y", "= Ci*y"), ("(Cexp(-Ci*x)", "(Cexp(-2*Ci*x)")],
+    ),
+    "a mirror of what is not zero": (
+        lambda: mirrored(assume(Relation(n + y * exp(I * x), "!=", S.Zero))),
+        [
+            ("+ y*Cexp(-Ci*x)", "- y*Cexp(-Ci*x)"),
+            ("Cexp(-Ci*x)", "Cexp(-2*Ci*x)"),
+            ("((n + y*Cexp(Ci*x) <> 0 :> C)%C) -> ", ""),
+        ],
     ),
     "digits": (
         lambda: less(Rational(16568, 10000), 4 * tan(pi / 8)),
@@ -337,6 +346,15 @@ ATTACKS = {
             ("(0 <= delta) -> ", ""),
         ],
     ),
+    "a box of plants that just allows it": (
+        lambda: on_plants(plants(Rational(1, 100) - M)),
+        [
+            ("n_0 - 49/100", "n_0 - 1/2"),
+            ("n_0 - 49/100", "-n_0 + 49/100"),
+            ("(gamma <= 1/1000)", "(gamma <= 1/2)"),
+            ("(delta <= 1/50)", "(delta <= 1/20)"),
+        ],
+    ),
     "all numbers of a plant": (
         lambda: on_plants(plants(Rational(1, 10) - M - LOSS - P - AT_ONE)),
         [
@@ -345,17 +363,6 @@ ATTACKS = {
             ("17/5", "18/5"),
             ("(gamma <= 1/1000)", "(gamma <= 1)"),
         ],
-    ),
-    "between what a plant's numbers lie": (
-        lambda: on_plants(plants(Rational(1, 10) - M)),
-        [
-            ("495033199", "495000000"),
-            ("-2618113/", "2618113/"),
-            ("(gamma <= 1/1000)", "(gamma <= 1/10)"),
-            ("(delta <= 1/50)", "(delta <= 1)"),
-            ("(device (gamma)%C (delta)%C (n_1)%C (n_0)%C (a)%C (e)%C) -> ", ""),
-        ],
-        "numbers_1",
     ),
     "a cosine at a slope": (
         lambda: placed(
@@ -392,7 +399,7 @@ ATTACKS = {
 }
 
 
-BEGIN = "From Symhaptic Require Import Prelude.\nSet Default Timeout 10.\n\n"
+BEGIN = "From Symhaptic Require Import Prelude Boxes.\nSet Default Timeout 10.\n\n"
 """What is right is proved in a second; what is wrong some tactics do not give up for minutes."""
 
 
@@ -408,12 +415,9 @@ def variants(number, kind):
 
     What is wrong is written into the statement alone, and into its proof as well.
     """
-    make, wrong, *of = ATTACKS[kind]
-    file = file_of(make())
-    [wanted] = of or ["lemma_1"]
-    names = [s.name for s in file.steps]
-    assert wanted in names, (kind, [s.why for s in file.steps])
-    target, before = file.steps[names.index(wanted)], file.steps[: names.index(wanted)]
+    make, wrong = ATTACKS[kind]
+    *before, target = file_of(make()).steps
+    assert target.name == "lemma_1", (kind, target.why)
     texts = {f"kind_{number}_right": target.written()}
     for i, (old, new) in enumerate(wrong):
         assert old in target.statement, (kind, old, target.statement)
@@ -444,3 +448,45 @@ def test_what_is_wrong_in_one_place_is_refused(folder, kind):
     right = {n for n in wanted if n.endswith("right")}
     assert {wanted[n]: failed[n] for n in right & set(failed)} == {}
     assert [wanted[n] for n in wanted if n not in failed | dict.fromkeys(right)] == []
+
+
+COVERED = on_box(Positive(x * y + 1 - x / 2, {x: (0, 1), y: (0, 2)}, "00..1..", 96))
+"""On a box of two pieces, of which the lower is cut once more and the upper in y."""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ('"00..1.."', '"00..1."'),  # a piece of which nothing is said
+        ('"00..1.."', '"00..1..."'),  # and one that is none
+        ('"00..1.."', '"00..2.."'),  # cut across what is no side
+        ('"00..1.."', '"00..x.."'),
+        ('"00..1.."', '""'),
+        ('"00..1.."', '"0"'),
+        ("(0, 1)", "(0, 1/2)"),  # a part of the box
+        ("(0, 1)", "(1, 0)"),  # nothing of it
+        ("(0, 1)", "(0, 4)"),  # more, of which it is not so
+        ("(x :: y", "(y :: x"),  # sides of others
+        ("(x :: y", "(y"),
+    ],
+)
+def test_a_certificate_that_does_not_cover_the_box_is_refused(folder, right, wrong):
+    [step] = file_of(COVERED).steps
+    assert right in step.lines[-1]
+    other = replace(step, name="other", lines=[line.replace(right, wrong) for line in step.lines])
+    failed = compiled.failing(folder, f"{BEGIN}{step.written()}\n{other.written()}\n")
+    assert set(failed) == {"other"}
+
+
+def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
+    """The axioms of the reals and primitive floats; of a device besides what the axiom says."""
+    (folder / "asked.v").write_text(
+        "From Symhaptic Require Import Boxes.\nPrint Assumptions boxed.\n"
+        "Definition both := (boxed, sampled).\nPrint Assumptions both.\n"
+    )
+    done = compiled._compiled(folder, "asked")
+    assert done.returncode == 0, done.stderr
+    first, second = done.stdout.split("Axioms:")[1:]
+    library = {foreign.REALS, foreign.INTEGERS}
+    assert set(compiled.axioms(first)) == library
+    assert set(compiled.axioms(second)) == library | {"rule_on_plants", "device"}

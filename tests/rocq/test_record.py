@@ -155,5 +155,5 @@ def test_the_mark_of_a_text_is_of_the_prelude_too(tmp_path, monkeypatch):
     before = compiled.text_mark("text")
     other = tmp_path / "Prelude.v"
     other.write_text("")
-    monkeypatch.setattr(compiled, "PRELUDE", other)
+    monkeypatch.setattr(compiled, "PRELUDES", (other,))
     assert compiled.text_mark("text") == hashlib.sha256(b"text").hexdigest() != before

@@ -74,7 +74,7 @@ def judged(
 
 def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
     """A line for each statement, the slowest chapter, and how many steps were checked."""
-    from symhaptic.rocq.record import why
+    from symhaptic.rocq.record import leaves, why
 
     lines = []
     counts: Counter[str] = Counter()
@@ -89,6 +89,7 @@ def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:
     total = sum(n for rules in steps for _, n in rules.values())
     lines.append(f"{', '.join(f'{n} {kind}' for kind, n in sorted(counts.items()))}")
     lines.append(f"{checked} of {total} steps are checked")
+    lines += [f"  {kind}: {n} of {m}" for kind, (n, m) in leaves(outcomes).items() if m]
     new = [one for one in outcomes if not one.kept and one.seconds]
     if new:
         slow = max(new, key=lambda one: one.seconds)

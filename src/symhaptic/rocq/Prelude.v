@@ -387,13 +387,12 @@ Ltac Cnz := Cnz_with Cnz_hard.
 Ltac Cquick_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz_quick]].
 Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; field; Cnz]].
 
+Ltac enclosed := first [lra | interval | interval with (i_prec 100) | interval with (i_prec 400)].
 Ltac numeric :=
   first
-    [ lra
-    | interval
-    | interval with (i_prec 100)
-    | solve [apply Rlt_not_eq; first [lra | interval | interval with (i_prec 100)]]
-    | solve [apply Rgt_not_eq; first [lra | interval | interval with (i_prec 100)]]
+    [ enclosed
+    | solve [apply Rlt_not_eq; enclosed]
+    | solve [apply Rgt_not_eq; enclosed]
     | nz
     | Cnz ].
 
@@ -546,6 +545,7 @@ Ltac Cmirrored :=
       let E := fresh in
       pose proof (f_equal Cconj H) as E; clear - E; revert E; Cconjugated; intro E; Cangles;
       first [exact E | etransitivity; [| etransitivity; [exact E |]]; Cring]
+  | H : ~ @eq C ?l ?r |- ~ @eq C _ _ => let E := fresh in intro E; apply H; clear H; Cmirrored
   end.
 Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
 Proof.
@@ -1186,144 +1186,3 @@ Proof.
   - rewrite <- E; apply Rmult_le_compat_r; lra.
   - rewrite <- E; apply Rmult_lt_compat_r; lra.
 Qed.
-
-(* -- boxes of plants ------------------------------------------------------------------ *)
-
-(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
-   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
-Fixpoint ways (g d : R) (k : nat) : R * R :=
-  match k with
-  | O => (0, 1 / 2)
-  | S m =>
-      let (p, q) := ways g d m in
-      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
-  end.
-Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
-
-(* What the predicate means: the numbers of the sampled device are those of that motion; for n_0
-   the time runs backwards. *)
-Axiom rule_on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
-  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
-
-Lemma ways_next : forall g d k,
-  snd (ways g d (S (S k))) =
-  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
-Proof.
-  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
-  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
-  reflexivity.
-Qed.
-
-(* Up to t^8, what follows is less than the next coefficients say. *)
-Definition way (g d : R) : R :=
-  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
-  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
-Definition small (g d M : R) : Prop :=
-  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
-  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
-
-Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
-Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
-
-Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
-  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
-Proof.
-  intros g d M G D [P Q] k; induction k as [| k [A B]].
-  - rewrite !Nat.add_0_r; split.
-    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
-    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
-      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
-  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
-    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
-    replace (S (6 + k)) with (7 + k)%nat by lia.
-    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
-    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
-    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
-    set (m := M * (1/2) ^ k) in *.
-    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
-    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
-    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (I : Rabs (d * x / t) <= m / 20).
-    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (J : Rabs (g * y / (t * u)) <= m / 90).
-    { unfold Rdiv; rewrite !Rabs_mult.
-      assert (90 <= t * u) by nra.
-      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
-      replace (m * / 90) with (1 * m * / 90) by field.
-      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
-      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
-      - apply Rinv_le_contravar; lra. }
-    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
-Qed.
-
-Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
-  exists r, - M <= r <= M /\ x = way g d + r.
-Proof.
-  intros g d x M G D S H; exists (x - way g d); split; [| ring].
-  set (b := fun k => snd (ways g d (7 + k))).
-  assert (B : is_series b (x - way g d)).
-  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
-    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
-    replace (x - way g d + way g d) with x by ring; exact H. }
-  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
-  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
-    apply (ways_fall g d M G D S k). }
-  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
-  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
-    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
-      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
-    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
-  assert (X : ex_series (fun k => Rabs (b k))).
-  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
-    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
-  assert (Y : Rabs (x - way g d) <= M).
-  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
-    apply Rle_trans with (1 := Series_Rabs b X).
-    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
-  apply Rabs_le_between; exact Y.
-Qed.
-
-Lemma sampled : forall g d n1 n0 a e M : R,
-  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0) ->
-  Rabs g <= 1 -> Rabs d <= 1 ->
-  small g d M -> small g (- d) M ->
-  exists r s, - M <= r <= M /\ - M <= s <= M /\ n1 = way g d + r /\
-    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ a = 1 + exp (- d) - g * (n1 + n0).
-Proof.
-  intros g d n1 n0 a e M (P & Q & E & A) G D S T.
-  destruct (held_near g d n1 M G D S P) as (r & R & X).
-  destruct (held_near g (- d) (n0 / exp (- d)) M G ltac:(rewrite Rabs_Ropp; exact D) T Q) as (s & U & Y).
-  exists r, s; assert (N := Rgt_not_eq _ _ (exp_pos (- d))).
-  repeat split; try apply R; try apply U; [exact X | rewrite <- Y; field; exact N | exact E | lra].
-Qed.
-
-Lemma named_number : forall x : R, exists v, v = x.
-Proof. intro x; exists x; reflexivity. Qed.
-Lemma halves : forall x y : R, x <= y \/ y <= x.
-Proof. intros x y; destruct (Rle_lt_dec x y); [left | right]; lra. Qed.
-Ltac sampled_by V M :=
-  lazymatch type of V with
-  | held ?g ?d ?n1 /\ held _ _ (?n0 / _) /\ ?e = _ /\ 1 - ?a + _ = _ =>
-      let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
-      destruct (sampled g d n1 n0 a e M V) as (?r & ?s & ? & ? & N1 & N0 & E & A);
-      [ apply Rabs_le; lra | apply Rabs_le; lra | unfold small; split; interval
-      | unfold small; split; interval
-      | try replace (- a + e + 1) with (g * (n1 + n0)) by lra;
-        rewrite ?A, ?N1, ?N0, ?E; unfold way ]
-  end.
-Tactic Notation "named" ident(v) ident(Q) constr(m) := destruct (named_number m) as [v Q].
-(* What is known of the plant's numbers on a piece, of the numbers that are named so. *)
-Ltac numbers F :=
-  let G := fresh in
-  pose proof F as G;
-  repeat match type of G with ?P -> _ => specialize (G ltac:(assumption)) end;
-  repeat match goal with Q : ?v = ?m |- _ => is_var v; match type of G with context [m] => rewrite <- Q in G end end;
-  opened.
-Ltac within d := first [interval | interval with (i_autodiff d) | interval with (i_taylor d)].
-Ltac halved x m := destruct (halves x m).

@@ -13,7 +13,7 @@ from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.proof.theorems.kernel import NotShown, Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
-from symhaptic.rocq.leaves import LEAVES, SPELLED
+from symhaptic.rocq.leaves import BOXED, LEAVES, SPELLED
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
@@ -49,7 +49,9 @@ class File:
 
     def written(self) -> str:
         """The text: byte by byte the same from run to run."""
-        head = [*map(_paragraph, self._head()), "From Symhaptic Require Import Prelude.", ""]
+        boxes = " Boxes" if any(step.rule in BOXED for step in self.steps) else ""
+        import_ = f"From Symhaptic Require Import Prelude{boxes}."
+        head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
         ends = ["Unset Default Timeout."] if self.statements else []
@@ -96,7 +98,9 @@ HOW = (
     "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
     "classical theorems, and what is known of a device; one that is named open_ is a step which "
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
-    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v."
+    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v; how the pieces of a "
+    "box are checked, in Boxes.v."
+    "box are checked, in Boxes.v."
 )
 
 
@@ -127,20 +131,17 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     file = File(chapter.name, chapter.title)
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
-    shared: dict[str, Step] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
     for theorem in _spelled(order(roots)):
         if said(theorem) in known:
             continue
         try:
-            before = len(shared)
             number, own = len(file.steps) + 1, named.get(said(theorem))
-            found = _step(theorem, number, own, known, why, shared)
+            found = _step(theorem, number, own, known, why)
         except NotPrinted as wrong:
             why[said(theorem)] = str(wrong)
             continue
-        found[:0] = list(shared.values())[before:]
         for i, step in enumerate(found):
             if broken and step.name in broken and step.kind != "Axiom":
                 found[i] = _opened(step, broken[step.name])
@@ -193,7 +194,6 @@ def _step(
     own: str | None,
     known: Mapping[Said, Step],
     why: Mapping[Said, str],
-    shared: dict[str, Step],
 ) -> list[Step]:
     for premise in theorem.premises:
         if premise.rule != "assume" and said(premise) not in known:
@@ -201,6 +201,8 @@ def _step(
     free, hypotheses, statement = stated(theorem)
     rule = theorem.given[0] if theorem.rule == "known" else theorem.rule
     step = Step(own or f"step_{number}", rule, free, hypotheses, theorem.conclusion, statement)
+    if rule in BOXED:
+        step.pieces = theorem.given[0].pieces
     if theorem.rule == "known":
         return [_axiom(step, rule, own)]
     if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
@@ -210,7 +212,7 @@ def _step(
         if theorem.rule not in WRITTEN:
             raise NotPrinted(f"the rule {theorem.rule}")
         with names.bound(*free) as over:
-            proof = Proof(step, known, names, shared)
+            proof = Proof(step, known, names)
             _introduce(proof, over)
             WRITTEN[theorem.rule](proof, theorem)
     except NotPrinted as wrong:
@@ -230,16 +232,7 @@ def _introduce(proof: Proof, over: Sequence[str]) -> None:
 def _opened(step: Step, why: str) -> Step:
     """The leaf as an axiom that every statement on it is seen to rest on."""
     name = step.name if step.name.startswith("open_") else f"open_{step.name}"
-    return Step(
-        name,
-        step.rule,
-        step.free,
-        step.hypotheses,
-        step.conclusion,
-        step.statement,
-        "Axiom",
-        why=f"{OPEN} {why}",
-    )
+    return replace(step, name=name, kind="Axiom", lines=[], why=f"{OPEN} {why}")
 
 
 def _axiom(step: Step, name: str, own: str | None) -> Step:

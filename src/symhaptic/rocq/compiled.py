@@ -21,7 +21,8 @@ from symhaptic.book.foreign import INTEGERS, REALS, mark
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
 
-PRELUDE = Path(__file__).with_name("Prelude.v")
+PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes"))
+"""What chapters use; the second uses the first."""
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
@@ -54,6 +55,8 @@ class Outcome:
     of the library, and the axioms and predicates that its lemmas name."""
     steps: dict[str, list[int]] = field(default_factory=dict)
     """Of each rule, how many steps were checked and how many there are."""
+    pieces: list[int] = field(default_factory=lambda: [0, 0])
+    """Of all boxes, how many pieces were checked and how many there are."""
     open: dict[str, str] = field(default_factory=dict)
     """The leaves that are not checked, and why."""
     seconds: float = 0.0
@@ -99,22 +102,27 @@ def coqc() -> str:
 
 
 def prepared(folder: Path) -> Path:
-    """The folder with the prelude in it, compiled where it is not yet."""
+    """The folder with the preludes in it; one that is new there is not compiled yet."""
     folder.mkdir(parents=True, exist_ok=True)
-    there, text = folder / PRELUDE.name, PRELUDE.read_text(encoding="utf-8")
-    if not there.is_file() or there.read_text(encoding="utf-8") != text:
-        there.write_text(text, encoding="utf-8")
-        there.with_suffix(".vo").unlink(missing_ok=True)
+    stale = False
+    for path in PRELUDES:
+        there, text = folder / path.name, path.read_text(encoding="utf-8")
+        stale = stale or not there.is_file() or there.read_text(encoding="utf-8") != text
+        if stale:
+            there.write_text(text, encoding="utf-8")
+            there.with_suffix(".vo").unlink(missing_ok=True)
     return folder
 
 
 def prelude_compiled(folder: Path) -> None:
-    """Compile the prelude; raises :class:`NoRocq` where that fails."""
-    if not (folder / PRELUDE.name).with_suffix(".vo").is_file():
-        done = _compiled(folder, "Prelude")
-        if done.returncode:
-            last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-            raise NoRocq(f"coqc does not take the prelude (is libcoq-interval installed?): {last}")
+    """Compile the preludes; raises :class:`NoRocq` where that fails."""
+    for path in PRELUDES:
+        if not (folder / path.name).with_suffix(".vo").is_file():
+            done = _compiled(folder, path.stem)
+            if done.returncode:
+                last = (done.stderr.strip().splitlines() or ["no message"])[-1]
+                why = "is libcoq-interval installed?"
+                raise NoRocq(f"coqc does not take {path.name} ({why}): {last}")
 
 
 def version() -> str:
@@ -139,8 +147,7 @@ def written(path: Path, folder: Path) -> Outcome:
 
 def text_mark(text: str) -> str:
     """What two texts share that Rocq is given alike, with the prelude that they import."""
-    whole = PRELUDE.read_text(encoding="utf-8") + text
-    return hashlib.sha256(whole.encode()).hexdigest()
+    return hashlib.sha256((_preludes() + text).encode()).hexdigest()
 
 
 def judged(path: Path, folder: Path) -> Outcome:
@@ -171,8 +178,9 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
-        unchecked = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
-        return _marked(replace(outcome, steps=unchecked, open={"the file": why}), chapter, of)
+        outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
+        outcome.pieces[0], outcome.open = 0, {"the file": why}
+        return _marked(outcome, chapter, of)
     rests = resting(file, done.stdout)
     outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
@@ -240,11 +248,16 @@ def resting(file: File, said: str) -> dict[str, list[str]]:
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
     """
-    found = {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
+    found = axioms(said)
     here = {step.name for step in file.steps} | meant() | known_there()
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
     return {id: sorted(found - (others - own)) for id, own in named.items()}
+
+
+def axioms(said: str) -> set[str]:
+    """What ``Print Assumptions`` lists, with the library's under two names."""
+    return {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
 
 
 def _short(name: str) -> str:
@@ -272,15 +285,18 @@ def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
 @cache
 def meant() -> frozenset[str]:
     """What the prelude leaves open: the predicates, whose meaning the model has."""
-    found = re.findall(r"^Parameters? ([\w\s]+):", PRELUDE.read_text(encoding="utf-8"), re.M)
+    found = re.findall(r"^Parameters? ([\w\s]+):", _preludes(), re.M)
     return frozenset(name for names in found for name in names.split())
 
 
 @cache
 def known_there() -> frozenset[str]:
     """What the prelude believes of the predicates: rules of our kernel, by their names there."""
-    text = PRELUDE.read_text(encoding="utf-8")
-    return frozenset(re.findall(r"^Axiom (rule_\w+)", text, re.M))
+    return frozenset(re.findall(r"^Axiom (rule_\w+)", _preludes(), re.M))
+
+
+def _preludes() -> str:
+    return "".join(path.read_text(encoding="utf-8") for path in PRELUDES)
 
 
 def _outcome(
@@ -292,6 +308,8 @@ def _outcome(
             count = steps.setdefault(step.rule, [0, 0])
             count[0] += not is_open(step.name)
             count[1] += 1
+    boxes = [(0 if is_open(step.name) else step.pieces, step.pieces) for step in file.steps]
+    pieces = [sum(counts) for counts in zip(*boxes, strict=True)] or [0, 0]
     statements = {}
     for id, one in chapter.page.settled.items():
         if one.settlement.judged is None:
@@ -301,4 +319,4 @@ def _outcome(
         else:
             statements[id] = said[id]
     open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
-    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), open_)
+    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), pieces, open_)

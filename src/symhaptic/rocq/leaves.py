@@ -2,33 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+import textwrap
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 import sympy as sp
-from flint import acb, arb, ctx
-from sympy import Expr, Symbol, floor
+from sympy import Expr, floor
 
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import And, Predicate, Relation, term
+from symhaptic.notation import a, e, n_0, n_1
+from symhaptic.notation.proposition import Predicate, Relation, term
 from symhaptic.proof.ball import sign
-from symhaptic.proof.certificate import Positive
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER
-from symhaptic.proof.program import real
 from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, conjoined, part
 from symhaptic.proof.theorems.leaves import number as settled
 from symhaptic.proof.theorems.roots import jury
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import Image, polar, same, script
 from symhaptic.rocq.logic import Written
-from symhaptic.rocq.propositions import text, typed
-from symhaptic.rocq.steps import Proof, Step, premises
+from symhaptic.rocq.steps import Proof, premises
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
-__all__ = ["LEAVES", "SPELLED"]
+__all__ = ["BOXED", "LEAVES", "SPELLED"]
 
 LEAVES: dict[str, Written] = {}
 """How a leaf of each kind is checked."""
@@ -293,145 +290,34 @@ def _rational(value: Any) -> str:
 
 @shows
 def on_plants(proof: Proof, theorem: Theorem) -> None:
-    """The pieces of our certificate: on each the plant's numbers between two, then one interval."""
+    """By the pieces of our certificate, which a checker that is proved there evaluates."""
     (certificate,) = theorem.given
-    given = certificate.given.meanings if certificate.given else {}
-    meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in given.items()}
-    ends = {s: (term(low), term(high)) for s, (low, high) in certificate.box.items()}
-    if not all(end.is_Rational for pair in ends.values() for end in pair):
-        raise NotPrinted("a box whose ends are no rational numbers")
+    given, used = certificate.given, certificate.expr.free_symbols
+    named = {s: m for s, m in given.meanings.items() if s in used} if given else {}
+    meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in named.items()}
     names, claim = proof.names, _relation(theorem)
+    sides = [tuple(real_text(term(x), names) for x in pair) for pair in certificate.box.values()]
+    old, meant = real_text(claim.right, names), [real_text(m, names) for m in meanings.values()]
     with names.introduced(*meanings) as new:
-        of = {s: f"Q{i}" for i, s in enumerate(meanings, 1)}
-        proof.say(
-            *(
-                f"named {v} {of[s]} ({real_text(m, names)})."
-                for v, (s, m) in zip(new, meanings.items(), strict=True)
-            )
-        )
-        if meanings:
-            proof.say(_written_as(term(certificate.expr), claim.right, names, of.values()))
-    proof.say(*_pieces(proof, certificate, ends, meanings))
+        by = real_text(term(certificate.expr), names)
+    proof.say(
+        *(f"named {v} Q{i} ({m})." for i, (v, m) in enumerate(zip(new, meant, strict=True), 1))
+    )
+    if meanings:
+        shown = ", ".join(f"?Q{i}" for i in range(1, len(new) + 1))
+        proof.say(f"replace ({old}) with ({by}) by (rewrite {shown}; same_field).", "sampled.")
+    cuts = " ".join(textwrap.wrap(certificate.cuts, 60))
+    proof.say(
+        f"in_pieces {_list(new, 'R')} {_list([names[s] for s in certificate.box], 'R')} "
+        f'{_list([f"({x}, {y})" for x, y in sides], "(R * R)")} "{cuts}".'
+    )
 
 
 LEAVES["on_box"] = on_plants
-
-
-def _written_as(new: Expr, old: Expr, names: Names, by: Iterable[str]) -> str:
-    """A term is written as another, by what variables are called."""
-    texts = [real_text(t, names) for t in (old, new)]
-    shown = f"rewrite {', '.join(f'?{q}' for q in by)}; same_field"
-    return f"replace ({texts[0]}) with ({texts[1]}) by ({shown})."
-
-
+BOXED = frozenset({"on_box", "on_plants"})
+"""Leaves that are checked by the pieces of a box."""
 PLANT_NUMBERS = {LOSS: 1 - e, TOGETHER: n_1 + n_0, LATE: n_0, AT_ONE: 1 - a + e}
-_DIGITS = 11
-"""Of what a number of a plant is said to lie between."""
-Sides = Mapping[Symbol, tuple[Expr, Expr]]
 
 
-def _left_out(ends: Sides) -> Expr:
-    """A bound of the plant's series beyond its eighth power, a power of ten."""
-    g, dl = (max(map(abs, ends[s])) for s in (gamma, delta))
-    sizes = (
-        (dl**6 + 5 * g * dl**4 + 6 * g**2 * dl**2 + g**3) / 40320,
-        (dl**7 + 6 * g * dl**5 + 10 * g**2 * dl**3 + 4 * g**3 * dl) / 181440,
-    )
-    return sp.Integer(10) ** floor(sp.log(max(*sizes, sp.Integer(10) ** -40), 10) + 1)
-
-
-Tree = str | tuple[Symbol, "Tree", "Tree"]
-"""How a piece is decided, or what it is cut across and its halves."""
-
-
-def _tree(symbols: Sequence[Symbol], cuts: Iterator[str]) -> Tree:
-    cut = next(cuts)
-    if not cut.isdecimal():
-        return cut
-    lower = _tree(symbols, cuts)
-    return symbols[int(cut)], lower, _tree(symbols, cuts)
-
-
-def _across(tree: Tree) -> set[Symbol]:
-    """What a piece is cut across."""
-    return set() if isinstance(tree, str) else {tree[0]} | _across(tree[1]) | _across(tree[2])
-
-
-def _pieces(
-    proof: Proof, certificate: Positive, ends: Sides, meanings: Mapping[Symbol, Expr]
-) -> Iterator[str]:
-    """The pieces of our certificate; the plant's numbers before sides that they do not see."""
-    given: Any = certificate.given
-    seen = [s for s in ends if given and s in set(given.of)]
-
-    def numbers(box: Sides) -> str:
-        with ctx.workprec(certificate.bits):
-            found = given({s: acb(real(x).union(real(y))) for s, (x, y) in box.items()})
-        balls = {m: found[s].real for s, m in meanings.items()}
-        bounds = {m: (-_rounded(-x.lower()), _rounded(x.upper())) for m, x in balls.items()}
-        lemma = _numbers(proof, {s: box[s] for s in seen}, bounds)
-        symbols = " ".join(proof.names[s] for s in lemma.free)
-        return f"numbers ({lemma.name} {symbols})."
-
-    def shown(tree: Tree, box: Sides, known: bool) -> Iterator[str]:
-        if seen and not known and not _across(tree) & set(seen):
-            yield numbers(box)
-            known = True
-        if isinstance(tree, str):
-            yield from _centred(proof, certificate.expr, box) if tree == ":" else ()
-            yield "interval."
-            return
-        low, high = box[tree[0]]
-        middle = (low + high) / 2
-        yield f"halved {proof.names[tree[0]]} ({middle})."
-        yield from shown(tree[1], {**box, tree[0]: (low, middle)}, known)
-        yield from shown(tree[2], {**box, tree[0]: (middle, high)}, known)
-
-    return shown(_tree(list(ends), iter(certificate.cuts)), ends, False)
-
-
-def _centred(proof: Proof, expr: Expr, box: Sides) -> Iterator[str]:
-    """A polynomial by the way from the middle of a piece, of which its slopes are coefficients."""
-    if not expr.is_polynomial(*box):
-        raise NotPrinted("the slopes of what is no polynomial")
-    middle = {s: (low + high) / 2 for s, (low, high) in box.items()}
-    with proof.names.introduced(*(ways := {s: sp.Dummy(s.name) for s in box}).values()) as new:
-        by = [f"W{i}" for i, _ in enumerate(box, 1)]
-        for s, x, w in zip(box, new, by, strict=True):
-            yield f"named {x} {w} ({real_text(s - middle[s], proof.names)})."
-            wide = (box[s][1] - box[s][0]) / 2
-            yield f"assert (- ({wide}) <= {x} <= {wide}) by (rewrite {w}; lra)."
-        moved = sp.expand(expr.xreplace({s: middle[s] + x for s, x in ways.items()}))
-        yield _written_as(moved, expr, proof.names, by)
-
-
-def _numbers(proof: Proof, box: Sides, bounds: Mapping[Expr, tuple[Expr, Expr]]) -> Step:
-    """A lemma of all plants of a box: between what each of their numbers lies."""
-    device = Predicate("device", (), (gamma, delta, n_1, n_0, a, e))
-    sides = [r for s, (x, y) in box.items() for r in (Relation(x, "<=", s), Relation(s, "<=", y))]
-    known = [And((Relation(x, "<=", m), Relation(m, "<=", y))) for m, (x, y) in bounds.items()]
-    free = (*box, n_1, n_0, a, e)
-    names = Names()
-    with names.bound(*free) as over:
-        said = [text(claim, names) for claim in (device, *sides, And(tuple(known)))]
-        statement = f"forall {typed(free, over)}, {' -> '.join(said)}"
-        d, meant = names[delta], f"rule_on_plants {' '.join(names[s] for s in device.of)} V"
-    if statement not in proof.shared:
-        lines = [
-            f"intros {' '.join(over)} V {' '.join(f'H{i}' for i, _ in enumerate(sides, 1))}.",
-            f"sampled_by ({meant}) ({_left_out(box)}).",
-            *[f"split; [within {d} |]."] * (len(known) - 1),
-            f"within {d}.",
-        ]
-        name = f"numbers_{len(proof.shared) + 1}"
-        proof.shared[statement] = Step(
-            name, "on_plants", free, (device, *sides), And(tuple(known)), statement, lines=lines
-        )
-    return proof.shared[statement]
-
-
-def _rounded(number: arb) -> Expr:
-    """A decimal number that is not less."""
-    mantissa, exponent = number.mid().man_exp()
-    exact = sp.Integer(int(mantissa)) * sp.Integer(2) ** int(exponent)
-    return sp.ceiling(exact * 10**_DIGITS) / sp.Integer(10) ** _DIGITS
+def _list(items: Sequence[str], of: str) -> str:
+    return f"({' :: '.join([*items, f'@nil {of}'])})"

@@ -37,6 +37,32 @@ def why(said: str) -> str | None:
     return re.sub(r"^1 steps", "1 step", told)
 
 
+KINDS = {
+    "identities and sums of products": ("identity", "combined", "factor"),
+    "scalar enclosures": ("number", "broken"),
+    "limits": ("tends",),
+}
+"""Leaves by what they are."""
+
+
+def leaves(outcomes: Iterable[Outcome]) -> dict[str, list[int]]:
+    """Of each kind of leaf how many were checked and how many there are; of boxes their pieces.
+
+    >>> from symhaptic.rocq.compiled import Outcome
+    >>> one = Outcome("mine", steps={"identity": [1, 2], "combined": [5, 5]}, pieces=[7, 9])
+    >>> leaves([one, one])["identities and sums of products"], leaves([one])["pieces of boxes"]
+    ([12, 14], [7, 9])
+    """
+    outcomes = list(outcomes)
+    counts = {
+        kind: [one.steps.get(rule, [0, 0]) for one in outcomes for rule in rules]
+        for kind, rules in KINDS.items()
+    } | {"pieces of boxes": [one.pieces for one in outcomes]}
+    return {
+        kind: [sum(n) for n in zip((0, 0), *some, strict=True)] for kind, some in counts.items()
+    }
+
+
 def record(outcomes: Iterable[Outcome], rocq: str | None) -> dict[str, Any]:
     """All that was found, without times, so that it is the same from run to run."""
     outcomes = list(outcomes)
@@ -58,6 +84,7 @@ def record(outcomes: Iterable[Outcome], rocq: str | None) -> dict[str, Any]:
             for id, said in one.statements.items()
         },
         "steps": {rule: [checked[rule], total[rule]] for rule in sorted(total)},
+        "leaves": leaves(outcomes),
         "chapters": {one.chapter: {"text": one.text, "open": one.open} for one in outcomes},
     }
 
@@ -77,4 +104,4 @@ def differences(found: Mapping[str, Any], known: Mapping[str, Any]) -> list[str]
     return lines
 
 
-__all__ = ["differences", "extent", "record", "text", "why"]
+__all__ = ["differences", "extent", "leaves", "record", "text", "why"]

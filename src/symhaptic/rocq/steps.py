@@ -40,6 +40,8 @@ class Step:
     lines: list[str] = field(default_factory=list)
     why: str = ""
     """The source of a classical rule, or why a leaf is not checked."""
+    pieces: int = 0
+    """Of a box: into how many it was cut."""
 
     def written(self) -> str:
         """The lemma with its proof."""
@@ -88,12 +90,8 @@ def stated(theorem: Theorem) -> tuple[tuple[Symbol, ...], tuple[Proposition, ...
 class Proof:
     """The proof of one lemma while it is written: names of symbols, and of what is known."""
 
-    def __init__(
-        self, step: Step, known: Mapping[Said, Step], names: Names, shared: dict[str, Step]
-    ) -> None:
+    def __init__(self, step: Step, known: Mapping[Said, Step], names: Names) -> None:
         self.step, self.known, self.names = step, known, names
-        self.shared = shared
-        """Lemmas that several steps use, by what they say."""
         self.lines: list[str] = []
         self.scope: dict[Proposition, str] = {}
         self._count = 0

@@ -1,0 +1,639 @@
+(* What is positive on a box, by the pieces of a certificate: Rocq evaluates each of them with the
+   intervals of coq-interval, over primitive floats; that what it finds holds is proved once here. *)
+From Symhaptic Require Export Prelude.
+From Coq Require Export String.
+From Coq Require Import Ascii.
+From Interval Require Import Xreal Interval Primitive_ops Float_full Tree Prog Eval Reify.
+Import List Tree.
+Open Scope list_scope.
+Open Scope R_scope.
+
+Module Ball := FloatIntervalFull PrimitiveFloat.
+Module Balls := IntervalAlgos Ball.
+Module J := Balls.J.
+Definition prec := PrimitiveFloat.PtoP 53.
+Notation ball := Ball.type.
+Definition has (X : ball) (x : R) : Prop := contains (Ball.convert X) (Xreal x).
+
+(* -- values ------------------------------------------------------------------------- *)
+
+Definition ops := Balls.BndValuator.operations prec.
+Definition nullary_of (o : nullary_op) : ball :=
+  match o with Tree.Int n => Ball.fromZ prec n | Tree.Pi => Ball.pi prec | Tree.Bpow _ _ => Ball.nai end.
+Fixpoint value_of (e : expr) (of : list ball) : ball :=
+  match e with
+  | Evar n => nth n of Ball.nai
+  | Econst o => nullary_of o
+  | Eunary o a => unary ops o (value_of a of)
+  | Ebinary o a b => binary ops o (value_of a of) (value_of b of)
+  end.
+
+Lemma has_nai : forall x, has Ball.nai x.
+Proof. intro x; apply J.nai_correct. Qed.
+Lemma has_nullary : forall o, has (nullary_of o) (nullary_real o).
+Proof.
+  intros [n | r n |]; [apply Ball.fromZ_correct | apply has_nai | apply Ball.pi_correct].
+Qed.
+Lemma all_of : forall (L : list ball) (l : list R), Forall2 has L l -> Balls.contains_all L l.
+Proof.
+  intros L l F; induction F as [| X x L l P F IH].
+  - split; [reflexivity | intros [|]; apply J.nai_correct].
+  - apply Balls.contains_all_cons; assumption.
+Qed.
+Lemma has_unary : forall o X x, has X x -> has (unary ops o X) (unary_real o x).
+Proof.
+  intros o X x P.
+  apply (Balls.BndValuator.eval_correct' prec (Unary o 0 :: nil) (X :: nil) (x :: nil) (all_of (X :: nil) (x :: nil) ltac:(repeat constructor; exact P)) 0).
+Qed.
+Lemma has_binary : forall o X x Y y, has X x -> has Y y -> has (binary ops o X Y) (binary_real o x y).
+Proof.
+  intros o X x Y y P Q.
+  apply (Balls.BndValuator.eval_correct' prec (Binary o 0 1 :: nil) (X :: Y :: nil) (x :: y :: nil)
+    (all_of (X :: Y :: nil) (x :: y :: nil) ltac:(repeat constructor; assumption)) 0).
+Qed.
+Lemma has_nth : forall L l n, Forall2 has L l -> has (nth n L Ball.nai) (nth n l 0).
+Proof.
+  intros L l n F; revert n; induction F; intros [| n]; simpl; auto; apply has_nai.
+Qed.
+Lemma has_value : forall e L l, (forall n, has (nth n L Ball.nai) (nth n l 0)) ->
+  has (value_of e L) (eval e l).
+Proof.
+  intros e L l F; induction e; simpl.
+  - apply F.
+  - apply has_nullary.
+  - apply has_unary; assumption.
+  - apply has_binary; assumption.
+Qed.
+
+(* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
+
+Fixpoint termwise {T} (add : T -> T -> T) (a b : list T) : list T :=
+  match a, b with
+  | nil, _ => b
+  | _, nil => a
+  | x :: a', y :: b' => add x y :: termwise add a' b'
+  end.
+Fixpoint along {T} (zero : T) (add mul : T -> T -> T) (s h : list T) : T :=
+  match s, h with
+  | x :: s', y :: h' => add (mul x y) (along zero add mul s' h')
+  | _, _ => zero
+  end.
+Notation dot := (along 0 Rplus Rmult).
+
+Lemma dot_termwise : forall a b h, dot (termwise Rplus a b) h = dot a h + dot b h.
+Proof.
+  induction a as [| x a IH]; intros [| y b] [| z h]; simpl; try ring.
+  rewrite IH; ring.
+Qed.
+Lemma dot_times : forall k a h, dot (map (Rmult k) a) h = k * dot a h.
+Proof. intros k; induction a as [| x a IH]; intros [| z h]; simpl; try ring; rewrite IH; ring. Qed.
+
+(* A function on a box: its values; its value in the middle and its slopes, where they are known. *)
+Record node := Node { values : ball; slopes : option (ball * list ball) }.
+
+Section Slopes.
+Variable ways : list ball.
+Variable way : list R.
+Hypothesis Ways : Forall2 has ways way.
+
+Definition good (f : node) (x c : R) : Prop :=
+  has (values f) x /\
+  match slopes f with
+  | None => True
+  | Some (C, Sl) => has C c /\ exists s, Forall2 has Sl s /\ x - c = dot s way
+  end.
+
+Definition add := Ball.add prec.
+Definition mul := Ball.mul prec.
+Arguments add : simpl never.
+Arguments mul : simpl never.
+Arguments ops : simpl never.
+Definition moved (V C : ball) (Sl : list ball) : node :=
+  Node (Ball.meet V (add C (along Ball.zero add mul Sl ways))) (Some (C, Sl)).
+Definition times (K : ball) (Sl : list ball) := map (mul K) Sl.
+
+Definition of_unary (o : unary_op) (f : node) : node :=
+  let V := unary ops o (values f) in
+  match slopes f with
+  | None => Node V None
+  | Some (C, Sl) =>
+      let D := unary ops o C in
+      let between := Ball.join (values f) C in
+      match o with
+      | Neg => moved V D (map Ball.neg Sl)
+      | Sqr => moved V D (times (add (values f) C) Sl)
+      | Exp => moved V D (times (Ball.exp prec between) Sl)
+      | PowerInt (Z.pos n) =>
+          moved V D (times (mul (Ball.fromZ prec (Z.pos n)) (Ball.power_int prec between (Z.pos n - 1))) Sl)
+      | Inv =>
+          match Ball.sign_strict (mul (values f) C) with
+          | Xgt => moved V D (times (Ball.neg (Ball.inv prec (mul (values f) C))) Sl)
+          | _ => Node V None
+          end
+      | _ => Node V None
+      end
+  end.
+Definition of_product (V : ball) (f g : node) : node :=
+  match slopes f, slopes g with
+  | Some (C, Sl), Some (D, T) =>
+      moved V (mul C D) (termwise add (times (values g) Sl) (times C T))
+  | _, _ => Node V None
+  end.
+Definition of_binary (o : binary_op) (f g : node) : node :=
+  let V := binary ops o (values f) (values g) in
+  match o with
+  | Mul => of_product V f g
+  | Div => of_product V f (of_unary Inv g)
+  | Add | Sub =>
+      match slopes f, slopes g with
+      | Some (C, Sl), Some (D, T) =>
+          moved V (binary ops o C D) (termwise add Sl (match o with Sub => map Ball.neg T | _ => T end))
+      | _, _ => Node V None
+      end
+  end.
+Definition nowhere := Node Ball.nai None.
+Fixpoint node_of (e : expr) (of : list node) : node :=
+  match e with
+  | Evar n => nth n of nowhere
+  | Econst o => Node (nullary_of o) (Some (nullary_of o, nil))
+  | Eunary o a => of_unary o (node_of a of)
+  | Ebinary o a b => of_binary o (node_of a of) (node_of b of)
+  end.
+
+Lemma has_add : forall X x Y y, has X x -> has Y y -> has (add X Y) (x + y).
+Proof. intros X x Y y; apply J.add_correct. Qed.
+Lemma has_mul : forall X x Y y, has X x -> has Y y -> has (mul X Y) (x * y).
+Proof. intros X x Y y; apply J.mul_correct. Qed.
+Lemma has_number : forall n, has (Ball.fromZ prec n) (IZR n).
+Proof. intro n; apply Ball.fromZ_correct. Qed.
+Lemma has_power : forall X x n, has X x -> has (Ball.power_int prec X n) (powerRZ x n).
+Proof. intros X x n; exact (J.power_int_correct prec n X x). Qed.
+Lemma has_exp : forall X x, has X x -> has (Ball.exp prec X) (exp x).
+Proof. exact (J.exp_correct prec). Qed.
+Lemma has_neg : forall X x, has X x -> has (Ball.neg X) (- x).
+Proof. intros X x; apply J.neg_correct. Qed.
+Lemma has_termwise : forall A a B b, Forall2 has A a -> Forall2 has B b -> Forall2 has (termwise add A B) (termwise Rplus a b).
+Proof.
+  intros A a B b F; revert B b; induction F; intros B b G; [exact G |].
+  destruct G; simpl; constructor; auto using has_add.
+Qed.
+Lemma has_times : forall K k A a, has K k -> Forall2 has A a -> Forall2 has (times K A) (map (Rmult k) a).
+Proof. intros K k A a P F; induction F; simpl; constructor; auto using has_mul. Qed.
+Lemma has_negs : forall A a, Forall2 has A a -> Forall2 has (map Ball.neg A) (map (Rmult (-1)) a).
+Proof.
+  intros A a F; induction F; simpl; constructor; auto.
+  replace (-1 * y) with (- y) by ring; apply has_neg; assumption.
+Qed.
+Lemma has_dot : forall A a, Forall2 has A a -> has (along Ball.zero add mul A ways) (dot a way).
+Proof.
+  intros A a F; revert ways way Ways; induction F; intros W w G; simpl; [apply J.zero_correct |].
+  destruct G; [apply J.zero_correct |]; apply has_add; auto using has_mul.
+Qed.
+Lemma has_between : forall X x Y y z, has X x -> has Y y -> Rmin x y <= z <= Rmax x y -> has (Ball.join X Y) z.
+Proof.
+  intros X x Y y z P Q B; destruct (Rle_dec x y) as [L | L].
+  - rewrite Rmin_left, Rmax_right in B by lra; apply (J.join_correct X Y x y); assumption.
+  - rewrite Rmin_right, Rmax_left in B by lra.
+    apply (contains_connected (Ball.convert (Ball.join X Y)) y x); [| | exact B];
+      apply Ball.join_correct; [right | left]; assumption.
+Qed.
+Lemma has_moved : forall V C Sl x c s, has V x -> has C c -> Forall2 has Sl s -> x - c = dot s way ->
+  good (moved V C Sl) x c.
+Proof.
+  intros V C Sl x c s P Q F E; split; simpl.
+  - apply Ball.meet_correct; [exact P |].
+    replace x with (c + dot s way) by lra; apply has_add; [exact Q | apply has_dot, F].
+  - split; [exact Q | exists s; split; assumption].
+Qed.
+Lemma has_times_way : forall V C Sl K x c s k y d, has V y -> has C d -> has K k -> Forall2 has Sl s ->
+  x - c = dot s way -> y - d = k * (x - c) -> good (moved V C (times K Sl)) y d.
+Proof.
+  intros V C Sl K x c s k y d P Q N F E D; apply (has_moved V C _ y d (map (Rmult k) s)); auto using has_times.
+  rewrite dot_times, D, E; reflexivity.
+Qed.
+(* By the mean value theorem. *)
+Lemma between : forall (f g : R -> R) x c, (forall t, is_derive f t (g t)) ->
+  exists t, Rmin x c <= t <= Rmax x c /\ f x - f c = g t * (x - c).
+Proof.
+  intros f g x c D; destruct (MVT_gen f c x g) as [t [B E]].
+  - intros t _; apply D.
+  - intros t _; apply continuity_pt_filterlim, (ex_derive_continuous f); exists (g t); apply D.
+  - exists t; rewrite Rmin_comm, Rmax_comm; split; assumption.
+Qed.
+Lemma good_unary : forall o f x c, good f x c -> good (of_unary o f) (unary_real o x) (unary_real o c).
+Proof.
+  intros o [X [[C Sl] |]] x c [P Q]; unfold of_unary; simpl in P, Q |- *; [| split; [apply has_unary, P | exact I]].
+  destruct Q as [Q [s [F E]]]; assert (V := has_unary o X x P); assert (D := has_unary o C c Q).
+  destruct o; try (split; [exact V | exact I]).
+  - apply (has_moved _ _ _ _ _ (map (Rmult (-1)) s)); auto using has_negs.
+    rewrite dot_times; simpl; lra.
+  - destruct (Ball.sign_strict (mul X C)) eqn:N; try (split; [exact V | exact I]).
+    assert (M := Ball.sign_strict_correct (mul X C)); rewrite N in M.
+    destruct (M (Xreal (x * c)) (has_mul X x C c P Q)) as [_ L]; simpl in L.
+    apply (has_times_way _ _ _ _ x c s (- / (x * c))); auto.
+    + apply has_neg, J.inv_correct, has_mul; assumption.
+    + simpl; field; split; intro Z; rewrite Z in L; lra.
+  - apply (has_times_way _ _ _ _ x c s (x + c)); auto using has_add.
+    simpl; unfold Rsqr; ring.
+  - destruct (between exp exp x c is_derive_exp) as [t [B W]].
+    apply (has_times_way _ _ _ _ x c s (exp t)); auto.
+    apply has_exp, (has_between X x C c); assumption.
+  - destruct n as [| n |]; try (split; [exact V | exact I]).
+    destruct (between (fun t => powerRZ t (Z.pos n)) (fun t => IZR (Z.pos n) * powerRZ t (Z.pos n - 1)) x c) as [t [B W]].
+    + intro t; simpl powerRZ at 1; replace (Z.pos n - 1)%Z with (Z.of_nat (pred (Pos.to_nat n))) by lia.
+      rewrite <- pow_powerRZ, <- positive_nat_Z, <- INR_IZR_INZ.
+      replace (INR (Pos.to_nat n) * t ^ pred (Pos.to_nat n)) with (INR (Pos.to_nat n) * 1 * t ^ pred (Pos.to_nat n)) by ring.
+      apply (is_derive_pow (fun t => t) (Pos.to_nat n) t 1); auto_derive; [exact Logic.I | ring].
+    + apply (has_times_way _ _ _ _ x c s (IZR (Z.pos n) * powerRZ t (Z.pos n - 1))); auto.
+      apply has_mul; [apply has_number | apply has_power, (has_between X x C c); assumption].
+Qed.
+Lemma good_product : forall V f g x c y d, has V (x * y) -> good f x c -> good g y d ->
+  good (of_product V f g) (x * y) (c * d).
+Proof.
+  intros V [X [[C Sl] |]] [Y [[D T] |]] x c y d P [Q F] [U G]; unfold of_product; simpl in *;
+    try (split; [exact P | exact I]).
+  destruct F as [F [s [A E]]], G as [G [t [B L]]].
+  apply (has_moved _ _ _ _ _ (termwise Rplus (map (Rmult y) s) (map (Rmult c) t))); auto using has_mul.
+  - apply has_termwise; apply has_times; assumption.
+  - rewrite dot_termwise, !dot_times, <- E, <- L; ring.
+Qed.
+Lemma good_binary : forall o f g x c y d, good f x c -> good g y d ->
+  good (of_binary o f g) (binary_real o x y) (binary_real o c d).
+Proof.
+  intros o f g x c y d P Q; assert (V := has_binary o _ _ _ _ (proj1 P) (proj1 Q)).
+  destruct o; [| | apply good_product; assumption |].
+  - destruct f as [X [[C Sl] |]], g as [Y [[D T] |]], P as [P F], Q as [Q G]; simpl in *;
+      try (split; [exact V | exact I]).
+    destruct F as [F [s [A E]]], G as [G [t [B L]]].
+    apply (has_moved _ _ _ _ _ (termwise Rplus s t)); auto using has_termwise.
+    + apply (has_binary Add); assumption.
+    + rewrite dot_termwise, <- E, <- L; ring.
+  - destruct f as [X [[C Sl] |]], g as [Y [[D T] |]], P as [P F], Q as [Q G]; simpl in *;
+      try (split; [exact V | exact I]).
+    destruct F as [F [s [A E]]], G as [G [t [B L]]].
+    apply (has_moved _ _ _ _ _ (termwise Rplus s (map (Rmult (-1)) t))); auto.
+    + apply (has_binary Sub); assumption.
+    + apply has_termwise; auto using has_negs.
+    + rewrite dot_termwise, dot_times, <- E, <- L; ring.
+  - exact (good_product _ f (of_unary Inv g) x c (/ y) (/ d) V P (good_unary Inv g y d Q)).
+Qed.
+Lemma good_node : forall e F x c, (forall n, good (nth n F nowhere) (nth n x 0) (nth n c 0)) ->
+  good (node_of e F) (eval e x) (eval e c).
+Proof.
+  intros e F x c G; induction e; simpl.
+  - apply G.
+  - split; simpl; [apply has_nullary | split; [apply has_nullary | exists nil; split; [constructor | simpl; ring]]].
+  - apply good_unary; assumption.
+  - apply good_binary; assumption.
+Qed.
+
+
+End Slopes.
+
+(* -- pieces -------------------------------------------------------------------------- *)
+
+Section Pieces.
+Variables (rests inner : list expr) (outer : expr).
+(* Of each variable a box's part; of what is left out of a series a bound; of what is named how it
+   is made of the variables and of that. *)
+
+Definition around (X : ball) : ball := Ball.join (Ball.neg X) X.
+Definition whole_box (box : list ball) : list ball := box ++ map (fun e => around (value_of e box)) rests.
+Definition unit (n : nat) : list ball := repeat Ball.zero n ++ Ball.fromZ prec 1 :: nil.
+Definition ways_of (box : list ball) : list ball := map (fun X => Ball.sub prec X (J.midpoint X)) box.
+Fixpoint variables (n : nat) (box : list ball) : list node :=
+  match box with
+  | nil => nil
+  | X :: more => Node X (Some (J.midpoint X, unit n)) :: variables (Datatypes.S n) more
+  end.
+Definition above (X : ball) : bool := match Ball.sign_strict X with Xgt => true | _ => false end.
+Definition decided (box : list ball) : bool :=
+  let all := whole_box box in
+  let W := ways_of all in
+  let known := variables 0 all in
+  let env := map (fun e => node_of W e known) inner ++ known in
+  above (value_of outer (map values env)) || above (values (node_of W outer env)).
+
+Definition parts (n : nat) (box : list ball) : list ball * list ball :=
+  let (X, Y) := Ball.bisect (nth n box Ball.nai) in
+  (firstn n box ++ X :: skipn (Datatypes.S n) box, firstn n box ++ Y :: skipn (Datatypes.S n) box).
+Definition number_of (c : ascii) : nat := nat_of_ascii c - 48.
+(* The certificate: a digit is the number of the variable across which a piece is halved, the lower
+   half first.  What is left of the text, where all is decided. *)
+Fixpoint pieces (fuel : nat) (cuts : string) (box : list ball) : option string :=
+  match fuel, cuts with
+  | Datatypes.S more, String c rest =>
+      if orb (Ascii.eqb c " ") (Ascii.eqb c "010") then pieces more rest box
+      else if orb (Ascii.eqb c ".") (Ascii.eqb c ":") then if decided box then Some rest else None
+      else if Nat.ltb (number_of c) (List.length box) then
+        let (low, high) := parts (number_of c) box in
+        match pieces more rest low with
+        | Some rest => pieces more rest high
+        | None => None
+        end
+      else None
+  | _, _ => None
+  end.
+
+Definition within_rests (x r : list R) : Prop := Forall2 (fun e y => Rabs y <= eval e x) rests r.
+Definition holds (x : list R) : Prop :=
+  forall r, within_rests x r -> 0 < eval outer (map (fun e => eval e (x ++ r)) inner ++ x ++ r).
+
+Lemma has_around : forall X x r, has X x -> Rabs r <= x -> has (around X) r.
+Proof.
+  intros X x r P B; apply Rabs_le_between in B.
+  apply (J.join_correct (Ball.neg X) X (- x) x); [apply has_neg | |]; assumption.
+Qed.
+Lemma has_whole : forall B x r, Forall2 has B x -> within_rests x r -> Forall2 has (whole_box B) (x ++ r).
+Proof.
+  intros B x r F G; apply Forall2_app; [exact F |]; clear inner outer.
+  unfold within_rests in G; induction G; simpl; constructor; [| assumption].
+  apply has_around with (eval x0 x); [apply has_value; intro n; apply has_nth |]; assumption.
+Qed.
+Definition middle (X : ball) : R := proj_val (Ball.F.convert (Ball.midpoint X)).
+Lemma has_middle : forall X x, has X x -> has (J.midpoint X) (middle X).
+Proof. intros X x P; apply J.contains_midpoint; exists x; exact P. Qed.
+Lemma has_ways : forall B x, Forall2 has B x -> Forall2 has (ways_of B) (map (fun p => fst p - middle (snd p)) (combine x B)).
+Proof.
+  intros B x F; induction F as [| X y B x P F IH]; simpl; constructor; [| exact IH].
+  apply J.sub_correct; [exact P | apply (has_middle X y P)].
+Qed.
+Lemma has_unit : forall n, Forall2 has (unit n) (repeat 0 n ++ 1 :: nil).
+Proof.
+  intro n; apply Forall2_app; [| constructor; [apply Ball.fromZ_correct | constructor]].
+  induction n; simpl; constructor; [apply J.zero_correct | assumption].
+Qed.
+Lemma dot_unit : forall n w, dot (repeat 0 n ++ 1 :: nil) w = nth n w 0.
+Proof. induction n; intros [| y w]; simpl; try ring; rewrite IHn; ring. Qed.
+Lemma good_variables : forall B x n w m, Forall2 has B x ->
+  (forall k, nth (n + k) w 0 = nth k (map (fun p => fst p - middle (snd p)) (combine x B)) 0) ->
+  good w (nth m (variables n B) nowhere) (nth m x 0) (nth m (map middle B) 0).
+Proof.
+  intros B x n w m F; revert n m; induction F as [| X y B x P F IH]; intros n m E.
+  - destruct m; (split; [apply has_nai | exact Logic.I]).
+  - destruct m as [| m]; simpl.
+    + split; [exact P | split; [apply (has_middle X y P) |]].
+      exists (repeat 0 n ++ 1 :: nil); split; [apply has_unit |].
+      rewrite dot_unit; rewrite <- (Nat.add_0_r n), E; reflexivity.
+    + apply IH; intro k; replace (Datatypes.S n + k)%nat with (n + Datatypes.S k)%nat by lia; apply E.
+Qed.
+Lemma above_zero : forall X x, has X x -> above X = true -> 0 < x.
+Proof.
+  intros X x P A; unfold above in A; destruct (Ball.sign_strict X) eqn:N; try discriminate.
+  assert (M := Ball.sign_strict_correct X); rewrite N in M; apply (M (Xreal x) P).
+Qed.
+Lemma decided_holds : forall B x, Forall2 has B x -> decided B = true -> holds x.
+Proof.
+  intros B x F D r W; assert (G := has_whole B x r F W); unfold decided in D.
+  set (all := whole_box B) in *; set (y := x ++ r) in *; clearbody all y.
+  set (w := map (fun p => fst p - middle (snd p)) (combine y all)).
+  assert (V : forall n, good w (nth n (variables 0 all) nowhere) (nth n y 0) (nth n (map middle all) 0)).
+  { intro n; apply good_variables; [exact G | reflexivity]. }
+  set (known := variables 0 all) in *; clearbody known.
+  set (N := map (fun e => node_of (ways_of all) e known) inner ++ known) in *.
+  set (c := map (fun e => eval e (map middle all)) inner ++ map middle all).
+  assert (U : forall n, good w (nth n N nowhere) (nth n (map (fun e => eval e y) inner ++ y) 0) (nth n c 0)).
+  { clear D; subst N c; induction inner as [| e more IH]; intro n; simpl; [apply V |].
+    destruct n as [| n]; [| apply IH]; apply good_node; [apply has_ways, G | exact V]. }
+  apply orb_prop in D; destruct D as [D | D].
+  - refine (above_zero _ _ (has_value outer _ _ _) D); intro n.
+    rewrite (map_nth values N nowhere n : nth n (map values N) Ball.nai = _); apply (U n).
+  - exact (above_zero _ _ (proj1 (good_node (ways_of all) w (has_ways _ _ G) outer N _ c U)) D).
+Qed.
+Lemma parts_cover : forall n B x, (n < List.length B)%nat -> Forall2 has B x ->
+  Forall2 has (fst (parts n B)) x \/ Forall2 has (snd (parts n B)) x.
+Proof.
+  intros n B x L F; unfold parts; assert (P := has_nth B x n F).
+  assert (Q := Ball.bisect_correct _ _ P); destruct (Ball.bisect (nth n B Ball.nai)) as [X Y]; simpl in *.
+  assert (E : x = firstn n x ++ nth n x 0 :: skipn (Datatypes.S n) x).
+  { clear - F L; revert n L; induction F; intros [| n] L; simpl in *; try lia; [reflexivity |].
+    f_equal; apply IHF; lia. }
+  assert (G : Forall2 has (firstn n B) (firstn n x) /\ Forall2 has (skipn (Datatypes.S n) B) (skipn (Datatypes.S n) x)).
+  { clear - F; revert n; induction F; intros [| n]; simpl; split; try constructor; try assumption; apply IHF. }
+  destruct Q as [Q | Q]; [left | right]; rewrite E; apply Forall2_app; try constructor; tauto.
+Qed.
+Lemma pieces_hold : forall fuel cuts B rest, pieces fuel cuts B = Some rest ->
+  forall x, Forall2 has B x -> holds x.
+Proof.
+  induction fuel as [| fuel IH]; intros [| c cuts] B rest E x F; simpl in E; try discriminate.
+  destruct (Ascii.eqb c " " || Ascii.eqb c "010"); [exact (IH _ _ _ E x F) |].
+  destruct (Ascii.eqb c "." || Ascii.eqb c ":"); [destruct (decided B) eqn:D; [| discriminate] |].
+  - apply (decided_holds B x F D).
+  - destruct (Nat.ltb_spec (number_of c) (List.length B)) as [L | L]; [| discriminate].
+    assert (P := parts_cover (number_of c) B x L F); destruct (parts (number_of c) B) as [X Y].
+    destruct (pieces fuel cuts X) eqn:G; [| discriminate].
+    destruct P as [P | P]; [apply (IH _ _ _ G x P) | apply (IH _ _ _ E x P)].
+Qed.
+
+(* Between two numbers, each a quotient of whole numbers. *)
+Definition side (ends : expr * expr) : ball := Ball.join (value_of (fst ends) nil) (value_of (snd ends) nil).
+Definition lies (ends : expr * expr) (x : R) : Prop := eval (fst ends) nil <= x <= eval (snd ends) nil.
+Definition checked (ends : list (expr * expr)) (cuts : string) : bool :=
+  match pieces (Datatypes.S (String.length cuts)) cuts (map side ends) with Some EmptyString => true | _ => false end.
+Theorem boxed : forall ends cuts x r, checked ends cuts = true ->
+  Forall2 lies ends x -> Forall2 (fun e y => Rabs y <= eval e x) rests r ->
+  0 < eval outer (map (fun e => eval e (x ++ r)) inner ++ x ++ r).
+Proof.
+  intros ends cuts x r E F; unfold checked in E.
+  destruct (pieces (Datatypes.S (String.length cuts)) cuts (map side ends)) eqn:P; [| discriminate].
+  apply (pieces_hold _ _ _ _ P x); clear - F.
+  induction F as [| [a b] y ends x L F IH]; simpl; constructor; [| exact IH].
+  apply (J.join_correct _ _ (eval a nil) (eval b nil));
+    [apply has_value; intros [|]; apply has_nai .. | exact L].
+Qed.
+End Pieces.
+
+(* -- boxes of plants ------------------------------------------------------------------ *)
+
+(* The way under a unit force that is held, from rest: y'' + d y' + g y = 1.  Its power series in
+   time; the pair has the coefficients of t^(k+1) and t^(k+2). *)
+Fixpoint ways (g d : R) (k : nat) : R * R :=
+  match k with
+  | O => (0, 1 / 2)
+  | S m =>
+      let (p, q) := ways g d m in
+      (q, - (d * q / INR (m + 3) + g * p / (INR (m + 3) * INR (m + 2))))
+  end.
+Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
+
+(* What the predicate means: the numbers of the sampled device are those of that motion; for n_0
+   the time runs backwards. *)
+Axiom rule_on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
+
+Lemma ways_next : forall g d k,
+  snd (ways g d (S (S k))) =
+  - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
+Proof.
+  intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
+  replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
+  reflexivity.
+Qed.
+
+(* Up to t^8, what follows is less than the next coefficients say. *)
+Definition way (g d : R) : R :=
+  1/2 - d/6 + (d^2 - g)/24 - (d^3 - 2*g*d)/120 + (d^4 - 3*g*d^2 + g^2)/720
+  - (d^5 - 4*g*d^3 + 3*g^2*d)/5040 + (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)/40320.
+Definition small (g d M : R) : Prop :=
+  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) <= 40320 * M /\
+  Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) <= 181440 * M.
+
+Lemma ways_sum : forall g d, sum_n (fun k => snd (ways g d k)) 6 = way g d.
+Proof. intros; rewrite sum_n_Reals; unfold way; simpl; field. Qed.
+
+Lemma ways_fall : forall g d M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> forall k,
+  Rabs (snd (ways g d (6 + k))) <= M * (1/2) ^ k /\ Rabs (snd (ways g d (7 + k))) <= M * (1/2) ^ (S k).
+Proof.
+  intros g d M G D [P Q] k; induction k as [| k [A B]].
+  - rewrite !Nat.add_0_r; split.
+    + replace (snd (ways g d 6)) with ((d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 40320)) by lra; rewrite pow_O; lra.
+    + replace (snd (ways g d 7)) with (- (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 362880) by (simpl; field).
+      unfold Rdiv; rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ 362880)) by lra; rewrite pow_1; lra.
+  - split; [replace (6 + S k)%nat with (7 + k)%nat by lia; exact B |].
+    replace (7 + S k)%nat with (S (S (6 + k))) by lia; rewrite ways_next.
+    replace (S (6 + k)) with (7 + k)%nat by lia.
+    assert (T : 10 <= INR (6 + k + 4)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    assert (U : 9 <= INR (6 + k + 3)) by (rewrite !plus_INR; simpl; generalize (pos_INR k); lra).
+    set (t := INR (6 + k + 4)) in *; set (u := INR (6 + k + 3)) in *; clearbody t u.
+    set (x := snd (ways g d (7 + k))) in *; set (y := snd (ways g d (6 + k))) in *; clearbody x y.
+    set (m := M * (1/2) ^ k) in *.
+    replace (M * (1/2) ^ S k) with (m / 2) in B by (unfold m; simpl; field).
+    replace (M * (1/2) ^ S (S k)) with (m / 4) by (unfold m; simpl; field); clearbody m.
+    rewrite Rabs_Ropp; apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (I : Rabs (d * x / t) <= m / 20).
+    { unfold Rdiv; rewrite !Rabs_mult; rewrite (Rabs_pos_eq (/ t)) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 20) with (1 * (m / 2) * / 10) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (J : Rabs (g * y / (t * u)) <= m / 90).
+    { unfold Rdiv; rewrite !Rabs_mult.
+      assert (90 <= t * u) by nra.
+      rewrite (Rabs_pos_eq (/ (t * u))) by (apply Rlt_le, Rinv_0_lt_compat; lra).
+      replace (m * / 90) with (1 * m * / 90) by field.
+      apply Rmult_le_compat; [apply Rmult_le_pos; apply Rabs_pos | apply Rlt_le, Rinv_0_lt_compat; lra | |].
+      - apply Rmult_le_compat; try apply Rabs_pos; assumption.
+      - apply Rinv_le_contravar; lra. }
+    assert (0 <= m) by (apply Rle_trans with (2 := A); apply Rabs_pos); lra.
+Qed.
+
+Lemma held_near : forall g d x M, Rabs g <= 1 -> Rabs d <= 1 -> small g d M -> held g d x ->
+  exists r, - M <= r <= M /\ x = way g d + r.
+Proof.
+  intros g d x M G D S H; exists (x - way g d); split; [| ring].
+  set (b := fun k => snd (ways g d (7 + k))).
+  assert (B : is_series b (x - way g d)).
+  { apply (is_series_incr_n (fun k => snd (ways g d k)) 7); [lia |].
+    simpl Init.Nat.pred; rewrite ways_sum; change plus with Rplus.
+    replace (x - way g d + way g d) with x by ring; exact H. }
+  assert (F : forall k, Rabs (b k) <= M / 2 * (1/2) ^ k).
+  { intro k; replace (M / 2 * (1/2) ^ k) with (M * (1/2) ^ (Datatypes.S k)) by (simpl; field).
+    apply (ways_fall g d M G D S k). }
+  assert (T : is_series (fun k => M / 2 * (1/2) ^ k) M).
+  { assert (W : Rabs (1/2) < 1) by (rewrite Rabs_pos_eq; lra).
+    assert (V : is_series (fun k => M / 2 * (1/2) ^ k) (M / 2 * (/ (1 - 1/2))))
+      by exact (is_series_scal (M / 2) (fun k => (1/2) ^ k) (/ (1 - 1/2)) (is_series_geom (1/2) W)).
+    replace (M / 2 * / (1 - 1/2)) with M in V by field; exact V. }
+  assert (X : ex_series (fun k => Rabs (b k))).
+  { apply (ex_series_le (fun k => Rabs (b k)) (fun k => M / 2 * (1/2) ^ k)); [| exists M; exact T].
+    intro k; unfold norm; simpl; unfold abs; simpl; rewrite Rabs_Rabsolu; apply F. }
+  assert (Y : Rabs (x - way g d) <= M).
+  { rewrite <- (is_series_unique _ _ B), <- (is_series_unique _ _ T).
+    apply Rle_trans with (1 := Series_Rabs b X).
+    apply Series_le; [| exists M; exact T]; intro k; split; [apply Rabs_pos | apply F]. }
+  apply Rabs_le_between; exact Y.
+Qed.
+
+(* A bound of what follows t^8. *)
+Definition left_out (g d : R) : R :=
+  Rabs (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3) / 40320 + Rabs (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d) / 181440.
+Lemma small_left_out : forall g d, small g d (left_out g d).
+Proof.
+  intros g d; unfold small, left_out.
+  assert (P := Rabs_pos (d^6 - 5*g*d^4 + 6*g^2*d^2 - g^3)).
+  assert (Q := Rabs_pos (d^7 - 6*g*d^5 + 10*g^2*d^3 - 4*g^3*d)); split; lra.
+Qed.
+Lemma held_within : forall g d x, Rabs g <= 1 -> Rabs d <= 1 -> held g d x ->
+  exists r, Rabs r <= left_out g d /\ x = way g d + r.
+Proof.
+  intros g d x G D H; destruct (held_near g d x (left_out g d) G D (small_left_out g d) H) as (r & B & E).
+  exists r; split; [apply Rabs_le; exact B | exact E].
+Qed.
+Lemma sampled : forall g d n1 n0 a e : R, device g d n1 n0 a e -> Rabs g <= 1 -> Rabs d <= 1 ->
+  exists r s, Rabs r <= left_out g d /\ Rabs s <= left_out g (- d) /\ n1 = way g d + r /\
+    n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ - a + e + 1 = g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e V G D; destruct (rule_on_plants g d n1 n0 a e V) as (P & Q & E & A).
+  destruct (held_within g d n1 G D P) as (r & R & X).
+  destruct (held_within g (- d) _ G ltac:(rewrite Rabs_Ropp; exact D) Q) as (t & T & Y).
+  exists r, t; repeat split; try assumption; [| lra].
+  rewrite <- Y; field; apply Rgt_not_eq, exp_pos.
+Qed.
+
+(* -- tactics ------------------------------------------------------------------------- *)
+
+Lemma named_number : forall x : R, exists v, v = x.
+Proof. intro x; exists x; reflexivity. Qed.
+Tactic Notation "named" ident(v) ident(Q) constr(m) := destruct (named_number m) as [v Q].
+(* The numbers of a device, written in gamma, delta and what is left out of their series. *)
+Ltac sampled :=
+  match goal with V : device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) |- _ =>
+    let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
+    destruct (sampled g d n1 n0 a e V) as (?r & ?r & ? & ? & N1 & N0 & E & A);
+    [apply Rabs_le; lra | apply Rabs_le; lra | clear V];
+    repeat match goal with Q : _ = ?m |- _ =>
+      lazymatch m with context [- a + e + 1] => rewrite A in Q end end;
+    let B := fresh in
+    assert (B : a = 1 + e - g * (n1 + n0)) by lra; clear A;
+    try rewrite B in *; try rewrite N1 in *; try rewrite N0 in *; try rewrite E in *; clear B N1 N0 E
+  end.
+Ltac reified l vs :=
+  lazymatch vs with
+  | nil => constr:(@nil expr)
+  | ?v :: ?vs => let e := reify v l in let es := reified l vs in constr:(e :: es)
+  end.
+Ltac meant vs :=
+  lazymatch vs with
+  | nil => constr:(@nil R)
+  | ?v :: ?vs => match goal with Q : v = ?m |- _ => let ms := meant vs in constr:(m :: ms) end
+  end.
+Ltac bounding rs :=
+  lazymatch rs with
+  | nil => constr:(@nil R)
+  | ?r :: ?rs => match goal with _ : Rabs r <= ?b |- _ =>
+      let b := eval unfold left_out in b in let bs := bounding rs in constr:(b :: bs) end
+  end.
+Ltac reified_ends ends :=
+  lazymatch ends with
+  | nil => constr:(@nil (expr * expr))
+  | (?a, ?b) :: ?more =>
+      let x := reify a (@nil R) in let y := reify b (@nil R) in
+      let es := reified_ends more in constr:((x, y) :: es)
+  end.
+(* On a box of xs between their ends, by a certificate; vs are what numbers are called. *)
+Ltac in_pieces vs xs ends cuts :=
+  let rs := lazymatch goal with
+    | _ : Rabs ?r <= left_out _ _, _ : Rabs ?t <= left_out _ _ |- _ => constr:(r :: t :: nil)
+    | _ => constr:(@nil R)
+    end in
+  let bounds := bounding rs in
+  lazymatch goal with |- 0 < ?t =>
+    let variables := eval cbv [app] in (app xs rs) in
+    let named := eval cbv [app] in (app vs variables) in
+    let outer := reify t named in
+    let ms := meant vs in
+    let ms := eval unfold way in ms in
+    let inner := reified variables ms in
+    let rests := reified xs bounds in
+    let sides := reified_ends ends in
+    let P := fresh in
+    assert (P : checked rests inner outer sides cuts = true) by (vm_compute; reflexivity);
+    apply (boxed rests inner outer sides cuts xs rs) in P;
+    [| repeat (apply Forall2_cons; [split; cbn; lra |]); apply Forall2_nil
+     | repeat (apply Forall2_cons; [assumption |]); apply Forall2_nil];
+    repeat match goal with Q : ?v = _ |- _ => is_var v; rewrite Q; clear Q end;
+    exact P
+  end.
+Open Scope string_scope.
+Open Scope R_scope.
