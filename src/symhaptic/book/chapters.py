@@ -230,12 +230,14 @@ def _binds(tree: ast.Module, names: symtable.SymbolTable, name: str) -> bool:
 
 
 def _load(path: Path) -> ModuleType:
+    """The module of a file, read anew each time; nothing is written beside it."""
     spec = importlib.util.spec_from_file_location(f"derivation_{path.stem}", found(path))
     if spec is None or spec.loader is None:
         raise BadChapter(path, "not a Python file; a derivation ends in .py")
     module = importlib.util.module_from_spec(spec)
     with _SomebodyElses(path):
-        spec.loader.exec_module(module)
+        text = importlib.util.decode_source(path.read_bytes())
+        exec(compile(text, str(path), "exec"), vars(module))
     return module
 
 

@@ -145,7 +145,7 @@ class Real(StrPrinter):  # type: ignore[misc]
             return root if power.p == 1 else f"{root}^{power.p}"
         if base.is_Rational and base > 0:
             return f"Rpower ({self._print(base)}) ({self._print(power)})"
-        raise NotPrinted(f"the power {base}**{power}")
+        raise NotPrinted(f"{base} with the exponent {power}")
 
     def inside(self, base: Expr) -> str:
         """A base, in brackets unless it is a name or an application."""
