@@ -59,7 +59,7 @@ def on_box(expr: Expr, ranges: Ranges) -> Theorem:
 @cache
 def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Theorem:
     ranges = dict(sides)
-    small = _expanded(sp.sympify(expr).xreplace(BALLS).xreplace(FREE))
+    small = _expanded(expr.xreplace(BALLS).xreplace(FREE))
     found = box.positive(small, ranges, named(SMALL))
     certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
