@@ -18,7 +18,9 @@ from typing import Any, TypeAlias
 from symhaptic.book import lemmas
 
 Lemma: TypeAlias = Callable[[], Any]
-"""A function of the package that keeps what it derived, and need not be told of what."""
+"""A function of the package that keeps what it derived, and need not be told of what.
+
+So is ``derive`` of an object in a module of lemmas."""
 
 
 class Beforehand:
@@ -76,6 +78,9 @@ def _reached(names: Collection[str], among: Mapping[str, Any], seen: set[int]) -
             if hasattr(value, "cache_info") and _needs_nothing(value):
                 yield value
             yield from _reached(_named(function.__code__), function.__globals__, seen)
+        elif callable(derive := getattr(value, "derive", None)):
+            seen.add(id(value))
+            yield derive
 
 
 def _function(value: Any) -> Any:

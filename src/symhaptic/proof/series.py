@@ -8,6 +8,7 @@ exact, and whether it vanishes is decided by the normal form.
 from __future__ import annotations
 
 import itertools
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr
@@ -60,6 +61,7 @@ def _nonzero(coefficient: Expr) -> bool:
     return False
 
 
+@lru_cache(maxsize=1 << 10)
 def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[int, Expr]:
     """Exponent n and coefficient C of the leading term C (variable - at)^n.
 
