@@ -51,10 +51,12 @@ def _lemmas(path: Path) -> Iterator[Lemma]:
         tree = ast.parse(path.read_bytes())
     except (OSError, SyntaxError, ValueError):
         return  # told when it is run
-    names = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    names: set[str] = set()
     taken: dict[str, Any] = {}
     for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
+        if isinstance(node, ast.Attribute):
+            names.add(node.attr)
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
             with suppress(ImportError):  # the same
                 module = importlib.import_module(str(node.module))
                 taken |= {a.name: vars(module).get(a.name) for a in node.names}

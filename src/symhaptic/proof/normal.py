@@ -394,7 +394,10 @@ class Field:
         logs = {log: base for base, log in self._logs.items()}
         shown: list[Expr] = list(self._outside)
         for i in self._generator:
-            exponent = sp.expand(sp.cancel(self._basis[i][0] / self._denominators[i]))
+            exponent = self._basis[i][0] / self._denominators[i]
+            if not exponent.is_polynomial():
+                exponent = sp.cancel(exponent)
+            exponent = sp.expand(exponent)
             if exponent.could_extract_minus_sign():
                 exponent = -exponent
             bases = [base for log, base in logs.items() if exponent.has(log)]
