@@ -28,7 +28,9 @@ from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
 
-Exponents = dict[tuple[int, ...], Fraction]
+Exponents = dict[tuple[int, ...], fmpq]
+
+_ZERO = fmpq(0)
 
 _TURN = sp.I * sp.pi
 """The exponent modulo which all are counted."""
@@ -64,8 +66,8 @@ class Field:
         outside: set[Expr] = set()
         for e in self._exprs.values():
             self._collect(e, everywhere, outside, set())
-        self._symbols = sorted(everywhere, key=str)
-        self._outside = sorted(outside, key=str)
+        self._symbols = sorted(everywhere, key=_name)
+        self._outside = sorted(outside, key=_name)
         self._images: dict[Expr, Fractional] = {}
         """Images of sums, which an expression may hold several times."""
         self._basis: list[tuple[Expr, Exponents]] = []
@@ -157,28 +159,30 @@ class Field:
             shared = common.gcd(image.den)
             common = common * (image.den / shared)
             images[exponent] = image
-        echelon: list[tuple[tuple[int, ...], Exponents, dict[int, Fraction]]] = []
+        echelon: list[tuple[tuple[int, ...], Exponents, dict[int, fmpq]]] = []
         for exponent in images:
             image = images[exponent]
             poly = ring.reduce(image.num * (common / image.den))
-            vector = {m: Fraction(int(c.p), int(c.q)) for m, c in poly.to_dict().items()}
-            coordinates: dict[int, Fraction] = {}
+            vector = poly.to_dict()
+            coordinates: dict[int, fmpq] = {}
             for pivot, row, combination in echelon:
-                factor = vector.get(pivot, Fraction(0)) / row[pivot]
-                if factor:
+                if vector.get(pivot):
+                    factor = vector[pivot] / row[pivot]
                     for m, c in row.items():
-                        vector[m] = vector.get(m, Fraction(0)) - factor * c
+                        vector[m] = vector.get(m, _ZERO) - factor * c
                     for i, c in combination.items():
-                        coordinates[i] = coordinates.get(i, Fraction(0)) + factor * c
+                        coordinates[i] = coordinates.get(i, _ZERO) + factor * c
             vector = {m: c for m, c in vector.items() if c}
             if vector:
                 index = len(self._basis)
                 self._basis.append((exponent, vector))
                 combination = {i: -c for i, c in coordinates.items()}
-                combination[index] = Fraction(1)
+                combination[index] = fmpq(1)
                 echelon.append((next(iter(vector)), vector, combination))
-                coordinates = {index: Fraction(1)}
-            self._coordinates[exponent] = coordinates
+                coordinates = {index: fmpq(1)}
+            self._coordinates[exponent] = {
+                i: Fraction(int(c.p), int(c.q)) for i, c in coordinates.items()
+            }
 
     @staticmethod
     def _depends(poly: fmpq_mpoly, ring: Ring, name: Expr) -> bool:
@@ -405,6 +409,11 @@ class Field:
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
         roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
+
+
+def _name(symbol: sp.Symbol) -> str:
+    """What a symbol is printed as."""
+    return f"_{symbol.name}" if symbol.is_Dummy else str(symbol.name)
 
 
 def is_zero(expr: Expr) -> bool:
