@@ -169,17 +169,30 @@ def zeros_inside(polynomial: Expr, variable: sp.Symbol) -> bool:
     >>> zeros_inside(2*z**2 - z + 1, z), zeros_inside(z**2 - z + 1, z)
     (True, False)
     """
-    named: dict[Expr, Expr] = {}
-    coefficients = sp.Poly(_by_name(polynomial, {variable}, named), variable).all_coeffs()
-    for bits in (*PRECISIONS, 4 * PRECISIONS[-1]):  # each step of a high degree loses some
+    most = 4 * PRECISIONS[-1]
+    for bits in (*PRECISIONS, most):
         with ctx.workprec(bits):
-            values: dict[Expr, Expr | acb | arb] = {
-                name: _ball(value, {}) for value, name in named.items()
-            }
-            balls = [_ball(c, values) for c in reversed(coefficients)]
-            if _reduced_inside(balls):
+            rising = _in_balls(polynomial, variable, {}).coeffs()
+            enough = bits == most or 2 * len(rising) <= bits  # each step loses some
+            if rising and enough and _reduced_inside(rising):
                 return True
     return False
+
+
+def _in_balls(expr: Expr, variable: sp.Symbol, at: dict[Expr, Expr | acb | arb]) -> acb_poly:
+    """A polynomial with balls for coefficients; a leading one that contains 0 decides nothing."""
+    if expr == variable:
+        return acb_poly([0, 1])
+    if variable not in expr.free_symbols:
+        return acb_poly([_ball(expr, at)])
+    if expr.is_Pow and expr.args[1].is_Integer and expr.args[1] > 0:
+        return _in_balls(expr.args[0], variable, at) ** int(expr.args[1])
+    if not (expr.is_Add or expr.is_Mul):
+        raise Unsupported(f"{expr} is no polynomial in {variable}")
+    first, *more = (_in_balls(part, variable, at) for part in expr.args)
+    for part in more:
+        first = first + part if expr.is_Add else first * part
+    return first
 
 
 def _reduced_inside(rising: list[acb]) -> bool:
