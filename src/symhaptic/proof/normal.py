@@ -62,6 +62,8 @@ class Field:
         self._logs: dict[Expr, Expr] = {}
         self._opaque: dict[Expr, Expr] = {}
         self._exponents: list[Expr] = []
+        self._turns = False
+        """Whether roots of unity are wanted, for j or an exponential."""
         everywhere: set[Expr] = set()
         outside: set[Expr] = set()
         for e in self._exprs.values():
@@ -80,6 +82,7 @@ class Field:
     def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr], seen: set[int]) -> None:
         """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
         spend(1)
+        self._turns = self._turns or expr is sp.I
         if id(expr) in seen or expr.is_Rational or expr is sp.I or expr is sp.pi:
             return
         seen.add(id(expr))
@@ -197,8 +200,9 @@ class Field:
             lcm(1, *(c[i].denominator for c in used if i in c)) for i in range(len(self._basis))
         ]
         # the roots of unity: exp(j pi p/q) and j itself
+        self._turns = self._turns or bool(self._exponents)
         self._order = lcm(4, 2 * denominators[0])
-        spend(20 * self._order)
+        spend(20 * self._order * self._turns)
         self._zeta = sp.Dummy("zeta")
         self._generator: dict[int, Expr] = {}
         self._denominators = denominators
@@ -212,13 +216,14 @@ class Field:
                 continue
             self._generator[i] = sp.Dummy(f"g{i}")
             names.append(self._generator[i])
-        names.append(self._zeta)
+        names += [self._zeta] * self._turns
         self._ring = ring = Ring(names)
         ring.small = None if self._small is None else names.index(self._small.variable)
-        cyclotomic = fmpz_poly.cyclotomic(self._order).coeffs()
-        ring.relate(
-            self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
-        )
+        if self._turns:
+            cyclotomic = fmpz_poly.cyclotomic(self._order).coeffs()
+            ring.relate(
+                self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
+            )
         self._bases: dict[int, Expr] = {}
         for i, (exponent, _) in enumerate(self._basis):
             if exponent in log_of:
