@@ -21,9 +21,17 @@ os.environ.setdefault(
 def pytest_collection_modifyitems(items):
     """Tests that look at chapters come first, so that one process alone runs the chapters.
 
-    Each process begins with tests beside each other; who is done takes over from another's end.
+    Before them come those that run the command line within their process: as long as this has run
+    no chapter, others are forked from it and do not import all anew.  Each process begins with
+    tests beside each other; who is done takes over from another's end.
     """
-    items.sort(key=lambda item: not _looks_at_chapters(getattr(item, "module", None)))
+    items.sort(key=lambda item: _place(getattr(item, "module", None)))
+
+
+def _place(module):
+    if _looks_at_chapters(module):
+        return 1
+    return 0 if hasattr(module, "CliRunner") else 2
 
 
 def _looks_at_chapters(module):
