@@ -179,7 +179,7 @@ def test_jax_without_x64_stays_single():
         found = jax.jit(haptic.discretize)(jax.numpy.asarray([0.0, 1.0]), 0.5)
         assert all(v.dtype == np.float32 for v in found)
         counted = symhaptic.unstable_roots(jax.numpy.asarray([0.1, 9.0]), 0.1, 0.0, 0.1, 1)
-    assert counted.tolist() == [0, 2]  # numpy.roots of the polynomial, as in numeric/test_libraries.py
+    assert counted.tolist() == [0, 2]  # numpy.roots of the polynomial
 
 
 @pytest.mark.slow
