@@ -19,11 +19,17 @@ os.environ.setdefault(
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items):
-    """Tests that look at chapters come first, so that one process alone runs the chapters.
+    """Tests that look at chapters come early, so that one process alone runs the chapters.
 
     Each process begins with tests beside each other; who is done takes over from another's end.
     """
-    items.sort(key=lambda item: not _looks_at_chapters(getattr(item, "module", None)))
+    items.sort(key=_place)
+
+
+def _place(item):
+    if item.get_closest_marker("early"):
+        return 0
+    return 1 if _looks_at_chapters(getattr(item, "module", None)) else 2
 
 
 def _looks_at_chapters(module):

@@ -99,17 +99,18 @@ def test_it_is_proved_by_a_theorem(form):
 
 
 LONG = {"max_stable_stiffness"}
-
-
-@pytest.mark.parametrize(
+each = pytest.mark.parametrize(
     "form", [pytest.param(f, marks=[pytest.mark.slow] * (f in LONG)) for f in stable.FORMS]
 )
+
+
+@each
 def test_every_pair_of_a_form_is_in_its_statement(form):
     for pair in stable.form(form, FULL, DELAY if form in stable.FOR_ONE_DELAY else None).equal:
         assert covered(pair, claimed(form)), pair
 
 
-@pytest.mark.parametrize("form", stable.FORMS)
+@each
 def test_what_a_form_rests_on_is_said_of_its_own_pairs_only(form):
     """What is left to another statement is not all that there is."""
     pairs = stable.form(form, FULL, DELAY if form in stable.FOR_ONE_DELAY else None).equal

@@ -78,9 +78,9 @@ def test_nested_facts_are_changed_too():
 
 
 CHAPTERS = [
-    "s3_energy",
+    pytest.param("s3_energy", marks=pytest.mark.slow),
     "s4d_free_mass",
-    "s3c_stiffness_maximum",
+    pytest.param("s3c_stiffness_maximum", marks=pytest.mark.slow),
     "s4d_parts_of_the_arm",
     "s4d_scaling",
 ]

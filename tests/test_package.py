@@ -45,6 +45,15 @@ def test_every_public_name_loads_when_used():
     assert python(code) == "True"
 
 
+@pytest.mark.early
+def test_the_types_agree():
+    """mypy's answer, here and not before the tests, since it keeps one processor busy alone."""
+    said = subprocess.run(
+        [sys.executable, "-m", "mypy"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert said.returncode == 0, said.stdout + said.stderr
+
+
 def test_no_blanket_except_and_no_simplify():
     for path in [*SOURCE.rglob("*.py"), *(ROOT / "derivations").glob("*.py")]:
         text = path.read_text(encoding="utf-8")

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from export.covering import every_value
 from test_fractional_passivity import needed
 
 import symhaptic
@@ -144,8 +145,11 @@ def test_a_wall_one_part_in_a_million_larger_is_not_passive():
     assert (passivity_margin(*larger)[there] < 0).all()
 
 
-@pytest.mark.parametrize("precision", [DOUBLE, SINGLE], ids=lambda p: p.name)
-@pytest.mark.parametrize("language", TARGETS)
+@pytest.mark.parametrize(
+    ("language", "precision"),
+    every_value(TARGETS, [DOUBLE, SINGLE]),
+    ids=lambda given: getattr(given, "name", given),
+)
 def test_beyond_its_end_every_language_gives_nan(language, precision, tmp_path):
     """A self-test with endless tolerance misses NaN alone: all values beyond, and none before."""
     try:

@@ -3,6 +3,8 @@
 import random
 from itertools import combinations, product
 
+import pytest
+
 
 def pairs(row):
     """All pairs of values of different factors."""
@@ -29,3 +31,24 @@ def covering(factors, allowed, tries=60, seed=1):
         found.append(best)
         left -= pairs(best)
     return found
+
+
+def every_value(first, second):
+    """All pairs as parameters of a test, those slow that are not needed for each value to occur.
+
+    The first of ``second`` meets each of ``first``, and each other of ``second`` another of these.
+    Those of one of ``second`` are beside each other.
+    """
+    first, second = list(first), list(second)
+    usual = {(one, second[0]) for one in first}
+    usual |= {(first[place % len(first)], other) for place, other in enumerate(second)}
+    return [
+        pytest.param(one, other, marks=[] if (one, other) in usual else pytest.mark.slow)
+        for other in second
+        for one in first
+    ]
+
+
+def one_of(values, *some):
+    """Parameters of a test, slow but for some."""
+    return [pytest.param(v, marks=[] if v in some else pytest.mark.slow) for v in values]

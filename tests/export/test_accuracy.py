@@ -103,6 +103,12 @@ def compiled(tmp_path_factory):
     return made
 
 
+@cache
+def points(form, count, precision):
+    """Arguments of a form, the same for each that asks."""
+    return columns(form, np.random.default_rng(2), count, precision)
+
+
 @needs_gcc
 @pytest.mark.parametrize("all_", [False, pytest.param(True, marks=pytest.mark.slow)])
 @every
@@ -111,7 +117,7 @@ def test_no_error_is_larger_than_the_recorded_one(records, precision, name, comp
     slopes = records is DERIVATIVES
     form, run = compiled(name, precision, slopes)
     count = SLOPES[precision] if slopes else FEW.get(name, COUNT)
-    arrays = columns(form, np.random.default_rng(2), count, precision)
+    arrays = points(form, count, precision)
     arrays = [a if all_ else a[: SOME_SLOPES if slopes else SOME] for a in arrays]
     for result, (off, point) in error.compare(form, arrays, run(arrays), precision).items():
         table = DERIVATIVES if "_by_" in result else MEASURED
@@ -136,6 +142,7 @@ needs_musl = pytest.mark.skipif(
 )
 
 
+@pytest.mark.slow
 @needs_musl
 @cases(MEASURED_WITH_MUSL)
 def test_with_musl_no_error_is_larger_than_the_recorded_one(records, precision, name, tmp_path):
@@ -144,7 +151,7 @@ def test_with_musl_no_error_is_larger_than_the_recorded_one(records, precision, 
     run = error.compiled(form, tmp_path, precision, exported.MUSL)
     record = records[precision][name]
     count = FEW.get(name, COUNT)
-    some = [a[:SOME] for a in columns(form, np.random.default_rng(2), count, precision)]
+    some = [a[:SOME] for a in points(form, count, precision)]
     for off, point in error.compare(form, some, run(some), precision).values():
         assert round(off, 2) <= record.error, point
     there = [np.array([x], dtype=precision.kind) for x in record.at]
@@ -160,7 +167,7 @@ def test_another_library_is_really_another(tmp_path):
     for compiler in (exported.GCC, exported.MUSL):
         folder = tmp_path / compiler
         folder.mkdir()
-        arrays = columns(form, np.random.default_rng(2), COUNT, DOUBLE)
+        arrays = points(form, COUNT, DOUBLE)
         found.append(error.compiled(form, folder, compiler=compiler)(arrays))
     same = np.isclose(*found, rtol=1e-9, atol=1e-9, equal_nan=True)
     assert same.mean() > 0.9
@@ -176,7 +183,7 @@ def test_the_ufuncs_are_the_c_that_is_measured(name, precision, compiled):
         "symhaptic.kernels._compiled", reason="the install found no compiler", exc_type=ImportError
     )
     form, run = compiled(name, precision, False)
-    arrays = columns(form, np.random.default_rng(2), COUNT, precision)
+    arrays = points(form, COUNT, precision)
     found = np.stack(np.atleast_2d(getattr(ufuncs, name)(*arrays)))
     assert found.dtype == precision.kind
     assert np.array_equal(found, run(arrays), equal_nan=True)
@@ -249,6 +256,7 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
 
     (form,) = request.chosen(["discretize"])
     module.known.cache_clear()
+    exported.written.cache_clear()
     with monkeypatch.context() as patch:
         if low == "root_low":
             for caller in (device, double_word, whole_turns):
@@ -257,7 +265,8 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
             patch.setattr(device, "poles", mutant)
         run = error.compiled(form, tmp_path, precision)
     module.known.cache_clear()
-    arrays = columns(form, np.random.default_rng(2), COUNT, precision)
+    exported.written.cache_clear()
+    arrays = points(form, COUNT, precision)
     found = error.compare(form, arrays, run(arrays), precision)
     assert max(off for off, _ in found.values()) > MEASURED[precision]["discretize"].error
 

@@ -3,6 +3,7 @@
 import numpy as np
 import oracle
 import pytest
+from export.covering import every_value
 from export.test_targets import run_all
 
 from symhaptic.export import request
@@ -71,8 +72,7 @@ def test_it_says_no_of_walls_that_hold_nothing_and_outside_the_domain(wall):
     assert free(0.1, 0.5, 0.3, 1.0)
 
 
-@pytest.mark.parametrize("precision", ["double", "single"])
-@pytest.mark.parametrize("language", TARGETS)
+@pytest.mark.parametrize(("language", "precision"), every_value(TARGETS, ["double", "single"]))
 def test_the_self_test_passes(language, precision, tmp_path):
     """With fractions, too, of which roots are counted."""
     try:

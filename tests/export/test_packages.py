@@ -5,6 +5,7 @@ import shutil
 import tomllib
 
 import pytest
+from export.covering import every_value
 from export.test_languages import LIBM, exported, needs, run
 
 import symhaptic
@@ -129,8 +130,7 @@ SCENES = ["no-stiffness", "no-damping", "no-virtual-damping", "no-delay",
           "no-stiffness,no-damping,no-delay"]  # fmt: skip
 
 
-@pytest.mark.parametrize("target", ["c", "microcontroller"])
-@pytest.mark.parametrize("scene", SCENES)
+@pytest.mark.parametrize(("target", "scene"), every_value(["c", "microcontroller"], SCENES))
 def test_si_units_in_every_scene(scene, target, tmp_path):
     """What the scene lacks, the device lacks; all warnings are errors, in C and in C++."""
     needs("gcc", "g++")

@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from export.covering import every_value, one_of
 
 from symhaptic.bench.points import hard
 from symhaptic.export import request
@@ -42,7 +43,7 @@ def run_all(target, name, folder):
     return said
 
 
-@pytest.mark.parametrize("language", BOTH)
+@pytest.mark.parametrize("language", one_of(BOTH, "c"))
 def test_the_self_test_passes_in_single_precision(language, tmp_path):
     """The vectors' arguments are single floats, their values those of exact arithmetic."""
     target = TARGETS[language].at(SINGLE)
@@ -75,8 +76,8 @@ def test_single_arrays_stay_single_without_a_warning():
                 assert nowhere or np.isfinite(value).all(), form.name
 
 
-@pytest.mark.parametrize("language", TARGETS)
-@pytest.mark.parametrize("scene", SCENES, ids=str)  # outside: its vectors are the same for all
+# vectors of a scene are the same for all languages, and are found once
+@pytest.mark.parametrize(("language", "scene"), every_value(TARGETS, SCENES))
 def test_the_self_test_of_every_target_passes(language, scene, tmp_path):
     target, parts = TARGETS[language], SCENES[scene]
     delay = 2 if parts.delay else None

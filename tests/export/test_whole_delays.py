@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from export.covering import one_of
 from export.test_targets import run_all
 
 from symhaptic.export import request
@@ -29,7 +30,7 @@ def test_the_form_of_a_fraction_is_left_out_and_refused_by_name():
         request.chosen([], request.scene("no-delay"), whole_delays=True)
 
 
-@pytest.mark.parametrize("language", TARGETS)
+@pytest.mark.parametrize("language", one_of(TARGETS, "numpy", "c", "fortran", "javascript"))
 def test_the_self_test_passes_and_asks_a_fraction_too(language, tmp_path):
     """In every language its vectors have d = 1.5 among what is outside."""
     names = ["is_stable", "unstable_roots", "stability_boundary", "max_passive_stiffness"]

@@ -1,5 +1,7 @@
 """The committed kernels are what the exporter writes, and a stale one is told."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -18,6 +20,14 @@ def run(monkeypatch, *words):
     except SystemExit as left:
         return left.code
     return 0
+
+
+@pytest.fixture(autouse=True, scope="module")
+def exported():
+    """What the exporter writes, written once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kernels, "files", cache(kernels.files))
+        yield
 
 
 def test_the_committed_kernels_are_not_stale():

@@ -75,7 +75,10 @@ def same_number(one, other):
     return abs(left - right) < 1e-9
 
 
-@pytest.mark.parametrize("parts", [FULL, Parts(stiffness=False), Parts(damping=False)])
+@pytest.mark.parametrize(
+    "parts",
+    [pytest.param(FULL, marks=pytest.mark.slow), Parts(stiffness=False), Parts(damping=False)],
+)
 def test_mutants_are_not_equal(parts):
     tried, seen = 0, set()
     for form in all_forms(parts):

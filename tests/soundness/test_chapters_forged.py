@@ -26,6 +26,9 @@ from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.verdict import Kind, Unfounded, Verdict
 from symhaptic.rocq.steps import Step
 
+pytestmark = pytest.mark.early
+"""Chapters are forked from this process as long as it has run none, and else import all anew."""
+
 HEAD = '"""A title\n\nAn introduction.\n"""\n'
 
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import ctypes
 import subprocess
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from symhaptic.bench.points import Array
 from symhaptic.export import request
+from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.stable import Form
@@ -27,7 +29,7 @@ def compiled(
 ) -> Callable[[list[Array]], Array]:
     """The exported C function on arrays, in a loop that is compiled with it."""
     language = TARGETS["c"].at(precision)
-    made, files = request.built(language, [form], vectors=False)
+    made, files = written(form, precision)
     for name, text in files.items():
         (folder / name).write_text(text)
     given, found = len(form.arguments), len(made.public[0].results)
@@ -46,6 +48,12 @@ def compiled(
     if compiler == GCC:
         return _loaded(form, folder, precision, loop, found)
     return _started(folder, precision, compiler, loop, given, found)
+
+
+@lru_cache(maxsize=64)  # the same is compiled for several libraries
+def written(form: Form, precision: Precision) -> tuple[Library, dict[str, str]]:
+    """The library of the form alone in C, and its files."""
+    return request.built(TARGETS["c"].at(precision), [form], vectors=False)
 
 
 def _loaded(

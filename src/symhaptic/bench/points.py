@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, cast
 
 import numpy as np
@@ -61,6 +61,7 @@ def plants(rng: np.random.Generator, count: int, precision: Precision = DOUBLE) 
     return np.array(found[:count])
 
 
+@lru_cache(maxsize=4096)  # the same plants are tried in both precisions
 def leaving_pi(gamma: float) -> float:
     """The damping above which the stiffest stable wall without delay is at theta = pi."""
 
