@@ -28,7 +28,7 @@ from symhaptic.notation import (
 )
 from symhaptic.notation.proposition import ForAll, Proposition, Relation, whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
 from symhaptic.paper.ranges import DAMPED, STIFF
@@ -74,9 +74,8 @@ from symhaptic.proof.theorems.tactics import (
 @cache
 def passive_curve() -> Theorem:
     """A wall of (27) for delta = 0.02 is on the boundary of the passive ones; d is whole."""
-    _, given, _ = taken_apart(CLAIMED["eq27"](transcribed("eq27")))
     unit = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
-    found = placed(in_units(given), unit)
+    found = placed(in_units(), unit)
     return closed(found, *(fact(h) for h in found.hypotheses if not h.free), *_same(found))
 
 
