@@ -158,7 +158,7 @@ def _undamped(wanted: Any) -> Theorem:
     weak = combined(B >= 0, [_force()], [line, -S.One], [none, S.One])
     zero = both_ways(combined(B <= 0, [_rest()], [none, d / (2 * d + 3)]), weak)
     share = 1 / ((d + HALF) * T)
-    end, turn = (e.right.coeff(b * y) for e in (stiffness, damping))  # type: ignore[attr-defined]
+    end, turn = (e.right.coeff(b * y) for e in (stiffness, damping))
     shown = [
         combined(y >= 0, [start, -S.One]),
         combined(y <= 1, [one()], [start, S.One]),

@@ -185,8 +185,8 @@ def at_the_axis(wanted: Any) -> Theorem:
         combined(stiffness, [soft, S.One], [none, -S.One]),
         combined(damping, [full, -S.One], [device, -S.One]),
     ]
-    shown = closed(conjoined(*shown), *shown[:2])
-    found = chosen(is_some(omega, END), witnessed(shown, wanted, {omega: omega}))
+    there = closed(conjoined(*shown), *shown[:2])
+    found = chosen(is_some(omega, END), witnessed(there, wanted, {omega: omega}))
     return closed(found, not_zero(turn), not_zero(period), not_zero(shares()[0]))
 
 
