@@ -199,16 +199,22 @@ def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
 OTHER = Symbol("alpha_1")
 
 
+REACH = Symbol("y")
+"""How far up and down a line is reached."""
+
+
 @claims("s4d-left-bound")
 def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """On the printed line: no wall to its left or on it is stable, and some as near as one likes.
+    """On the printed line: no wall to its left or on it is stable; and a piece of it is a bound.
 
-    For every spring, damper and delay.
+    The piece has some length: for each beta between its ends, some walls are stable that lie as
+    near to the line as one likes.  For every spring, damper and delay.
     """
     [line] = map(proposition, printed)
     stable = STABLE.at({alpha: OTHER})
     right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
-    near = Exists((OTHER, beta), both([alpha + MOST > OTHER, stable]))
-    reached = ForAll((MOST,), implied([MOST > 0], near))
+    near = Exists((OTHER,), both([alpha + MOST > OTHER, stable]))
+    between = [MOST > 0, beta >= -REACH, beta <= REACH]
+    piece = Exists((REACH,), both([REACH > 0, ForAll((MOST, beta), implied(between, near))]))
     given = [*PLANT, d >= 0, line]
-    return ForAll((alpha, gamma, delta, d), implied(given, both([right, reached])))
+    return ForAll((alpha, gamma, delta, d), implied(given, both([right, piece])))
