@@ -28,6 +28,8 @@ from symhaptic.proof.theorems.tactics import closed, over, positive
 
 TABLE = normalised(alpha, beta, delta)
 CURVE = printed_of("eq27")
+ON_CURVE = Exists((omega_hat,), both([omega_hat > 0, omega_hat < pi, *CURVE]))
+"""A wall is one of (27)."""
 
 
 def in_units() -> Theorem:
