@@ -11,7 +11,10 @@ from sympy import S, symbols
 from symhaptic.book.lemmas.computed import settle
 from symhaptic.book.lemmas.stable_device import (
     COMPUTED,
+    CONDITIONS,
     DERIVED,
+    DISCRETE,
+    POLYNOMIAL,
     SPRING,
     in_poles,
 )
@@ -101,6 +104,7 @@ def derive(page):
     settle(
         page,
         "discretize",
+        (DISCRETE,),
         "the computed numbers $n_1$, $n_0$, $a$ and $e$ of the device are those of its transition "
         "matrix, wherever nothing in either is divided by zero",
     )
@@ -111,6 +115,7 @@ def derive(page):
     settle(
         page,
         "characteristic_polynomial",
+        (POLYNOMIAL,),
         "the computed coefficients are those of the characteristic polynomial of the derived "
         "device, here for $d=2$",
     )
@@ -133,6 +138,7 @@ def _conditions(page):
     settle(
         page,
         "stability_conditions",
+        (CONDITIONS,),
         "the computed inequalities are those of the derived device: $n_1$, $n_0$, $1-a+e$ and "
         "$1-e$ are the derived ones",
     )

@@ -6,7 +6,7 @@ stability is given.
 """
 
 from symhaptic.book.lemmas.computed import settle
-from symhaptic.book.lemmas.stable_device import LATE, SPRING, in_parts
+from symhaptic.book.lemmas.stable_device import ALL, LATE, SPRING, in_parts
 from symhaptic.forms import fractional_delay
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
@@ -57,6 +57,7 @@ def derive(page):
     settle(
         page,
         "discretize_fractional",
+        (ALL, LATE),
         "the computed numbers of the device, its values at $z=1$ and $z=-1$ and, behind a fraction "
         "of a period, $m_2$, $m_1$, $m_0$ and $m_2-m_1+m_0$ are the derived ones, "
         f"{UNDEFINED}",
@@ -70,12 +71,14 @@ def derive(page):
     settle(
         page,
         "unstable_roots",
+        (ALL, LATE),
         "all numbers that the count of roots is given, of the device and of what is late, are the "
         f"derived ones, {UNDEFINED}",
     )
     settle(
         page,
         "is_stable",
+        (ALL, LATE),
         "all numbers that the verdict on stability is given are the derived ones, "
         f"{UNDEFINED}: it asks for the same count, for $\\alpha>-\\gamma$, and for a device that "
         "is not left swinging",

@@ -7,6 +7,7 @@ of cosines near the angle 0. They are computed with half the angle, so that noth
 from sympy import I, cos, sin
 
 from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.stable_boundary import BOUNDARY, LATE_BOUNDARY
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, d, e, m_0, m_1, m_2, n_0, n_1, theta, z
@@ -66,6 +67,7 @@ def derive(page):
     settle(
         page,
         "stability_boundary",
+        (BOUNDARY, LATE_BOUNDARY),
         "the computed wall at an angle is the derived one, for any numbers of the device, behind "
         f"whole delays and behind those with a fraction, {UNDEFINED}",
     )

@@ -8,6 +8,7 @@ from sympy import I, cos, tan
 
 from symhaptic.book.lemmas import stable_slope
 from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.stable_slope import EARLY, SEARCHED, UNDELAYED
 from symhaptic.model import boundary
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Sampled
@@ -57,6 +58,7 @@ def derive(page):
     settle(
         page,
         "max_stable_stiffness",
+        (SEARCHED, EARLY, UNDELAYED),
         "what the search for the largest stable stiffness goes by is the slope of the derived "
         f"stiffness, for any delay, for those below one period and for none, {UNDEFINED}",
     )

@@ -8,7 +8,7 @@ products with the delay are not rounded.
 from sympy import S, cos, sin
 
 from symhaptic.book.lemmas.computed import settle
-from symhaptic.book.lemmas.stable_need import straight
+from symhaptic.book.lemmas.stable_need import MARGIN, NEEDS, straight
 from symhaptic.forms import required_damping
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, written_out
 from symhaptic.model import fractional, passivity
@@ -68,6 +68,7 @@ def _at_an_angle(page):
     settle(
         page,
         "passivity_margin_at",
+        (MARGIN,),
         "the computed margin at an angle is the derived one, (5), for every angle",
     )
 
@@ -110,6 +111,7 @@ def _at_the_worst(page):
     settle(
         page,
         "passivity_margin",
+        (NEEDS,),
         "the computed need at an angle, its change with the angle and with the wall's damping are "
         "the derived ones, for whole delays and for those with a fraction; the worst angle is "
         "searched for by these",

@@ -7,7 +7,7 @@ denominators vanish with the angle. They are computed as quotients of functions 
 from sympy import Rational, S, cos, sin
 
 from symhaptic.book.lemmas.computed import settle
-from symhaptic.book.lemmas.stable_walls import WORST
+from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, TOUCHED, WORST
 from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread, written_out
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, theta
@@ -45,6 +45,7 @@ def derive(page):
     settle(
         page,
         "passivity_boundary",
+        (TOUCHED,),
         "behind whole delays the computed wall that is just passive is the point of the envelope, "
         f"{UNDEFINED}; behind a fraction of a period it is searched for by the need and its slope",
     )
@@ -72,6 +73,7 @@ def derive(page):
     settle(
         page,
         "max_passive_stiffness",
+        (STIFFEST, LATE_STIFFEST),
         "behind whole delays the computed stiffest passive wall is the derived one, (11), with its "
         "damping; behind a fraction of a period the stiffest wall that an angle allows needs the "
         "whole damping there, no damping of its own lets it need less, and where the slope of its "
@@ -89,6 +91,7 @@ def derive(page):
     settle(
         page,
         "linear_limit",
+        (LINEAR,),
         "the computed stiffness of the linear condition is the derived one, (25): with it the "
         "margin tends to 0 with the angle",
     )

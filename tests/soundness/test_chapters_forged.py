@@ -88,22 +88,25 @@ PATCHED = {
     axioms._AXIOMS["mine"] = axioms.Axiom(CLAIM, "me")
     page.settle("forged", axioms.known("mine"))
 """,
-    # what is kept of a proposition beside its fields says something else than these
-    "key": """
+    # one proposition is said to be another one
+    "equal": """
     claim, true = Relation(x, "<", y), Relation(S.Zero, "<", S.One)
-    claim.__dict__["key"] = true.key
+    claim.__dict__["_hash"] = hash(true)
+    Proposition.__eq__ = lambda one, other: True
     page.settle("forged", kernel.general(kernel.part(leaves.number(true), claim), x, y))
 """,
     "state": """
     claim, true = Relation(x, "<", y), Relation(S.Zero, "<", S.One)
-    claim.__dict__["key"] = true.key
+    claim.__dict__["_hash"] = hash(true)
+    Proposition.__eq__ = lambda one, other: True
     Proposition.__reduce__ = lambda self: (object.__new__, (type(self),), self.__dict__)
     page.settle("forged", kernel.general(kernel.part(leaves.number(true), claim), x, y))
 """,
     "built": """
     import copyreg
     claim, true = Relation(x, "<", y), Relation(S.Zero, "<", S.One)
-    claim.__dict__["key"] = true.key
+    claim.__dict__["_hash"] = hash(true)
+    Proposition.__eq__ = lambda one, other: True
     Proposition.__reduce__ = lambda self: (copyreg.__newobj__, (type(self),), self.__dict__)
     page.settle("forged", kernel.general(kernel.part(leaves.number(true), claim), x, y))
 """,

@@ -18,7 +18,9 @@ from typing import Any, TypeAlias
 from symhaptic.book import lemmas
 
 Lemma: TypeAlias = Callable[[], Any]
-"""A function of the package that keeps what it derived, and need not be told of what."""
+"""A function of the package that keeps what it derived, and need not be told of what.
+
+So is ``derive`` of an object in a module of lemmas."""
 
 
 class Beforehand:
@@ -49,10 +51,12 @@ def _lemmas(path: Path) -> Iterator[Lemma]:
         tree = ast.parse(path.read_bytes())
     except (OSError, SyntaxError, ValueError):
         return  # told when it is run
-    names = {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    names: set[str] = set()
     taken: dict[str, Any] = {}
     for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
+        if isinstance(node, ast.Attribute):
+            names.add(node.attr)
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("symhaptic."):
             with suppress(ImportError):  # the same
                 module = importlib.import_module(str(node.module))
                 taken |= {a.name: vars(module).get(a.name) for a in node.names}
@@ -76,6 +80,9 @@ def _reached(names: Collection[str], among: Mapping[str, Any], seen: set[int]) -
             if hasattr(value, "cache_info") and _needs_nothing(value):
                 yield value
             yield from _reached(_named(function.__code__), function.__globals__, seen)
+        elif callable(derive := getattr(value, "derive", None)):
+            seen.add(id(value))
+            yield derive
 
 
 def _function(value: Any) -> Any:

@@ -123,8 +123,16 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
 @cache
 def _curve(delay: int) -> tuple[Expr, Expr]:
     """The stiffness of the boundary at phi = (d+1) theta, and its slope there."""
-    alpha = STIFFNESS.subs(t, sp.tan(phi / (2 * (delay + 1))))
-    return alpha, sp.diff(alpha, phi)
+    along = {t: sp.tan(phi / (2 * (delay + 1)))}
+    by_t, by_phi = _slopes()
+    slope = by_t * (1 + t**2) / (2 * (delay + 1)) + by_phi
+    return STIFFNESS.xreplace(along), slope.xreplace(along)
+
+
+@cache
+def _slopes() -> tuple[Expr, Expr]:
+    """The slope of the stiffness by t and by phi."""
+    return sp.diff(STIFFNESS, t), sp.diff(STIFFNESS, phi)
 
 
 Side: TypeAlias = tuple[Expr, Expr]

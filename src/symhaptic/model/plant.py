@@ -140,6 +140,6 @@ def sampled(plant: Plant, period: Expr = sp.S.One, split: Expr | None = None) ->
 def numbers(stiffness: Expr, damping: Expr) -> dict[Expr, Expr]:
     """n_1, n_0, a and e of given gamma and delta; a part that is zero is not modelled."""
     found = sampled(normalised(Parts(stiffness=stiffness != 0, damping=damping != 0)))
-    values = {gamma: stiffness, delta: damping}
+    values = {gamma: sp.sympify(stiffness), delta: sp.sympify(damping)}
     four = {n_1: found.n1, n_0: found.n0, a: found.a, e: found.e}
-    return {name: sp.sympify(value).subs(values) for name, value in four.items()}
+    return {name: sp.sympify(value).xreplace(values) for name, value in four.items()}

@@ -22,6 +22,7 @@ from sympy.core.function import AppliedUndef
 from symhaptic.notation import SYMBOLS
 
 Terms: TypeAlias = Mapping[Symbol, Expr]
+Places: TypeAlias = Mapping[Symbol, Symbol]
 
 SIGNS = ("=", "!=", "<", "<=")
 
@@ -63,9 +64,9 @@ def _looked_through(expr: Expr) -> None:
 
 def _lasting(expr: Expr) -> bool:
     """Whether all that limits where a term has a value outlives its being written anew."""
-    limits = set(_limits(expr))
-    if not limits:
+    if not _limited(expr) or _as_it_stands(expr):
         return True
+    limits = set(_limits(expr))
     there = {s: _other(s) for s in expr.free_symbols}
     if {limit.xreplace(there) for limit in limits} <= set(_limits(expr.xreplace(there))):
         return True
@@ -80,6 +81,18 @@ def _lasting(expr: Expr) -> bool:
     return all(
         f in kept or f.as_base_exp()[0] in kept or (f.is_Rational and f != 0) for f in factors
     )
+
+
+@lru_cache(maxsize=1 << 16)
+def _limited(part: Expr) -> bool:
+    """Whether something in a term need not have a value."""
+    return _may_have_none(part) or any(map(_limited, part.args))
+
+
+@lru_cache(maxsize=1 << 16)
+def _as_it_stands(part: Expr) -> bool:
+    """Whether SymPy writes a term, and each part of it, as it stands: then under any names."""
+    return not part.args or (all(map(_as_it_stands, part.args)) and part.func(*part.args) == part)
 
 
 @lru_cache(maxsize=1 << 10)
@@ -97,10 +110,16 @@ def symbols_in(expr: Expr) -> frozenset[Symbol]:
 def _limits(expr: Expr) -> Iterator[Expr]:
     """Bases of powers that need not have a value, and functions that need not."""
     for part in sp.preorder_traversal(expr):
-        if part.is_Pow and not (part.exp.is_Rational and part.exp >= 0):
-            yield part.base
-        elif part.func in _PARTIAL:
-            yield part
+        if _may_have_none(part):
+            yield part.base if part.is_Pow else part
+
+
+def _may_have_none(part: Expr) -> bool:
+    """Whether a power or a function need not have a value where its arguments have."""
+    if part.is_Pow:
+        exponent = part.exp
+        return not (exponent.is_Rational and exponent >= 0)
+    return part.func in _PARTIAL
 
 
 _PARTIAL = (sp.log, sp.tan, sp.cot, sp.tanh, sp.atan)
@@ -143,16 +162,15 @@ def _bindable(symbols: Iterable[Symbol]) -> None:
 class Proposition:
     """Something that is true or false once its free symbols have values."""
 
-    @cached_property
-    def key(self) -> tuple[Any, ...]:
-        """What two equal propositions share: their parts, with bound symbols by their place."""
-        return _key(self, {}, 0)
-
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Proposition) and self.key == other.key
+        return isinstance(other, Proposition) and _alike(self, other, {}, {})
 
     def __hash__(self) -> int:
-        return hash(self.key)
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash(_shared(self, frozenset()))
 
     def __reduce__(self) -> tuple[type[Proposition], tuple[Any, ...]]:
         """Made anew where it arrives, of its fields alone."""
@@ -215,19 +233,49 @@ def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -
 
 
 _PLACES = tuple(sp.Dummy(f"bound_{i}") for i in range(64))
+_DEPTHS = {place: i for i, place in enumerate(_PLACES)}
 _RESERVED = frozenset(_PLACES)
 _PLAIN = Symbol("x").assumptions0
 
 
-def _key(of: Proposition, places: dict[Symbol, Symbol], depth: int) -> tuple[Any, ...]:
-    places = places | {s: _PLACES[depth + i] for i, s in enumerate(of.bound)}
-    depth += len(of.bound)
+def _alike(one: Proposition, other: Proposition, here: Places, there: Places) -> bool:
+    """Whether two propositions have the same parts, with bound symbols by their place."""
+    if (
+        type(one) is not type(other)
+        or (len(one.bound), len(one.terms), len(one.parts))
+        != (len(other.bound), len(other.terms), len(other.parts))
+        or any(getattr(one, name) != getattr(other, name) for name in _own(type(one)))  # type: ignore[arg-type]
+        or any(is_complex(s) != is_complex(r) for s, r in zip(one.bound, other.bound, strict=True))
+    ):
+        return False
+    if one.bound:
+        here, there = _placed(one, here), _placed(other, there)
+    return all(_alike(p, q, here, there) for p, q in zip(one.parts, other.parts, strict=True)) and (
+        all(_equal(t, u, here, there) for t, u in zip(one.terms, other.terms, strict=True))
+    )
+
+
+def _placed(of: Proposition, places: Places) -> Places:
+    """Each bound symbol by the depth at which it is bound, which no other one inside shares."""
+    depth = max((_DEPTHS[p] for p in places.values()), default=-1) + 1
+    return {**places, **{s: _PLACES[depth + i] for i, s in enumerate(of.bound)}}
+
+
+def _equal(one: Expr, other: Expr, here: Places, there: Places) -> bool:
+    if one == other and all(here.get(s) is there.get(s) for s in symbols_in(one)):
+        return True
+    return bool(here) and one.xreplace(here) == other.xreplace(there)
+
+
+def _shared(of: Proposition, bound: frozenset[Symbol]) -> tuple[Any, ...]:
+    """What equal propositions share, whatever the names of their bound symbols."""
+    bound = bound.union(of.bound)
     return (
         type(of).__name__,
         tuple(getattr(of, name) for name in _own(type(of))),  # type: ignore[arg-type]
         tuple(is_complex(s) for s in of.bound),
-        tuple(t.xreplace(places) for t in of.terms) if places else of.terms,
-        tuple(_key(p, places, depth) for p in of.parts),
+        tuple(None if symbols_in(t) & bound else t for t in of.terms),
+        tuple(_shared(p, bound) for p in of.parts),
     )
 
 
@@ -536,12 +584,9 @@ def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
 
     Raises :class:`ValueError` where one does not.
     """
-    inside: set[Proposition] = set()
-    stack = [claim]
-    while stack:
-        part = stack.pop()
-        inside.add(part)
-        stack += part.parts
+    inside = [claim]
+    for part in inside:
+        inside += part.parts
     for relation in printed:
         if proposition(relation) not in inside:
             raise ValueError(f"the print {relation} is not in the claim")

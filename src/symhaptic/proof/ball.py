@@ -45,6 +45,11 @@ _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
     sp.conjugate: lambda x: acb(x.real, -x.imag),
 }
 
+_CONSTANTS: dict[type, Callable[[], acb]] = {
+    type(sp.I): lambda: acb(0, 1),
+    type(sp.pi): lambda: acb(arb.pi()),
+    type(sp.E): lambda: acb(1).exp(),
+}
 
 At: TypeAlias = Mapping[Expr, Expr | acb | arb]
 """Values of symbols: exact numbers, or balls that contain them."""
@@ -69,42 +74,41 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
 
 def _ball(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
     """The same; what ``at`` does not have yet, it has afterwards, so that no part is met twice."""
+    if expr.is_Rational:
+        return acb(fmpq(expr.p, expr.q))
     value = at.get(expr)
     if value is None:
         value = _found(expr, at)
     elif not isinstance(value, acb):
         value = acb(value) if isinstance(value, arb) else _ball(sp.sympify(value, strict=True), {})
+    else:
+        return value
     at[expr] = value
     return value
 
 
 def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
-    if expr.is_Rational:
-        return acb(fmpq(int(expr.p), int(expr.q)))
-    if expr is sp.I:
-        return acb(0, 1)
-    if expr is sp.pi:
-        return acb(arb.pi())
-    if expr is sp.E:
-        return acb(1).exp()
+    kind = type(expr)
+    if kind is sp.Pow:
+        base, power = expr.args
+        if power.is_Integer:
+            return _ball(base, at) ** int(power)
+        if power == sp.S.Half:
+            return _ball(base, at).sqrt()
+        return _ball(base, at).pow(_ball(power, at))
     args = [_ball(a, at) for a in expr.args]
-    if expr.is_Add:
+    if kind is sp.Add:
         return sum(args[1:], args[0])
-    if expr.is_Mul:
+    if kind is sp.Mul:
         product = args[0]
         for factor in args[1:]:
             product *= factor
         return product
-    if expr.is_Pow:
-        power = expr.args[1]
-        if power.is_Integer:
-            return args[0] ** int(power)
-        if power == sp.Rational(1, 2):
-            return args[0].sqrt()
-        return args[0].pow(args[1])
-    if expr.func in _FUNCTIONS:
-        return _FUNCTIONS[expr.func](args[0])
-    raise Unsupported(f"no ball for {type(expr).__name__}: {expr}")
+    if kind in _FUNCTIONS:
+        return _FUNCTIONS[kind](args[0])
+    if kind in _CONSTANTS:
+        return _CONSTANTS[kind]()
+    raise Unsupported(f"no ball for {kind.__name__}: {expr}")
 
 
 def largest_root(

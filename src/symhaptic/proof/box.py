@@ -21,7 +21,9 @@ from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
+from symhaptic.proof.program import Uncheckable, program
 from symhaptic.proof.recheck import recheck
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.seal import KEY
 from symhaptic.proof.sign import Fact, NotShown, rule
 
@@ -222,6 +224,11 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
         raise NotShown(f"{expr} is not shown to be real")
 
     size = sum(1 for _ in sp.preorder_traversal(expr))
+    others = sorted(unbound, key=str)
+    try:
+        run = program(expr, [*box, *others])
+    except Uncheckable as wrong:
+        raise Unsupported(str(wrong)) from None
 
     def value(at: Sequence[arb]) -> arb:
         work.spend(size)
@@ -229,7 +236,9 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
         further = given(values) if given else {}
         if not further.keys().isdisjoint(values):
             raise NotShown("a symbol of the box is given a meaning as well")
-        found = ball(expr, {**values, **further}, _BITS)
+        if not further.keys() >= unbound:
+            raise Unsupported(f"no ball for {', '.join(map(str, others))}")
+        found = run(*values.values(), *(acb(further[s]) for s in others))
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
         return found.real if real and found.is_finite() else arb("nan")
 

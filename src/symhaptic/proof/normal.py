@@ -15,6 +15,7 @@ point where the two sides differ.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 
@@ -27,10 +28,20 @@ from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
 
-Exponents = dict[tuple[int, ...], Fraction]
+Exponents = dict[tuple[int, ...], fmpq]
+
+_ZERO = fmpq(0)
 
 _TURN = sp.I * sp.pi
 """The exponent modulo which all are counted."""
+
+
+@dataclass(frozen=True)
+class Small:
+    """A variable in which exponentials become Taylor polynomials, of this many terms."""
+
+    variable: sp.Symbol
+    order: int
 
 
 class Field:
@@ -42,8 +53,10 @@ class Field:
     True
     """
 
-    def __init__(self, exprs: Iterable[Expr], small: sp.Symbol | None = None) -> None:
+    def __init__(self, exprs: Iterable[Expr], small: Small | None = None) -> None:
         self._small = small
+        self._series: dict[Expr, tuple[Expr, Expr]] = {}
+        """Of what depends on the small variable: e^(u + v) by e^u and v, which vanishes with it."""
         self._exprs = {e: as_exponentials(sp.sympify(e, strict=True)) for e in exprs}
         self._radicals: dict[tuple[Expr, int], Expr] = {}
         self._logs: dict[Expr, Expr] = {}
@@ -53,8 +66,8 @@ class Field:
         outside: set[Expr] = set()
         for e in self._exprs.values():
             self._collect(e, everywhere, outside, set())
-        self._symbols = sorted(everywhere, key=str)
-        self._outside = sorted(outside, key=str)
+        self._symbols = sorted(everywhere, key=_name)
+        self._outside = sorted(outside, key=_name)
         self._images: dict[Expr, Fractional] = {}
         """Images of sums, which an expression may hold several times."""
         self._basis: list[tuple[Expr, Exponents]] = []
@@ -78,6 +91,9 @@ class Field:
         elif expr.is_Add or expr.is_Mul:
             for arg in expr.args:
                 self._collect(arg, symbols, outside, seen)
+        elif self._small is not None and self._expanded(expr, self._small.variable):
+            for part in self._series[expr]:
+                self._collect(part, symbols, outside, seen)
         elif isinstance(expr, sp.exp) or expr is sp.E:
             exponent = expr.args[0] if expr.args else sp.S.One
             self._exponents.append(exponent)
@@ -97,6 +113,24 @@ class Field:
             self._opaque.setdefault(expr, sp.Dummy("f"))
         else:
             raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
+
+    def _expanded(self, expr: Expr, small: sp.Symbol) -> bool:
+        """Whether a series is taken of a power or a function; refused where there is none."""
+        if (expr.is_Pow and expr.args[1].is_Integer) or small not in expr.free_symbols:
+            return False
+        if not isinstance(expr, sp.exp) and not expr.is_Pow:
+            raise Unsupported(f"no series of {type(expr).__name__} of {small}")
+        if expr.is_Pow and small in expr.args[0].free_symbols:
+            raise Unsupported(f"a root or power of {expr.args[0]}, which depends on {small}")
+        exponent = sp.expand(expr.args[-1])
+        still, moving = exponent.as_independent(small, as_Add=True)
+        if not moving.is_polynomial(small):
+            raise Unsupported(f"the exponent {exponent} is no polynomial in {small}")
+        if expr.is_Pow:  # a fixed base
+            self._series[expr] = expr.args[0] ** still, moving * sp.log(expr.args[0])
+        else:
+            self._series[expr] = sp.exp(still), moving
+        return True
 
     # -- a basis of the exponents over the rationals, modulo j pi ---------------------
 
@@ -125,28 +159,30 @@ class Field:
             shared = common.gcd(image.den)
             common = common * (image.den / shared)
             images[exponent] = image
-        echelon: list[tuple[tuple[int, ...], Exponents, dict[int, Fraction]]] = []
+        echelon: list[tuple[tuple[int, ...], Exponents, dict[int, fmpq]]] = []
         for exponent in images:
             image = images[exponent]
             poly = ring.reduce(image.num * (common / image.den))
-            vector = {m: Fraction(int(c.p), int(c.q)) for m, c in poly.to_dict().items()}
-            coordinates: dict[int, Fraction] = {}
+            vector = poly.to_dict()
+            coordinates: dict[int, fmpq] = {}
             for pivot, row, combination in echelon:
-                factor = vector.get(pivot, Fraction(0)) / row[pivot]
-                if factor:
+                if vector.get(pivot):
+                    factor = vector[pivot] / row[pivot]
                     for m, c in row.items():
-                        vector[m] = vector.get(m, Fraction(0)) - factor * c
+                        vector[m] = vector.get(m, _ZERO) - factor * c
                     for i, c in combination.items():
-                        coordinates[i] = coordinates.get(i, Fraction(0)) + factor * c
+                        coordinates[i] = coordinates.get(i, _ZERO) + factor * c
             vector = {m: c for m, c in vector.items() if c}
             if vector:
                 index = len(self._basis)
                 self._basis.append((exponent, vector))
                 combination = {i: -c for i, c in coordinates.items()}
-                combination[index] = Fraction(1)
+                combination[index] = fmpq(1)
                 echelon.append((next(iter(vector)), vector, combination))
-                coordinates = {index: Fraction(1)}
-            self._coordinates[exponent] = coordinates
+                coordinates = {index: fmpq(1)}
+            self._coordinates[exponent] = {
+                i: Fraction(int(c.p), int(c.q)) for i, c in coordinates.items()
+            }
 
     @staticmethod
     def _depends(poly: fmpq_mpoly, ring: Ring, name: Expr) -> bool:
@@ -178,7 +214,7 @@ class Field:
             names.append(self._generator[i])
         names.append(self._zeta)
         self._ring = ring = Ring(names)
-        ring.small = None if self._small is None else names.index(self._small)
+        ring.small = None if self._small is None else names.index(self._small.variable)
         cyclotomic = fmpz_poly.cyclotomic(self._order).coeffs()
         ring.relate(
             self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
@@ -248,6 +284,9 @@ class Field:
             for arg in expr.args[1:]:
                 product = product * self._image(arg, ring, exponential)
             return product
+        if expr in self._series:
+            still, moving = (self._image(part, ring, exponential) for part in self._series[expr])
+            return still * self._taylor(moving, ring)
         if isinstance(expr, sp.exp) or expr is sp.E:
             if exponential is None:
                 raise Unsupported(f"an exponential inside an exponent: {expr}")
@@ -263,6 +302,14 @@ class Field:
                 raise Unsupported(f"a symbolic power inside an exponent: {expr}")
             return exponential(power * self._logs[base])
         raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
+
+    def _taylor(self, moving: Fractional, ring: Ring) -> Fractional:
+        """1 + v + v^2/2 + ..., by Horner's rule."""
+        assert self._small is not None
+        one = total = ring.constant(sp.S.One)
+        for k in range(self._small.order - 1, 0, -1):
+            total = ring.sum(one, moving * total * ring.constant(sp.Rational(1, k)))
+        return total
 
     def _power(self, image: Fractional, n: int, ring: Ring) -> Fractional:
         if n < 0 and ring.reduce(image.num).is_zero():
@@ -294,15 +341,14 @@ class Field:
             raise Undefined("division by an expression that is identically zero")
         return True
 
-    def lowest(
-        self, expr: Expr, variable: sp.Symbol, upto: int, nonzero: Callable[[Expr], bool]
-    ) -> tuple[int, Expr] | None:
-        """Order and coefficient of the lowest power of ``variable``, or None if beyond ``upto``.
+    def lowest(self, expr: Expr, nonzero: Callable[[Expr], bool]) -> tuple[int, Expr] | None:
+        """Order and coefficient of the lowest power of the small variable; None if beyond.
 
-        The expression must be rational in ``variable`` (see :mod:`symhaptic.proof.series`).  A
-        coefficient is passed over where its normal form is zero, and taken only where
+        A coefficient is passed over where its normal form is zero, and taken only where
         ``nonzero`` shows that it is not; else :class:`Unsupported` is raised.
         """
+        assert self._small is not None
+        variable, upto = self._small.variable, self._small.order
         image = self.image(expr)
         one = self._ring.one
         monic = all(relation[max(relation)] == one for _, relation in self._ring.relations)
@@ -352,7 +398,10 @@ class Field:
         logs = {log: base for base, log in self._logs.items()}
         shown: list[Expr] = list(self._outside)
         for i in self._generator:
-            exponent = sp.expand(sp.cancel(self._basis[i][0] / self._denominators[i]))
+            exponent = self._basis[i][0] / self._denominators[i]
+            if not exponent.is_polynomial():
+                exponent = sp.cancel(exponent)
+            exponent = sp.expand(exponent)
             if exponent.could_extract_minus_sign():
                 exponent = -exponent
             bases = [base for log, base in logs.items() if exponent.has(log)]
@@ -360,6 +409,11 @@ class Field:
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
         roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
+
+
+def _name(symbol: sp.Symbol) -> str:
+    """What a symbol is printed as."""
+    return f"_{symbol.name}" if symbol.is_Dummy else str(symbol.name)
 
 
 def is_zero(expr: Expr) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 
 import sympy as sp
 from flint import acb, arb, arb_mat, ctx
@@ -109,7 +109,7 @@ class Named:
         default_factory=dict, repr=False, compare=False
     )
 
-    @property
+    @cached_property
     def of(self) -> Sequence[sp.Symbol]:
         """Gamma, delta and what else the expressions are made of."""
         made = set().union(*(expr.free_symbols for expr in self.meanings.values()))

@@ -1,7 +1,7 @@
 """Certificates checked again, by another and simpler routine than the one that found them.
 
-An expression becomes a short program over balls; every piece is put through it once.
-Nothing is searched for, and nothing is shared with the search but the ball arithmetic itself.
+Every piece is put once through the program that an expression becomes, and nothing is searched for.
+That program is shared with the search; a test holds it against :func:`symhaptic.proof.ball.ball`.
 """
 
 from __future__ import annotations

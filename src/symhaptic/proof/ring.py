@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 from math import comb
 
 import sympy as sp
@@ -37,17 +38,21 @@ class Fractional:
         return Fractional(self.num**n, self.den**n)
 
 
+@cache
+def _polynomials(count: int) -> tuple[fmpq_mpoly_ctx, tuple[fmpq_mpoly, ...], fmpq_mpoly]:
+    """The polynomials in so many generators, of which flint wants one at least; these, and 1."""
+    ctx = fmpq_mpoly_ctx.get([f"g{i}" for i in range(count)], "degrevlex")
+    return ctx, ctx.gens(), ctx.constant(1)
+
+
 class Ring:
     """Polynomials over the rationals in named generators, with one relation for some of them."""
 
     def __init__(self, names: list[Expr]) -> None:
         self.names = names
-        # flint wants at least one generator
-        labels = [f"g{i}" for i in range(max(1, len(names)))]
-        self.ctx = fmpq_mpoly_ctx.get(labels, "degrevlex")
-        self.gen = dict(zip(names, self.ctx.gens(), strict=False))
+        self.ctx, generators, self.one = _polynomials(max(1, len(names)))
+        self.gen = dict(zip(names, generators, strict=False))
         self._index = {name: i for i, name in enumerate(names)}
-        self.one = self.ctx.constant(1)
         self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
         self.moduli: dict[int, fmpq_mpoly] = {}
         """The relations that are monic and have numbers as coefficients, by their generator."""

@@ -2,29 +2,12 @@
 
 from __future__ import annotations
 
-from importlib import import_module
+from collections.abc import Sequence
 
 from symhaptic.book.lemmas.stable_forms import Block
 from symhaptic.book.page import Page
-from symhaptic.notation.proposition import Proposition, both
-from symhaptic.proof.theorems.kernel import Theorem, conjoined
-
-FORMS = {
-    "discretize": ("device", "DISCRETE"),
-    "discretize_fractional": ("device", "ALL", "LATE"),
-    "characteristic_polynomial": ("device", "POLYNOMIAL"),
-    "stability_conditions": ("device", "CONDITIONS"),
-    "is_stable": ("device", "ALL", "LATE"),
-    "unstable_roots": ("device", "ALL", "LATE"),
-    "stability_boundary": ("boundary", "BOUNDARY", "LATE_BOUNDARY"),
-    "max_stable_stiffness": ("slope", "SEARCHED", "EARLY", "UNDELAYED"),
-    "passivity_margin_at": ("need", "MARGIN"),
-    "passivity_margin": ("need", "NEEDS"),
-    "passivity_boundary": ("walls", "TOUCHED"),
-    "max_passive_stiffness": ("walls", "STIFFEST", "LATE_STIFFEST"),
-    "linear_limit": ("walls", "LINEAR"),
-}
-"""The module beside this one, and the blocks in it, that are a form's own."""
+from symhaptic.notation.proposition import both
+from symhaptic.proof.theorems.kernel import conjoined
 
 RESTS = {
     "stability_boundary": "discretize_fractional",
@@ -33,13 +16,6 @@ RESTS = {
     "max_passive_stiffness": "passivity_margin",
 }
 """Forms that are made, beside, of what the statement on another form is about."""
-
-
-def blocks(form: str) -> tuple[Block, ...]:
-    """The blocks of a form."""
-    module, *names = FORMS[form]
-    home = import_module(f".stable_{module}", __package__)
-    return tuple(getattr(home, name) for name in names)
 
 
 def statement(form: str) -> str:
@@ -51,20 +27,12 @@ def statement(form: str) -> str:
     return f"computed-{form.replace('_', '-')}"
 
 
-def claim(form: str) -> Proposition:
-    """That what is computed is what is derived."""
-    return both(block.says() for block in blocks(form))
+def settle(page: Page, form: str, blocks: Sequence[Block], says: str) -> None:
+    """State on a page that what a form computes is what is derived, and settle it.
 
-
-def theorem(form: str) -> Theorem:
-    """That as a theorem; a block is shown once."""
-    shown = [block.theorem for block in blocks(form)]
-    return shown[0] if len(shown) == 1 else conjoined(*shown)
-
-
-def settle(page: Page, form: str, says: str) -> None:
-    """State it on a page, and settle it."""
-    page.state(statement(form), says, claim=claim(form))
-    first, *others = blocks(form)
-    example = None if others else first.example()
-    page.settle(statement(form), theorem(form), example=example)
+    The claim is that of all the blocks that are the form's own.
+    """
+    page.state(statement(form), says, claim=both(block.says() for block in blocks))
+    shown = [block.derive() for block in blocks]
+    whole = shown[0] if len(shown) == 1 else conjoined(*shown)
+    page.settle(statement(form), whole, example=None if len(shown) > 1 else blocks[0].example())

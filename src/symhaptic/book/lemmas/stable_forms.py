@@ -77,9 +77,12 @@ class Block:
             values[name] = meaning.xreplace(values)
         return example(values, self.given)
 
+    def derive(self) -> Theorem:
+        """The claim as a theorem, which is kept."""
+        return self._theorem
+
     @cached_property
-    def theorem(self) -> Theorem:
-        """The claim as a theorem."""
+    def _theorem(self) -> Theorem:
         found = [self._pair(pair) for pair in self.pairs]
         whole = found[0] if len(found) == 1 else conjoined(*found)
         shown = weakened(closed(whole, *self.divisors()), *self.given)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
@@ -143,6 +143,14 @@ def _along(what: _On, up: _On) -> Found:
     )
 
 
+@cache
+def _shape() -> tuple[Callable[..., list[arb]], Callable[..., list[arb]]]:
+    """Balls of what the boundary is made of, and of its slopes by the plant's numbers."""
+    shape = {s: x.subs(BALLS) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
+    meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma, delta)
+    return compiled(meant), compiled([sp.diff(x, name) for x in meant for name in NAMES])
+
+
 def _arc(delay: int) -> Callable[[Box], _Arc]:
     """Finds the boundary of a box of plants."""
     form = linear.arc(delay)
@@ -153,10 +161,7 @@ def _arc(delay: int) -> Callable[[Box], _Arc]:
     flat = [c for part in coefficients for c in part]
     values = compiled(flat, SHAPE)
     partial = compiled([sp.diff(c, name) for c in flat for name in SHAPE], SHAPE)
-    shape = {s: x.subs(BALLS) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
-    meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma, delta)
-    named = compiled(meant)
-    named_by = compiled([sp.diff(x, name) for x in meant for name in NAMES])
+    named, named_by = _shape()
 
     def arc(box: Box) -> _Arc:
         x, middle = numbers(*box[:2]), numbers(box[0].point, box[1].point)

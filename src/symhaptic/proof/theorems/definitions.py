@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Sequence
+from fractions import Fraction
+from itertools import accumulate
+from math import floor
 from typing import Any
 
 import sympy as sp
@@ -94,38 +98,37 @@ def gains(wall: Sequence[Any], motion: Sequence[tuple[Any, Any]]) -> Judgement:
     K x + B (x - x')/T of the sample d periods before.
     """
     K, B, b, T, late = (term(t) for t in wall)
-    pieces = [(sp.Rational(duration), sp.Rational(way)) for duration, way in motion]
+    pieces = [(Fraction(duration), Fraction(way)) for duration, way in motion]
     if not (T.is_Rational and late.is_Rational) or T <= 0 or late < 0:
         raise NotShown("a rational period T > 0 and delay d >= 0 are wanted")
     if any(v.free_symbols or not real(v) for v in (K, B, b)) or sign(b) not in (0, 1):
         raise NotShown("a wall in real numbers is wanted, with b >= 0")
     if any(duration <= 0 for duration, _ in pieces):
         raise NotShown("a piece takes no time")
-    ends, places = [sp.S.Zero], [sp.S.Zero]
-    for duration, way in pieces:
-        ends.append(ends[-1] + duration)
-        places.append(places[-1] + way)
+    ends = list(accumulate((duration for duration, _ in pieces), initial=Fraction(0)))
+    places = list(accumulate((way for _, way in pieces), initial=Fraction(0)))
 
-    def position(time: Expr) -> Expr:
-        if time <= 0:
-            return sp.S.Zero
-        i = next((i for i, end in enumerate(ends) if end >= time), None)
-        if i is None:
-            return places[-1]
-        share = (time - ends[i - 1]) / (ends[i] - ends[i - 1])
-        return places[i - 1] + share * (places[i] - places[i - 1])
+    def position(time: Fraction) -> Fraction:
+        i = bisect_left(ends, time)
+        if i in (0, len(ends)):
+            return places[min(i, len(pieces))]
+        share = (time - ends[i - 1]) / pieces[i - 1][0]
+        return places[i - 1] + share * pieces[i - 1][1]
 
-    energy = sp.S.Zero
+    burnt = against_K = against_B = Fraction(0)
+    behind = Fraction(late)
     for i, (duration, way) in enumerate(pieces):
         begin, end = ends[i], ends[i + 1]
-        energy += b * way**2 / (duration * T)
-        k = sp.floor(begin - late)
-        while k + late < end:
-            here, before = position(k), position(k - 1)
-            force = K * here + B * (here - before) / T
-            first, last = max(begin, k + late), min(end, k + 1 + late)
-            energy += force * (position(last) - position(first))
+        burnt += way**2 / duration
+        k = floor(begin - behind)
+        while k + behind < end:
+            here, before = position(Fraction(k)), position(Fraction(k - 1))
+            moved = position(min(end, k + 1 + behind)) - position(max(begin, k + behind))
+            against_K += here * moved
+            against_B += (here - before) * moved
             k += 1
+    energy = b * sp.Rational(burnt) / T + K * sp.Rational(against_K)
+    energy += B * sp.Rational(against_B) / T
     if sign(energy) != -1:
         raise NotShown(f"the motion leaves the energy {energy}")
     return (), Not((Predicate("passive_wall", (), (K, B, b, T, late)),))
