@@ -108,11 +108,12 @@ def moved(found: Theorem, wanted: Any, known: Sequence[Theorem | None]) -> Theor
 
 
 @cache
-def with_the_mass() -> Theorem:
-    """K and B are stable <=> (m'/m) K and (m'/m) B with the mass m', under HELD."""
+def with_the_mass(stiffer: Symbol, stronger: Symbol) -> Theorem:
+    """K and B are stable <=> K' = (m'/m) K and B' = (m'/m) B with the mass m', under HELD."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(K * HEAVY / m, B * HEAVY / m, T, HEAVY, DAMPER, SPRING)
-    return _both_ways(before, after, HELD)
+    after = in_units(stiffer, stronger, T, HEAVY, DAMPER, SPRING)
+    wall = Eq(stiffer, K * HEAVY / m), Eq(stronger, B * HEAVY / m)
+    return _both_ways(before, after, wall, HELD)
 
 
 @cache
@@ -130,15 +131,18 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
 
 
 @cache
-def with_the_rate() -> Theorem:
-    """K and B are stable <=> y^2 K and y B are at y times the rate, under FASTER."""
+def with_the_rate(stiffer: Symbol, stronger: Symbol) -> Theorem:
+    """K and B are stable <=> K' = y^2 K and B' = y B are at y times the rate, under FASTER."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(y**2 * K, y * B, T / y, m, DAMPER, SPRING)
-    return closed(_both_ways(before, after, FASTER), positive(Ne(y, 0), y > 0))
+    after = in_units(stiffer, stronger, T / y, m, DAMPER, SPRING)
+    wall = Eq(stiffer, y**2 * K), Eq(stronger, y * B)
+    return closed(_both_ways(before, after, wall, FASTER), positive(Ne(y, 0), y > 0))
 
 
-def _both_ways(before: Proposition, after: Proposition, kept: list[Any]) -> Theorem:
-    known = [None, None, assume(kept[1]), assume(kept[0])]
+def _both_ways(
+    before: Proposition, after: Proposition, wall: Sequence[Any], kept: list[Any]
+) -> Theorem:
+    known = [*map(assume, wall), assume(kept[1]), assume(kept[0])]
     there, back = moved(assume(before), after, known), moved(assume(after), before, known)
     return closed(either_way(there, back, before, after), *APART)
 
