@@ -74,8 +74,8 @@ def derive(page):
         "than the tip, and damped to the right side of it",
     )
     page.say(
-        "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore on "
-        "the boundary, closed by the line of $\\theta\\to0$ below and by $K=0$. For $d=0$ the "
+        "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore "
+        "on the boundary, closed by the line of $\\theta\\to0$ below and by $K=0$. For $d=0$ the "
         "slope of $U$ vanishes: the envelope shrinks to one point and the boundary is (6)."
     )
     page.step(
