@@ -22,8 +22,7 @@ from symhaptic.book.lemmas.walls import unstable
 from symhaptic.notation import B, K, T, b, d, k, m, y
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.conclusion import STIFFER, STRONGER
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SPRING
+from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SPRING, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all

@@ -12,7 +12,15 @@ from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, LOOPS, SPRING, in_units
+from symhaptic.paper.propositions.stability import (
+    DAMPER,
+    HEAVY,
+    LOOPS,
+    SPRING,
+    STIFFER,
+    STRONGER,
+    in_units,
+)
 from symhaptic.paper.reading import Printed
 
 
@@ -25,10 +33,6 @@ def _springs_against_arms(printed: Printed) -> Proposition:
     near = [ABOUT[0] * times * k_H <= k, k <= ABOUT[1] * times * k_H]
     given = [m > 0, T > 0, k_H > 0, *DAMPED, swings]
     return ForAll((m, b, k, k_H, T), implied(given, both(near)))
-
-
-STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
-"""The wall beside another mass, or at another rate."""
 
 
 @claims("s6-sampling")
