@@ -109,7 +109,7 @@ def _boundary(page):
         "here with $u=KT/2$ and $w=B+KT/2$, not divided by $b$",
     )
     page.lemma(
-        "A wall of the boundary needs just the damping of that wall",
+        "A wall of the boundary needs just the damping of the one of (7) on its ray",
         needed_there(),
         because="with it the wall is passive, and at this angle it wants no less",
     )

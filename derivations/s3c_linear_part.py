@@ -101,7 +101,11 @@ def _line(page, *derived):
         because="a wall that leaves the line some room leaves a share of it at every angle, and "
         "would be passive with less damping",
     )
-    found = page.lemma("So far the boundary is the line (8)", lower_boundary(then), boxed=True)
+    found = page.lemma(
+        "Up to the damping of its end the boundary is the line (8)",
+        lower_boundary(then),
+        boxed=True,
+    )
     more = [*given, whole(d)]
     late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half}
     page.settle(
