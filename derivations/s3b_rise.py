@@ -10,19 +10,21 @@ from sympy import Eq, Rational, S, cos, cot, diff, pi, sin
 
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
 from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
-from symhaptic.book.lemmas.motions import STEPS, half_late, not_passive
+from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.tip import tip
 from symhaptic.book.lemmas.touching import touches
+from symhaptic.book.lemmas.upper_boundary import met, needed_there, upper_boundary
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, N, T, b, d, omega, psi, theta, u
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.proof.theorems.kernel import assume, conjoined, discharged, part, weakened
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
@@ -73,7 +75,7 @@ def derive(page):
     )
     page.say(
         "For $N>2$, that is $d>0$, the envelope from $\\theta\\to0$ to $\\pi/(d+1)$ is therefore "
-        "the boundary, closed by the line of $\\theta\\to0$ below and by $K=0$. For $d=0$ the "
+        "on the boundary, closed by the line of $\\theta\\to0$ below and by $K=0$. For $d=0$ the "
         "slope of $U$ vanishes: the envelope shrinks to one point and the boundary is (6)."
     )
     page.step(
@@ -86,35 +88,56 @@ def derive(page):
 
 
 def _boundary(page):
-    """Each wall of (7) is on the boundary, behind whole delays and up to pi/(d+1)."""
+    """The walls of (7), and above the corner no others, behind whole delays and up to pi/(d+1)."""
     printed = STATEMENTS["eq7"].printed
     claim = CLAIMED["eq7"](printed)
     symbols, given, then = taken_apart(claim)
-    found = page.lemma(
+    curve, others = then.of
+    on_it = page.lemma(
         "A wall of (7) is passive, and needs all of the damping",
-        on_boundary(*map(assume, given[-2:])),
+        on_boundary(*map(assume, printed)),
+    )
+    page.say(
+        "Has the boundary other walls, more damped than the end of the line of $\\theta\\to0$? "
+        "Take one with $K>0$. It lies beyond the ray of that end, and from there to "
+        "$N\\psi=\\pi$ the walls of (7) turn to the ray of $K=0$. In between one of them is met:"
+    )
+    page.lemma(
+        "Of the walls of (7) one lies on the ray of a wall beyond the corner",
+        met(),
+        because="how far the wall of an angle is off the ray has different signs at both ends, "
+        "here with $u=KT/2$ and $w=B+KT/2$, not divided by $b$",
+    )
+    page.lemma(
+        "A wall of the boundary needs just the damping of the one of (7) on its ray",
+        needed_there(),
+        because="with it the wall is passive, and at this angle it wants no less",
+    )
+    above = page.lemma(
+        "Above the corner each wall of the boundary is one of (7)",
+        upper_boundary(others.of[1]),
+        because="by the same damping they are the same wall; with $K=0$ it is $(0,b)$",
         boxed=True,
+    )
+    found = conjoined(
+        discharged(weakened(on_it, *curve.of[0].of), curve.of[0]),
+        discharged(closed(above, part(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega <= pi / (T * (d + 1))
     more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, T: S.One, b: S.One, omega: pi / 3})
-    late = _wall(printed, {d: S.One, T: S.One, b: S.One, omega: 2 * pi / 3})
+    high = _wall(printed, {d: S.One, T: S.One, b: S.One, omega: 2 * pi / 3})
+    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     stiffness, damping = (e.subs(theta, omega * T) for e in passivity.envelope())
     page.settle(
         "eq7",
-        for_all(symbols, more, weakened(found, *given, end)),
+        for_all(symbols, more, weakened(found, *more)),
         Eq(K, stiffness),
         Eq(B, damping),
         example=example(_wall(printed, UNDELAYED | {omega: pi / 2}), more),
         unless=[
-            counterexample(
-                claim,
-                half,
-                not_passive(then, half, half_late(Rational(17, 10))),
-                holds=[end],
-                but=whole(d),
-            ),
-            counterexample(claim, late, not_passive(then, late, STEPS), holds=[whole(d)], but=end),
+            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
+            for at, motion, holds, but in unless
         ],
         shows=r"for $d=1$, $\omega T=\tfrac23\pi$ (7) gives $K=-4$, $B=2$: it pulls the hand",
         note="without delay (7) is the single point $(2b/T,0)$, and the rest of the boundary is "

@@ -12,15 +12,25 @@ from symhaptic.book.lemmas.linear_part import (
     met_at_every_frequency,
     on_line,
 )
-from symhaptic.book.lemmas.motions import not_passive
+from symhaptic.book.lemmas.lower_boundary import lower_boundary, on_the_line
+from symhaptic.book.lemmas.motions import HALF_LATE
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, theta, y
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.analysis import no_other_limit
+from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.kernel import (
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    weakened,
+    witnessed,
+)
 from symhaptic.proof.theorems.leaves import number, tends
 from symhaptic.proof.theorems.tactics import (
     counterexample,
@@ -76,26 +86,45 @@ def derive(page):
 
 
 def _line(page, *derived):
-    """Each wall of (8) is on the boundary, behind whole delays."""
+    """Each wall of (8) is on the boundary, behind whole delays, and below its end no other wall."""
     claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
     symbols, given, then = taken_apart(claim)
-    found = page.lemma(
+    page.lemma(
         "A wall of (8) is passive, and needs all of the damping",
-        on_line(*map(assume, given[-2:])),
+        on_line(*map(assume, then.of[1].body.of[2:])),
         because="it lies between $(0,-b)$ and the corner of the envelope, which both leave a "
         "margin at every angle",
     )
+    page.lemma(
+        "A wall of the boundary that is damped no more than the end of (8) lies on its line",
+        on_the_line(),
+        because="a wall that leaves the line some room leaves a share of it at every angle, and "
+        "would be passive with less damping",
+    )
+    found = page.lemma(
+        "Up to the damping of its end the boundary is the line (8)",
+        lower_boundary(then),
+        boxed=True,
+    )
     more = [*given, whole(d)]
-    late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half, y: Rational(8, 9)}
+    late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half}
     page.settle(
         "eq8",
         for_all(symbols, more, weakened(found, *given)),
         *derived,
-        example=example(late | {d: S.Zero, y: S.Half, B: -S.Half}, more),
-        unless=[counterexample(claim, late, not_passive(then, late), but=whole(d))],
+        example=example(late | {d: S.Zero, B: -S.Half}, more),
+        unless=[counterexample(claim, late, _gains(then.at(late), Rational(8, 9)), but=whole(d))],
         shows=r"half a period late, the wall $K=b/T$, $B=0$ on this line gives energy away",
         note="bounds the walls that satisfy (5) for every real $d$",
     )
+
+
+def _gains(claim, share):
+    """A wall at this share of the line is not on the boundary: a motion gains energy from it."""
+    lower, line = claim.of
+    there = conjoined(*(number(p) for p in line.body.at({y: share}).of))
+    passive = part(applied(assume(claim), witnessed(there, line, {y: share})), lower.of[0].of[0])
+    return absurd(passive, gains(passive.conclusion.of, HALF_LATE), claim)
 
 
 def _lower_part(page):

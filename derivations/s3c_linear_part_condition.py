@@ -9,25 +9,23 @@ from sympy import Ne, Rational, S
 
 from symhaptic.book.lemmas.linear_part import (
     LOW,
+    at_corner,
     decides,
-    on_line,
 )
 from symhaptic.book.lemmas.motions import HALF_LATE, STEPS, TO_AND_FRO
 from symhaptic.book.lemmas.passivity import PASSIVE
-from symhaptic.notation import B, K, T, b, d, y
+from symhaptic.notation import B, K, T, b, d
 from symhaptic.notation.proposition import negated, proposition, whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import (
-    closed,
     counterexample,
     either_way,
     example,
-    fact,
     for_all,
 )
 
@@ -119,15 +117,7 @@ def not_alike(same, point, motion):
     there = same.at(point)
     nine, passive = there.of
     if motion is None:
-        held = applied(assume(there), at_corner(point))
+        held = applied(assume(there), at_corner(STATEMENTS["eq8"].printed, point))
         return absurd(held, number(negated(nine)), there)
     met = number(nine)
     return absurd(applied(assume(there), met), gains(list(passive.of), motion), there)
-
-
-def at_corner(point):
-    """The wall of a point is passive, since it is the corner."""
-    claim = CLAIMED["eq8"](STATEMENTS["eq8"].printed)
-    found = part(on_line(*map(assume, taken_apart(claim)[1][-2:])), PASSIVE)
-    there = placed(found, point | {y: S.One})
-    return closed(there, *map(fact, there.hypotheses))

@@ -127,7 +127,7 @@ def _curves(page):
         of.at(case | {d: value}) for of, value in ((given[-1], S.Half), (given[-1], S.Zero))
     )
     there = then.at(case)
-    tip = there.of[2]
+    tip = there.of[-1]
     point = conjoined(*(number(e) for e in tip.of[0].of))
     held = applied(part(assume(there), tip), point)
     denied = absurd(part(held, PASSIVE.at(case)), gains(list(PASSIVE.at(case).of), GAINS), there)

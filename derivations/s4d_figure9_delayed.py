@@ -78,4 +78,9 @@ def derive(page):
         "to be stable by their roots. That none is stiffer says one point of the circle: of a "
         "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
     )
-    page.settle("fig9", drawn(), note="for $d=2$ the spring takes over a percent of the width")
+    page.settle(
+        "fig9",
+        drawn(),
+        note="for $d=2$ the spring takes over a percent of the width; that all walls inside "
+        "a curve are stable is not claimed",
+    )

@@ -69,8 +69,8 @@ def derive(page):
 def _settled(page):
     """What of all this is a theorem: damped arms, and the undamped half swing."""
     page.say(
-        "A damped arm needs none of these estimates. A wall that pulls, without virtual "
-        "damping, is passive without delay, and for $\\gamma\\le2\\delta$ one period late, so that "
+        "A damped arm needs none of these estimates. A wall that pulls, with little virtual "
+        "damping, is passive without delay, and for $\\gamma<2\\delta$ one period late, so that "
         "it is stable (\\chapter{s5a_passive_is_stable}):"
     )
     found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)

@@ -83,8 +83,9 @@ def derive(page):
     )
     page.state(
         "delay-margin",
-        "with growing delay (on the principal sheet) roots leave the circle at one angle at most, "
-        "where the wall stops to lead",
+        "with growing delay (on the principal sheet) a root on the circle moves outwards where, "
+        "with growing angle, the plant takes the lead over the wall, and inwards where the wall "
+        "does; and there is one angle at most at which the plant takes it",
         claim=both([leaves_where_the_wall_stops_to_lead(), at_one_angle()]),
     )
     page.settle(

@@ -18,7 +18,7 @@ from symhaptic.book.lemmas.scaling import (
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.notation import B, K, T, alpha, b, beta, d, k, m
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING
+from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     absurd,
@@ -52,8 +52,8 @@ def stiffness(page):
         at_twice_the_rate(),
     )
     loop_ = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero, DAMPER: S.Zero, SPRING: S.Zero}
-    kept = loop_ | {K: STIFF[alpha], b: BEFORE, DAMPER: BEFORE}
-    swung = loop_ | {K: LITTLE[alpha], SPRING: 16 * pi**2}
+    kept = loop_ | {K: STIFF[alpha], b: BEFORE, DAMPER: BEFORE, STIFFER: 4 * STIFF[alpha]}
+    swung = loop_ | {K: LITTLE[alpha], SPRING: 16 * pi**2, STIFFER: 4 * LITTLE[alpha]}
     page.settle(
         "s4d-quadratic-in-period",
         for_all(symbols, [*given, *RATE], weakened(same, *given)),
@@ -78,7 +78,8 @@ def bound(page):
     )
     loop_ = dict.fromkeys((b, k, d, DAMPER, SPRING), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One}
     kept = loop_ | {B: BRAKED[beta], b: BEFORE, SOON: Rational(1, 2), DAMPER: BEFORE}
-    swung = loop_ | {B: LITTLE[beta], SOON: S.One, SPRING: 4 * pi**2}
+    kept[STRONGER] = 2 * BRAKED[beta]
+    swung = loop_ | {B: LITTLE[beta], SOON: S.One, SPRING: 4 * pi**2, STRONGER: LITTLE[beta]}
     page.settle(
         "s4d-damping-bound",
         for_all(symbols, [*given, *KEPT], weakened(same, *given)),

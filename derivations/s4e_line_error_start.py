@@ -100,15 +100,15 @@ def unbounded_there(page):
     symbols, given, _ = taken_apart(unbounded())
     page.state(
         "linear-error-start",
-        "for $\\gamma\\delta>0$ and $\\gamma-\\frac14\\delta^2<\\pi^2$ the error (26) is unbounded "
-        "at the start of the boundary, for every $d$",
+        "for $\\gamma\\delta>0$ and $\\gamma-\\frac14\\delta^2<\\pi^2$ the reciprocal of the error "
+        "(26) tends to zero at the start of the boundary, for every $d$",
         claim=unbounded(),
     )
     page.settle(
         "linear-error-start",
         for_all(symbols, given, weakened(no_error, *given)),
         example=example({gamma: S.One, delta: S.One, d: S.Zero}, given),
-        note="it is bounded for $\\gamma=0$ or $\\delta=0$",
+        note="so the error exceeds every bound; it is bounded for $\\gamma=0$ or $\\delta=0$",
     )
 
 

@@ -69,7 +69,7 @@ def derive(page):
         "fig10",
         drawn(),
         note="the figure leaves out the marks of $-2$ and $-5\\,\\%$ next to the corner, of all "
-        "$\\delta>0$",
+        "$\\delta>0$; for $d=1$ it is not claimed that all walls inside a curve are stable",
     )
 
 

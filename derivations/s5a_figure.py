@@ -20,6 +20,7 @@ from symhaptic.model import boundary, passivity
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import B, K, T, a, d, e, n_0, n_1, theta, z
 from symhaptic.notation.proposition import whole
+from symhaptic.paper.propositions.plots import dashed
 
 
 def derive(page):
@@ -74,8 +75,9 @@ def derive(page):
 
 def _settled(page):
     page.lemma(
-        "A wall of the curve (27) for $\\delta=0.02$ is on the boundary of the passive ones",
-        passive_curve(),
+        "The walls of the curve (27) for $\\delta=0.02$ are on the boundary of the passive ones, "
+        "and above its corner no others",
+        passive_curve(dashed()),
         because="up to $\\hat\\omega=\\pi/(d+1)$ and behind whole delays, as for Fig. 4",
     )
     page.lemma(
@@ -101,5 +103,6 @@ def _settled(page):
         unless=[half_late("fig11", whole(d))],
         shows=r"half a period late, $(0.01,0.005)$ meets (5) and is not stable by (18)",
         note="for five of the seven delays; for the other two the curves of the principal sheet "
-        "keep clear of each other as well",
+        "keep clear of each other as well. That all walls inside a solid curve are stable is not "
+        "claimed",
     )

@@ -6,16 +6,17 @@ ones, and only the damping $\delta$ and the delay are left.
 
 from sympy import Eq, Rational, S, pi
 
-from symhaptic.book.lemmas.motions import STEPS, half_late, not_passive
-from symhaptic.book.lemmas.normalised_boundary import in_units
+from symhaptic.book.lemmas.motions import STEPS, half_late, not_on_boundary
+from symhaptic.book.lemmas.normalised_boundary import above_in_units, in_units
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, m, omega_hat, theta
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.proof.theorems.kernel import assume, conjoined, discharged, part, weakened
+from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
 def derive(page):
@@ -52,30 +53,36 @@ def _boundary(page, *forms):
     printed = STATEMENTS["eq27"].printed
     claim = CLAIMED["eq27"](printed)
     symbols, given, then = taken_apart(claim)
-    found = page.lemma(
+    curve, others = then.of
+    on_it = page.lemma(
         "A wall of (27), in SI units, is passive, and needs all of the damping",
-        in_units(given),
+        in_units(),
         because="it is the wall of (7) with $\\omega=\\hat\\omega/T$",
         boxed=True,
+    )
+    above = page.lemma(
+        "Behind a delay, above the corner, the boundary has no other walls",
+        above_in_units(others.of[1]),
+        because="by \\chapter{s3b_rise} they are walls of (7), at $\\hat\\omega=\\omega T$ of (27)",
+        boxed=True,
+    )
+    found = conjoined(
+        discharged(weakened(on_it, *curve.of[0].of), curve.of[0]),
+        discharged(closed(above, part(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega_hat <= pi / (d + 1)
     more = [*given, whole(d), end]
     half = _wall(printed, {d: S.Half, omega_hat: pi / 3})
-    late = _wall(printed, {d: S.One, omega_hat: 2 * pi / 3})
+    high = _wall(printed, {d: S.One, omega_hat: 2 * pi / 3})
+    unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     page.settle(
         "eq27",
         for_all(symbols, more, weakened(found, *more)),
         *forms,
         example=example(_wall(printed, {d: S.Zero, omega_hat: pi / 2}), more),
         unless=[
-            counterexample(
-                claim,
-                half,
-                not_passive(then, half, half_late(Rational(17, 10))),
-                holds=[end],
-                but=whole(d),
-            ),
-            counterexample(claim, late, not_passive(then, late, STEPS), holds=[whole(d)], but=end),
+            counterexample(claim, at, not_on_boundary(then, at, motion), holds=[holds], but=but)
+            for at, motion, holds, but in unless
         ],
         shows=r"for $d=1$, $\hat\omega=\tfrac23\pi$ (27) gives $(-4,2)\,\delta$: it pulls the hand",
         note=r"without delay (27) is the single point $(2\delta,0)$, and the rest of the boundary "

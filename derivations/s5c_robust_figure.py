@@ -92,5 +92,6 @@ def derive(page):
         shows=r"half a period late, $(0.01,0.005)$ meets (5) and is not stable by (18) "
         "without a spring",
         note="for three of the four delays; for the other one the curves of the principal sheet "
-        "do not enter the passive walls, as for Fig. 11",
+        "do not enter the passive walls, as for Fig. 11. That all walls inside a curve are stable "
+        "is not claimed",
     )

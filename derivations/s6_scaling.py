@@ -22,8 +22,7 @@ from symhaptic.book.lemmas.walls import unstable
 from symhaptic.notation import B, K, T, b, d, k, m, y
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.conclusion import STIFFER
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SPRING
+from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SPRING, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
@@ -38,7 +37,8 @@ SWUNG = STILL | {K: Rational(1, 10), B: S.One}
 
 def derive(page):
     faster = page.lemma(
-        "At $y$ times the rate $y^2K$ and $yB$ are stable where $K$ and $B$ were", with_the_rate()
+        "At $y$ times the rate $y^2K$ and $yB$ are stable where $K$ and $B$ were",
+        with_the_rate(STIFFER, STRONGER),
     )
     passive = page.lemma(
         "At $y$ times the rate $yK$ meets (5) where $K$ did",
@@ -50,24 +50,29 @@ def derive(page):
         "s6-sampling",
         conjoined(passive, faster),
         FASTER,
-        BRAKED | {y: S(2), DAMPER: Rational(1, 50)},
-        SWUNG | {y: S.One, SPRING: 4 * pi**2},
+        _grown(BRAKED | {y: S(2), DAMPER: Rational(1, 50)}, S(4), S(2)),
+        _grown(SWUNG | {y: S.One, SPRING: 4 * pi**2}, S.One, S.One),
         shows="as for four times the stiffness",
         note="with $b$ kept the passive side is exact and the stable one is not",
     )
-    heavier = page.lemma("A stable wall grows with the mass", with_the_mass())
+    heavier = page.lemma("A stable wall grows with the mass", with_the_mass(STIFFER, STRONGER))
     settled(
         page,
         "s6-mass",
         conjoined(heavier, no_mass_differs(m, HEAVY)),
         HELD,
-        BRAKED | {HEAVY: S(2), DAMPER: Rational(1, 50)},
-        SWUNG | {HEAVY: S.One, SPRING: 4 * pi**2},
+        _grown(BRAKED | {HEAVY: S(2), DAMPER: Rational(1, 50)}, S(2), S(2)),
+        _grown(SWUNG | {HEAVY: S.One, SPRING: 4 * pi**2}, S.One, S.One),
         shows="twice the mass with the same damper gives less than twice the stiffness",
         note="the passive region is free of the mass, without condition",
     )
 
     performance(page)
+
+
+def _grown(point, stiffness, damping):
+    """With a wall so many times as stiff and as damped."""
+    return point | {STIFFER: stiffness * point[K], STRONGER: damping * point[B]}
 
 
 def performance(page):

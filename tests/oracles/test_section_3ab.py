@@ -231,6 +231,29 @@ def test_the_envelope_is_the_border_of_the_energy(d):
 
 
 @guards("s3b_rise")
+@pytest.mark.parametrize("d", [1, 2, 5])
+def test_walls_that_just_meet_the_condition_above_the_corner_are_on_the_envelope(d):
+    """On rays beyond the corner, of walls that need the damping 1 at some angle and no more."""
+    rays = [1 / k for k in (1.8, 0.9, 0.3, 0.05)] + [0.6 * d * (2 * d + 1) / (3 * (d + 1))]
+    walls = [w / energy.need(*w, d).max() for w in (np.array([1.0, ray]) for ray in rays)]
+    walls = [wall for wall in walls if wall[1] > d / (2 * d + 3) + 0.01]
+    assert len(walls) > 2
+
+    def agrees(stiffness, damping):
+        turns = np.linspace(0.001, 1, 500) * np.pi / (d + 1)
+        at = [{"omega": t, "d": d, "b": 1, "T": 1} for t in turns]
+        curve = np.array([[number(e, **a) for e in (stiffness, damping)] for a in at])
+        for wall in walls:
+            # the curve is a polygon of 500 sides, the need a maximum over 2000 angles
+            assert np.abs(curve - wall).max(axis=1).min() < 0.005
+
+    stiffness, damping = (e.rhs for e in settled("s3b_rise", "eq7"))
+    agrees(stiffness, damping)
+    with pytest.raises(AssertionError):
+        agrees(stiffness * 1.02, damping)
+
+
+@guards("s3b_rise")
 def test_the_stiffness_of_the_envelope_rises_and_falls():
     def agrees(curve):
         for N in (2.5, 4, 9):

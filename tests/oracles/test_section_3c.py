@@ -55,6 +55,26 @@ def test_walls_on_the_straight_part_are_just_passive(d):
     only(agrees, *(e.rhs for e in settled("s3c_linear_part", "eq8")), by=0.1, kept=("y", "d"))
 
 
+@guards("s3c_linear_part")
+@pytest.mark.parametrize("d", [0, 1, 2, 5])
+def test_walls_that_just_meet_the_condition_below_the_corner_are_on_the_line(d):
+    """On rays before the corner, of walls that need the damping 1 at some angle and no more."""
+    slope = d * (2 * d + 1) / (6 * (d + 1))
+    rays = [slope - gap for gap in (0.05, 0.3, 1, 4)]
+    walls = [w / energy.need(*w, d).max() for w in (np.array([1.0, ray]) for ray in rays)]
+
+    def agrees(stiffness, damping):
+        for K, B in walls:
+            at = {"d": d, "b": 1, "T": 1}
+            start, end = (number(damping, y=y, **at) for y in (0, 1))
+            y = (B - start) / (end - start)
+            assert 0 <= y <= 1
+            # the line is met at an angle of 0; the first of the 2000 is 0.0016
+            assert number(stiffness, y=y, **at) == pytest.approx(K, rel=1e-4 * (d + 1) ** 2)
+
+    only(agrees, *(e.rhs for e in settled("s3c_linear_part", "eq8")), by=0.1, kept=("y", "d"))
+
+
 @guards("s3c_linear_part_condition")
 def test_damping_over_delay_is_the_limit_of_low_frequencies():
     def agrees(stiffness):

@@ -18,6 +18,7 @@ from symhaptic.proof.certificate import Positive
 from symhaptic.proof.plants import AT_ONE, LOSS, named
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
+    crosses_zero,
     grows,
     increases,
     induction,
@@ -300,6 +301,16 @@ ATTACKS = {
             number(Relation(S(3), "!=", S(2))),
         ),
         [("(0) (2)", "(0) (3)"), ("(~ (", "(("), ("sin(3*x)", "sin(2*x)")],
+    ),
+    "a zero between two signs": (
+        lambda: crosses_zero(tends(x**2 - y, x, S.One, 1 - y), tends(x**2 - y, x, S(2), 4 - y)),
+        [("(0 < -y + 4) -> ", ""), ("(-y + 1 < 0) -> ", ""), ("x^2 - y = 0", "x^2 + y = 0")],
+    ),
+    "a zero between two signs, beside a divisor": (
+        lambda: crosses_zero(
+            tends(x - 2 / x, x, S.One, S(-1)), tends(x - 2 / x, x, S(2), S.One), *apart()
+        ),
+        [("x < 2", "x < 1"), ("= 0", "= 1/2")],
     ),
     "an imaginary number": (
         lambda: number(Relation(2 * I * pi, "!=", S.Zero)),

@@ -7,6 +7,8 @@ import sympy as sp
 from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
 
 from symhaptic.notation.proposition import (
+    And,
+    Exists,
     ForAll,
     NoTerm,
     Predicate,
@@ -20,6 +22,7 @@ from symhaptic.proof.box import positive as on_pieces
 from symhaptic.proof.certificate import Known, Positive
 from symhaptic.proof.theorems.analysis import (
     above_its_start,
+    crosses_zero,
     grows,
     in_the_limit,
     increases,
@@ -285,6 +288,50 @@ def test_weak_in_the_limit() -> None:
         lambda: in_the_limit(assume(Ne(x, 0)), x, S.Zero, S.One, end),
         lambda: in_the_limit(weakened(inside, x < y), x, S.Zero, S.One, end),
     )
+
+
+def test_between_two_signs_lies_a_zero() -> None:
+    """Each hypothesis dropped: a limit, its sign, continuity between, ends in their order."""
+    low, high = tends(x**2 - 2, x, S.One, -S.One), tends(x**2 - 2, x, S(2), S(2))
+    found = crosses_zero(low, high)
+    assert found.conclusion == Exists(
+        (y,), And((lt(1, y), lt(y, 2), Relation(y**2 - 2, "=", S.Zero)))
+    )
+    assert found.hypotheses == {lt(-1, 0), lt(0, 2), lt(1, 2)}
+    # a negative limit, a positive one and the order of the ends are asked for
+    assert lt(2, 0) in crosses_zero(high, high).hypotheses
+    assert lt(0, -1) in crosses_zero(low, low).hypotheses
+    downwards = crosses_zero(tends(2 - x**2, x, S(2), -S(2)), tends(2 - x**2, x, S.One, S.One))
+    assert lt(2, 1) in downwards.hypotheses
+    # a pole between the ends changes the sign without a zero
+    pole = tends(1 / x, x, -S.One, -S.One), tends(1 / x, x, S.One, S.One)
+    refused(
+        lambda: crosses_zero(*pole),
+        lambda: crosses_zero(*pole, assume(Ne(x, 0))),
+        lambda: crosses_zero(*pole, weakened(assume(Ne(x, 0)), x < y)),
+        # as does a step
+        lambda: crosses_zero(tends(x / sp.Abs(x), x, -S.One, -S.One), high),
+        # of two functions, or of one that is not real
+        lambda: crosses_zero(low, tends(x**2 - 3, x, S(2), S.One)),
+        lambda: crosses_zero(assume(limit_of(sp.I * x, -1)), assume(limit_of(sp.I * x, 1))),
+        lambda: crosses_zero(assume(limit_of(sp.Function("f")(x), -1)), low),
+        lambda: crosses_zero(
+            *(assume(limit_of(sp.Function("f")(x), value)) for value in (-1, 1)),
+        ),
+        lambda: crosses_zero(found, high),
+        lambda: crosses_zero(low, found),
+    )
+    # a divisor that is shown not to vanish between, and only there
+    beyond = positive(Ne(x, 0), [x > 0])
+    root = tends(x - 2 / x, x, S.One, -S.One), tends(x - 2 / x, x, S(2), S.One)
+    open_ = crosses_zero(*root, closed(beyond, positive(x > 0, [x > 1], [1])))
+    assert open_.hypotheses == {lt(-1, 0), lt(0, 1), lt(1, 2)}
+    refused(lambda: crosses_zero(*root, beyond))
+
+
+def limit_of(expr: sp.Expr, value: int) -> Predicate:
+    """The limit at an end of (-1, 1), of the same sign."""
+    return Predicate("limit", (x,), (expr, S(value), S(value)))
 
 
 def kernel_cut(theorem: object) -> object:

@@ -16,7 +16,8 @@ from symhaptic.notation import SYMBOLS
 from symhaptic.proof.decide import equal
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.sign import Fact
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.sign import Fact, remade
 
 Rest = tuple[Expr, bool]
 Definition = tuple[Expr, Expr]
@@ -132,6 +133,22 @@ def _alike_written(one: Expr, other: Expr) -> bool:
         return one.func == other.func and (ours == theirs or turned)
     relations = isinstance(one, Relational) or isinstance(other, Relational)
     return not relations and sp.expand(one - other) == 0
+
+
+def shows(
+    derived: Iterable[Expr], definitions: Sequence[Definition], facts: Sequence[Fact]
+) -> bool:
+    """Whether what is on a page shows each of some forms."""
+    return all(follows(form, definitions, facts) for form in derived)
+
+
+def typed_again(printed: Sequence[Expr], settlement: Settlement) -> bool:
+    """Whether a form is the print itself and the page, as it was sent, does not show it."""
+    if not retyped(printed, settlement.derived):
+        return False
+    facts = [remade(sign) for sign in settlement.signs]
+    proved = [fact for fact in facts if unproved(fact, fact.rests) is None]
+    return not shows(settlement.derived, settlement.definitions, proved)
 
 
 def follows(relation: Expr, definitions: Sequence[Definition], facts: Iterable[Fact]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -15,7 +15,7 @@ from symhaptic.book.arrivals import arrived
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
-from symhaptic.book.grounds import not_defined
+from symhaptic.book.grounds import not_defined, typed_again
 from symhaptic.book.record import Settled
 from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
 from symhaptic.notation.latex import latex
@@ -164,6 +164,8 @@ def _forms(grounds: Settlement) -> Settlement:
         unless=grounds.unless and dict(grounds.unless),
         corrected=grounds.corrected,
         misprint=grounds.misprint,
+        definitions=tuple(grounds.definitions),
+        signs=tuple(grounds.signs),
     )
 
 
@@ -175,7 +177,9 @@ def _compared_again(entry: Entry, printed: Printed) -> str | None:
     try:
         if wrong := not_defined(compared.given, list(compared.given.items())):
             return f"{id}: {wrong}"
-        found = _forms(compared).decide(printed)
+        forms = _forms(compared)
+        own = id not in STATEMENTS
+        found = replace(forms, assumed=own and typed_again(printed, forms)).decide(printed)
     except (AttributeError, TypeError, ValueError) as wrong_data:
         return f"{id}: compared again: {wrong_data}"
     same = found.kind is kind or (kind is Kind.ENCLOSED and found.kind is Kind.PROVED)
@@ -291,9 +295,11 @@ def by_source(entries: Iterable[Entry]) -> str:
     return ", ".join([f"{counts[PAPER]} of the paper", *of_sources, *own])
 
 
-def counted(entries: Iterable[Entry]) -> str:
-    """The verdicts counted, the undecided ones aloud."""
-    counts = Counter(entry.verdict.kind for entry in entries)
+def counted(entries: Sequence[Entry]) -> str:
+    """The verdicts counted, the undecided ones aloud; one that was found wrong decides nothing."""
+    wrong = (entry.look is not None and entry.look.wrong is not None for entry in entries)
+    kinds = (entry.verdict.kind for entry in entries)
+    counts = Counter(Kind.UNDECIDED if w else kind for w, kind in zip(wrong, kinds, strict=True))
     return ", ".join(f"{counts[kind]} {kind}" for kind in Kind if counts[kind])
 
 

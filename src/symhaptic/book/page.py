@@ -11,6 +11,7 @@ from __future__ import annotations
 import itertools
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -19,7 +20,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import follows, not_defined, retyped, unproved, written_twice
+from symhaptic.book.grounds import not_defined, retyped, shows, unproved, written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import SYMBOLS
@@ -45,7 +46,7 @@ from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
 from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
-from symhaptic.proof.sign import Fact
+from symhaptic.proof.sign import Fact, recipe
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined
 from symhaptic.proof.units import UnitError, dimension_of, shown
@@ -478,8 +479,9 @@ class Page(Record):
             quoted=statement.quoted,
             shows=shows,
             note=note,
-            assumed=id in self.own and self._assumed(statement.printed, forms),
         )
+        if id in self.own and retyped(statement.printed, forms):
+            settlement = self._beside_the_page(settlement)
         verdict = self._record(statement, settlement, checks)
         if verdict.kind in ACCEPTED:
             for form in forms:
@@ -507,11 +509,14 @@ class Page(Record):
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
 
-    def _assumed(self, printed: Sequence[Expr], derived: Sequence[Expr]) -> bool:
-        """Whether a form is the print itself, retyped, and nothing on the page shows it."""
+    def _beside_the_page(self, settlement: Settlement) -> Settlement:
+        """With what the page shows of a form that is the print itself, typed again."""
         facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]
-        return retyped(printed, derived) and not all(
-            follows(form, self.definitions, facts) for form in derived
+        return replace(
+            settlement,
+            assumed=not shows(settlement.derived, self.definitions, facts),
+            definitions=tuple(self.definitions),
+            signs=tuple(map(recipe, facts)),
         )
 
     def _put_in(self, id: str, given: Mapping[Expr, Expr] | None) -> None:

@@ -24,7 +24,7 @@ from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact
+from symhaptic.proof.sign import Fact, Recipe
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
@@ -75,6 +75,10 @@ class Settlement:
     note: str | None = None
     assumed: bool = False
     """Whether what is derived is the print itself, and nothing on the page shows it."""
+    definitions: tuple[tuple[Expr, Expr], ...] = ()
+    """What names stand for on the page, where the print is typed again."""
+    signs: tuple[Recipe, ...] = ()
+    """The signs that the page shows, where the print is typed again."""
     judged: Judged | None = None
     """The theorems that show it, of what is claimed."""
     claim: Claim | None = None

@@ -86,6 +86,8 @@ def _inside(parts: Iterable[Any]) -> Iterator[Fact]:
 
 
 _P = ParamSpec("_P")
+_RULES: dict[str, Callable[..., Fact]] = {}
+"""The ways to a fact, by name."""
 
 
 def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
@@ -95,7 +97,49 @@ def rule(build: Callable[_P, Fact]) -> Callable[_P, Fact]:
     def making(*args: _P.args, **named: _P.kwargs) -> Fact:
         return replace(build(*args, **named), made=Made(making, args, named), key=KEY)
 
+    _RULES[build.__name__] = making
     return making
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a fact was made, as data that another process makes it from anew."""
+
+    rule: str
+    args: tuple[Any, ...]
+    named: tuple[tuple[str, Any], ...] = ()
+
+
+def recipe(fact: Fact) -> Recipe:
+    """How a fact was made, and what it was made from."""
+    if fact.made is None:
+        return Recipe("assume", (fact.expr, fact.strict))
+    made = fact.made
+    named = tuple((name, _as_data(value)) for name, value in made.named.items())
+    return Recipe(made.rule.__name__, _as_data(made.args), named)
+
+
+def _as_data(part: Any) -> Any:
+    if isinstance(part, (tuple, list)):
+        return tuple(map(_as_data, part))
+    return recipe(part) if isinstance(part, Fact) else part
+
+
+def remade(of: Recipe) -> Fact:
+    """The fact of a recipe.
+
+    Raises :class:`ValueError` where there is no such rule, or it gives none.
+    """
+    if of.rule != "assume" and of.rule not in _RULES:
+        raise ValueError(f"{of.rule!r} is no rule for a sign")
+    make = assume if of.rule == "assume" else _RULES[of.rule]
+    return make(*_as_facts(of.args), **{name: _as_facts(value) for name, value in of.named})
+
+
+def _as_facts(part: Any) -> Any:
+    if isinstance(part, tuple):
+        return tuple(map(_as_facts, part))
+    return remade(part) if isinstance(part, Recipe) else part
 
 
 def assume(expr: Expr, strict: bool = True) -> Fact:

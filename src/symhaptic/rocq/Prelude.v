@@ -1,7 +1,7 @@
 (* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
    A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
 From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
-From Coq Require QArith Qround.
+From Coq Require QArith Qround Ranalysis5.
 From Coquelicot Require Export Coquelicot.
 From Interval Require Export Tactic.
 Open Scope R_scope.
@@ -1019,6 +1019,31 @@ Proof.
   apply Rlt_trans with (f ((a + b) / 2)).
   - apply (above_its_start f a b); [exact I | apply T; lra | lra | lra].
   - apply (below_its_end f a b); [exact I | apply T; lra | lra | lra].
+Qed.
+
+(* The intermediate value theorem, from limits at the ends of an open interval. *)
+Lemma crosses_zero : forall (f : R -> R) (a b l m : R), a < b -> l < 0 -> 0 < m ->
+  (forall x, a < x -> x < b -> ex_derive f x) -> tends f a l -> tends f b m ->
+  exists x, a < x /\ x < b /\ f x = 0.
+Proof.
+  intros f a b l m I L M D A B; apply is_lim_spec in A; apply is_lim_spec in B.
+  assert (N : 0 < - l) by lra.
+  destruct (A (mkposreal _ N)) as [r H]; destruct (B (mkposreal _ M)) as [s G]; simpl in H, G.
+  assert (P : exists p, 0 < p < r /\ p <= (b - a) / 3).
+  { exists (Rmin (r / 2) ((b - a) / 3)); generalize (cond_pos r) (Rmin_l (r / 2) ((b - a) / 3))
+      (Rmin_r (r / 2) ((b - a) / 3)) (Rmin_pos (r / 2) ((b - a) / 3)); lra. }
+  assert (Q : exists q, 0 < q < s /\ q <= (b - a) / 3).
+  { exists (Rmin (s / 2) ((b - a) / 3)); generalize (cond_pos s) (Rmin_l (s / 2) ((b - a) / 3))
+      (Rmin_r (s / 2) ((b - a) / 3)) (Rmin_pos (s / 2) ((b - a) / 3)); lra. }
+  destruct P as [p P]; destruct Q as [q Q].
+  assert (U : Rabs (f (a + p) - l) < - l).
+  { apply H; [change (Rabs (a + p - a) < r); rewrite Rabs_pos_eq; lra | lra]. }
+  assert (V : Rabs (f (b - q) - m) < m).
+  { apply G; [change (Rabs (b - q - b) < s); rewrite Rabs_left; lra | lra]. }
+  apply Rabs_def2 in U; apply Rabs_def2 in V.
+  destruct (Ranalysis5.IVT_interv f (a + p) (b - q)) as [x [X E]]; [ | lra | lra | lra | ].
+  - intros x X; apply continuity_pt_filterlim; apply (ex_derive_continuous f x), D; lra.
+  - exists x; split; [| split]; [lra | lra | exact E].
 Qed.
 
 (* That what was derived is the slope that is wanted. *)

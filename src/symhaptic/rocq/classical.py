@@ -205,6 +205,35 @@ def in_the_limit(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
+def crosses_zero(proof: Proof, theorem: Theorem) -> None:
+    """Between limits of different sign lies a zero."""
+    below, above, *defined = theorem.premises
+    claim: Any = below.conclusion
+    [variable], (expr, lower, start) = claim.over, claim.of
+    upper, end = above.conclusion.of[1:]  # type: ignore[attr-defined]
+    _refused(expr)
+    proof.keep(below)
+    proof.keep(above)
+    with proof.names.bound(variable) as [v]:
+        f = f"(fun {v} : R => {real_text(expr, proof.names)})"
+        told = " /\\ ".join(sorted(map(proof.text, needed(expr)))) or "True"
+        domain = f"forall {v} : R, LOW < {v} < HIGH -> {told}"
+    ends = [f"({real_text(t, proof.names)})" for t in (lower, upper)]
+    limits = " ".join(f"({real_text(t, proof.names)})" for t in (start, end))
+    domain = domain.replace("LOW", ends[0]).replace("HIGH", ends[1])
+    proof.say("opened.", f"assert (W : {domain}).", "{")
+    _inside(proof, variable, (lower, upper), defined, "opened; repeat split; nz.")
+    proof.say(
+        "}",
+        f"destruct (crosses_zero {f} {' '.join(ends)} {limits}) as (v & Lo & Hi & Z); "
+        "[assumption .. | | assumption | assumption |].",
+        "- intros v Lo Hi; generalize (W v (conj Lo Hi)); intros; opened; slope.",
+        "- generalize (W v (conj Lo Hi)); intros; opened; exists v; cbv beta in Z; "
+        "repeat split; assumption.",
+    )
+
+
+@shows
 def tends(proof: Proof, theorem: Theorem) -> None:
     """By continuity, or as the quotient of slopes where both parts vanish."""
     variable = theorem.given[1]

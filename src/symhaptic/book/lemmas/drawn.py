@@ -1,27 +1,61 @@
-"""What Fig. 4 draws: the curve (7), the line (8) and the tip (11) of a whole delay."""
+"""What Fig. 4 draws: the curve (7), the line (8) and the tip (11) of a whole delay, and no more."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
-from symhaptic.book.lemmas.linear_part import on_line
+from sympy import Ne, S
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.linear_part import on_line, shares
+from symhaptic.book.lemmas.lower_boundary import nothing_else
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
+from symhaptic.book.lemmas.undelayed_boundary import its_damping, on_it
+from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
+from symhaptic.notation import B, b, d
 from symhaptic.notation.proposition import conjuncts
+from symhaptic.paper.propositions.passivity import BORDER
+from symhaptic.proof.theorems.familiar import decided, ordered, strictly
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
+    by_cases,
     conjoined,
     discharged,
+    part,
     weakened,
+    widened,
 )
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, positive
 
 
 def drawn(claim: Any) -> Theorem:
-    """Each of the three implications of a claim, of which the print comes last."""
-    parts = []
-    for implication, made in zip(claim.of, (on_boundary, on_line, stiffest_wall), strict=True):
-        known = conjuncts(implication.of[0])
-        found = weakened(made(*map(assume, known[-2:])), *known)
-        parts.append(discharged(found, *known))
-    return conjoined(*parts)
+    """Arc, line, the upper part without delay, that there is nothing else, and the tip."""
+    *parts, others, tip = claim.of
+    made = on_boundary, on_line, lambda *_: on_it()
+    found = [_implied(of, how) for of, how in zip(parts, made, strict=True)]
+    return conjoined(*found, _no_others(others), _implied(tip, stiffest_wall))
+
+
+def _implied(implication: Any, made: Callable[..., Theorem]) -> Theorem:
+    """One implication, of which the print comes last."""
+    known = conjuncts(implication.of[0])
+    return discharged(weakened(made(*map(assume, known[-2:])), *known), implication.of[0])
+
+
+def _no_others(implication: Any) -> Theorem:
+    """A wall of the boundary is on the arc, on the line or, without delay, on the upper part."""
+    border, cover = implication.of
+    arc, line, _ = cover.of
+    late = strictly(assume(d >= 0), combined(Ne(S.Zero, d), [assume(Ne(d, 0))]))
+    above = widened(closed(upper_boundary(arc), late), cover)
+    damped = positive(B >= 0, [d * b / (2 * d + 3) < B], [loss()])
+    at_once = widened(closed(its_damping(), damped), cover)
+    high = by_cases(decided(d, 0), at_once, above)
+    low = widened(nothing_else(line.body.of[2:]), cover)
+    found = by_cases(ordered(d * b / (2 * d + 3), B), high, low)
+    found = closed(found, not_zero(shares()[2]))
+    return discharged(closed(found, part(assume(border), BORDER)), border)

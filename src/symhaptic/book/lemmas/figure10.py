@@ -11,6 +11,7 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.bounds.linear_points import Arc, points
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 from symhaptic.notation.proposition import Relation
@@ -85,7 +86,8 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
 @cache
 def drawn() -> Theorem:
     """All of Fig. 10."""
-    curves, *more = CLAIMED["fig10"](()).of  # type: ignore[attr-defined]
+    marks_of, _ = CLAIMED["fig10"](()).of  # type: ignore[attr-defined]
+    curves, *more = marks_of.of
     symbols, given, then = taken_apart(curves)
 
     def build(known: dict[Any, Expr]) -> Theorem:
@@ -106,4 +108,4 @@ def drawn() -> Theorem:
         mark(claim, damper, int(late), -LEVELS[1])
         for claim, (late, damper) in zip(more, BEFORE, strict=True)
     )
-    return conjoined(for_all(symbols, given, found), *others)
+    return conjoined(conjoined(for_all(symbols, given, found), *others), line_and_curve())

@@ -9,9 +9,10 @@ import sympy as sp
 from sympy import Eq, Expr, Ne, S, cos, pi
 
 from symhaptic.book.lemmas.boundary import at_rest
+from symhaptic.book.lemmas.lower_boundary import is_some
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, z
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, y, z
 from symhaptic.notation.proposition import (
     And,
     Exists,
@@ -67,13 +68,15 @@ NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))
 SOFT = Or(
     (
         And((proposition(delta > 0), NONE)),
-        And((proposition(delta > 0), ONE, proposition(gamma <= 2 * delta))),
+        And((proposition(delta > 0), ONE, proposition(gamma < 2 * delta))),
     )
 )
 """A damper, and no delay, or one of a period beside a spring that is not too stiff."""
 
 STEP = delta * x / (delta + 2 * x)
 """Less than x and delta/2."""
+REACH = {S.Zero: delta / 2, S.One: delta / 4 - gamma / 8}
+"""Up to which virtual damping the line is reached, for each delay."""
 
 
 @cache
@@ -101,37 +104,43 @@ def right_of_the_line(delay: Expr) -> Theorem:
 
 @cache
 def near_the_line(delay: Expr) -> Theorem:
-    """The wall STEP to the right of the line, without virtual damping, is passive and stable."""
-    late, free = Relation(d, "=", delay), Relation(beta, "=", S.Zero)
+    """The wall STEP to the right of the line is passive and stable, with little virtual damping."""
+    late, reach = Relation(d, "=", delay), REACH[delay]
     place = sp.Symbol("q")
     pattern = Relation(S.Zero, "<=", MARGIN.xreplace({d: place}))
     there = pattern.at({place: delay})
-    less, more = _turns()
-    room: tuple[list[Any], ...]
+    low, high = (assume(p) for p in _between(reach))
+    less, more = _turns((delay + 1) * theta)
+    room: list[list[Any]] = [[S.Half, low, more], [S.Half, high, less]]
     if delay == 0:
-        room = ([S.Half, assume(2 * delta - alpha >= 0)],)
+        room.append([S.Half, assume(2 * delta - alpha - 2 * reach >= 0)])
     else:
-        back, front = (assume(p) for p in (2 * delta + alpha >= 0, 2 * delta - 3 * alpha >= 0))
-        room = [S.Half / 2, less, back], [S.Half / 2, more, front]
-    turned = cos((delay + 1) * theta)
-    bare = combined(there, *room, [assume(free), -turned])
+        back, front = (assume(2 * delta + n * alpha - 2 * reach >= 0) for n in (1, -3))
+        below, above = _turns(theta)
+        room += [S.Half / 2, below, back], [S.Half / 2, above, front]
+    bare = combined(there, *room)
     equal = combined(Relation(delay, "=", d), [assume(late), -S.One])
     apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
     margins = for_all([theta], INSIDE, closed(substituted(pattern, place, bare, equal), apart))
     counted = substituted(whole(place), place, is_whole(delay), equal)
     stable = closed(part(passive_is_stable(), STABLE), margins, counted)
-    return _placed(stable)
+    return _placed(stable, reach)
 
 
-def _turns() -> tuple[Theorem, ...]:
-    """0 <= 1 - cos(theta) and 0 <= 1 + cos(theta)."""
-    below = [S.Half, bounded(cos, theta)]
-    sides = 1 - cos(theta), 1 + cos(theta)
+def _between(reach: Expr) -> tuple[Proposition, ...]:
+    """-y <= beta <= y."""
+    return tuple(map(proposition, (-reach <= beta, beta <= reach)))
+
+
+def _turns(angle: Expr) -> tuple[Theorem, ...]:
+    """0 <= 1 - cos and 0 <= 1 + cos."""
+    below = [S.Half, bounded(cos, angle)]
+    sides = 1 - cos(angle), 1 + cos(angle)
     return tuple(combined(side >= 0, [S.Half, square(side)], below) for side in sides)
 
 
-def _placed(stable: Theorem) -> Theorem:
-    """With alpha = -gamma + STEP and no virtual damping, for every x."""
+def _placed(stable: Theorem, reach: Expr) -> Theorem:
+    """With alpha = -gamma + STEP, for every x and every beta up to the reach."""
     under = positive(delta + 2 * x > 0, delta > 0, [2, proposition(x > 0)])
     step = over(STEP > 0, positive(delta * x > 0, [delta > 0, x > 0]), under)
     small = over(
@@ -139,22 +148,33 @@ def _placed(stable: Theorem) -> Theorem:
     )
     near = over(x - STEP > 0, positive(2 * x**2 > 0, [2, x > 0, x > 0]), under)
     apart = positive(Ne(delta + 2 * x, 0), [under])
+    soft, quarter = proposition(gamma < 2 * delta), S.Half / 2
     rooms = (
-        positive(gamma + 2 * delta - STEP >= 0, [small], [3 * S.Half, delta > 0], gamma >= 0),
-        positive(2 * delta - gamma + STEP >= 0, gamma <= 2 * delta, [step]),
+        positive(gamma + delta - STEP >= 0, [small], [S.Half, delta > 0], gamma >= 0),
+        positive(3 * delta / 2 - 3 * gamma / 4 + STEP >= 0, [3 * quarter, soft], [step]),
         positive(
-            3 * gamma + 2 * delta - 3 * STEP >= 0, [3, small], [S.Half, delta > 0], [3, gamma >= 0]
+            3 * delta / 2 + 13 * gamma / 4 - 3 * STEP >= 0,
+            [3, small],
+            [13 * quarter, gamma >= 0],
         ),
     )
-    values = {OTHER: -gamma + STEP, beta: S.Zero}
-    where = placed(stable, {alpha: values[OTHER], beta: S.Zero})
-    zero = fact(Relation(S.Zero, "=", S.Zero))
-    where = closed(where, step, *rooms, zero, apart)
+    values = {OTHER: -gamma + STEP}
+    where = closed(placed(stable, {alpha: values[OTHER]}), step, *rooms, apart)
     beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
     both_ = conjoined(closed(beside, apart), where)
     claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER})))
-    some = closed(witnessed(both_, Exists((OTHER, beta), claim), values), apart)
-    return for_all([x], [x > 0], some)
+    some = closed(witnessed(both_, Exists((OTHER,), claim), values), apart)
+    given, ends = [proposition(x > 0), *_between(y)], assume(Eq(y, reach))
+    low, high = _between(reach)
+    inside = [
+        combined(low, [assume(given[1])], [ends, S.One]),
+        combined(high, [assume(given[2])], [ends, S.One]),
+    ]
+    walls = for_all([x, beta], given, closed(some, *inside))
+    row = [quarter / 2, soft] if gamma in reach.free_symbols else [S.Half, delta > 0]
+    long = combined(y > 0, [positive(reach > 0, row)], [ends, -S.One])
+    piece = Exists((y,), And((proposition(y > 0), walls.conclusion)))
+    return chosen(is_some(y, reach), witnessed(conjoined(long, walls), piece, {y: y}))
 
 
 @cache
@@ -172,14 +192,18 @@ def no_wall_near(claim: Proposition) -> Theorem:
     """What is claimed of the left bound is false for this spring."""
     false = claim.at(HALF_SWING)
     reached = part(assume(false), false.parts[1])
-    near = at(reached, {x: S.One}, fact(Relation(S.Zero, "<", S.One)))
+    piece = assume(reached.conclusion.parts[0])
+    length, walls = (part(piece, p) for p in piece.conclusion.parts)
+    middle = combined(-y <= 0, [length]), combined(y >= 0, [length])
+    near = at(walls, {x: S.One, beta: S.Zero}, fact(Relation(S.Zero, "<", S.One)), *middle)
     wall = near.conclusion.parts[0].parts[1]
     loop = closed(loop_substituted(wall.terms, z, 1, damping=False), fact(whole(S.Zero)))
     zeros = loop.conclusion.parts[1].terms[0]
     zero = identity(zeros.subs(z, -1), S.Zero)
     none = denied_by(loop, zero_on_circle(zeros, z, pi, zero))
     wrong = anything(absurd(assume(wall), none), Relation(S.One, "<", S.Zero))
-    return absurd(chosen(near, wrong), fact(Relation(S.Zero, "<=", S.One)), false)
+    wrong = chosen(reached, chosen(near, wrong))
+    return absurd(wrong, fact(Relation(S.Zero, "<=", S.One)), false)
 
 
 @cache

@@ -1,26 +1,40 @@
-"""Walls of (27) are those of (7), in the units of Table I."""
+"""Walls of (27) are those of (7), in the units of Table I; and so are those of the boundary."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
-from sympy import Symbol, pi
+from sympy import Eq, Symbol, pi
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passive_boundary import on_boundary
-from symhaptic.notation import T, d, delta, m, omega, omega_hat
-from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.book.lemmas.upper_boundary import upper_boundary
+from symhaptic.notation import T, alpha, b, beta, d, delta, m, omega, omega_hat
+from symhaptic.notation.proposition import Exists, Relation, both
+from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.passivity import printed_of
-from symhaptic.proof.theorems.kernel import Theorem, assume, placed, substituted
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    chosen,
+    conjoined,
+    placed,
+    substituted,
+    witnessed,
+)
 from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+TABLE = normalised(alpha, beta, delta)
+CURVE = printed_of("eq27")
+ON_CURVE = Exists((omega_hat,), both([omega_hat > 0, omega_hat < pi, *CURVE]))
+"""A wall is one of (27)."""
 
 
-def in_units(given: Sequence[Proposition]) -> Theorem:
-    """A wall of (27) is on the boundary, for what the claim supposes and omega_hat <= pi/(d+1)."""
-    stiff, damped, lossy, _, _, spring, damper = map(assume, given[4:])
+def in_units() -> Theorem:
+    """A wall of (27) is on the boundary, by Table I and for omega_hat <= pi/(d+1)."""
+    stiff, damped, lossy, spring, damper = map(assume, (*TABLE, *CURVE))
     known = placed(on_boundary(*map(assume, printed_of("eq7"))), {omega: omega_hat / T})
     stiffness, damping = (line.subs(omega, omega_hat / T) for line in printed_of("eq7"))
     wall = [
@@ -37,8 +51,29 @@ def in_units(given: Sequence[Proposition]) -> Theorem:
 
 
 def _damped(line: Theorem, lossy: Theorem) -> Theorem:
-    """One line of (27), with b T/m for delta."""
+    """One line of (27), with b T/m for delta; or of (7), the other way round."""
     said: Any = line.conclusion
-    place = Symbol("q")
-    pattern = Relation(said.left, "=", said.right.xreplace({delta: place}))
+    place, known = Symbol("q"), lossy.conclusion.left  # type: ignore[attr-defined]
+    pattern = Relation(said.left, "=", said.right.xreplace({known: place}))
     return substituted(pattern, place, line, lossy)
+
+
+def above_in_units(wanted: Any) -> Theorem:
+    """A wall of the boundary with B > b d/(2d+3), d > 0, is one of (27) at omega_hat = omega T."""
+    inside = [omega > 0, omega < pi / T]
+    found = upper_boundary(Exists((omega,), both([*inside, *printed_of("eq7")])))
+    low, high, *lines = map(assume, found.conclusion.body.of)  # type: ignore[attr-defined]
+    *table, lossy = map(assume, TABLE)
+    period, damper = assume(T > 0), combined(Eq(b, delta * m / T), [lossy, -m / T])
+    there = [p.at({omega_hat: omega * T}) for p in wanted.body.of]
+    scales = (T**2 / m, T / m)
+    shown = [
+        positive(there[0], [low, period]),
+        closed(positive(there[1], [high, period]), not_zero(period)),
+        *(
+            combined(goal, [of, 1], [_damped(line, damper), scale])
+            for goal, of, line, scale in zip(there[2:], table, lines, scales, strict=True)
+        ),
+    ]
+    at = witnessed(conjoined(*shown), wanted, {omega_hat: omega * T})
+    return closed(chosen(found, at), *map(not_zero, (period, assume(m > 0))))

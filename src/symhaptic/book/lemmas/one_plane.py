@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 from sympy import Expr, S, cos
 
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
-from symhaptic.book.lemmas.normalised_boundary import in_units
+from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.walls import HALF, LITTLE, margins, met, unstable
 from symhaptic.notation import (
@@ -28,7 +29,8 @@ from symhaptic.notation import (
 )
 from symhaptic.notation.proposition import ForAll, Proposition, Relation, whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
 from symhaptic.paper.ranges import DAMPED, STIFF
@@ -70,14 +72,21 @@ from symhaptic.proof.theorems.tactics import (
     zero_beyond,
 )
 
+UNIT = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
+"""Mass, period and damper of Fig. 11."""
 
-@cache
-def passive_curve() -> Theorem:
-    """A wall of (27) for delta = 0.02 is on the boundary of the passive ones; d is whole."""
-    _, given, _ = taken_apart(CLAIMED["eq27"](transcribed("eq27")))
-    unit = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
-    found = placed(in_units(given), unit)
-    return closed(found, *(fact(h) for h in found.hypotheses if not h.free), *_same(found))
+
+def passive_curve(claim: Any) -> Theorem:
+    """The walls of (27) for delta = 0.02, and no others, are on the boundary; d is whole."""
+    found = []
+    for implication, made in zip(claim.of, (in_units(), above_in_units(ON_CURVE)), strict=True):
+        given, there = implication.of[0], placed(made, UNIT)
+        known = [fact(h) for h in there.hypotheses if not h.free]
+        there = closed(there, *known, *_same(there))
+        if implication is claim.of[1]:
+            there = closed(there, part(assume(given), BORDER.at(UNIT)))
+        found.append(discharged(there, given))
+    return conjoined(*found)
 
 
 def _same(theorem: Theorem) -> list[Theorem]:
@@ -134,7 +143,7 @@ def in_one_plane() -> Theorem:
     symbols, given, then = taken_apart(CLAIMED["fig11"](()))
     arm = {gamma: STIFF, delta: DAMPED}
     curve, *_, left, region = then.of  # type: ignore[attr-defined]
-    passive_ = discharged(passive_curve(), *curve.of[0].of)
+    passive_ = passive_curve(curve)
     solid_ = placed(stable_curve(), arm)
     line = placed(right_of_the_line(), arm)
     line = closed(line, *(fact(h) for h in line.hypotheses if not h.free))

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
-from sympy import Eq, Ne, S, cos, pi, sin
+from sympy import Eq, Expr, Ne, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import on_envelope, waves, wide
@@ -89,31 +90,21 @@ def _sine() -> Theorem:
     return closed(wave, *_place())
 
 
-def at_the_end(stiffness: Theorem, damping: Theorem, equation: Theorem) -> Theorem:
-    """The wall of (7) with omega T = pi/(d+1) is (0, b), which is on the boundary."""
-    turn = (d + 1) * omega * T
+def of_the_end(stiffness: Expr, damping: Expr, equation: Theorem) -> tuple[Theorem, Theorem]:
+    """What (7) gives for omega T = pi/(d+1) is 0 and b."""
+    turn, angle = (d + 1) * omega * T, omega * T
     half = combined(Eq(pi, turn), [equation, -T * (d + 1)])
     zero, one = identity(S.Zero, S.Zero), identity(S.NegativeOne, S.NegativeOne)
     none = substituted(Eq(sin(phi), 0), phi, zero, half)
     low = substituted(Eq(cos(phi), -1), phi, one, half)
-    angle = omega * T
     bottom = 1 / (sin((2 * d + 2) * angle) - (2 * d + 2) * sin(angle))
-    spring = combined(
-        Eq(K, 0), [stiffness, S.One], [none, 4 * b * (d + 1) * (cos(angle) - 1) * bottom / T]
-    )
     rest = 2 * d - 2 * (d + 1) * cos(angle) - 2 * cos(turn)
+    spring = combined(Eq(stiffness, 0), [none, 4 * b * (d + 1) * (cos(angle) - 1) * bottom / T])
     damper = combined(
-        Eq(B, b),
-        [damping, S.One],
+        Eq(damping, b),
         [none, b * rest * bottom],
         [low, 2 * b * (d + 1) * sin(angle) * bottom],
     )
-    wave = cos(phi * (2 * d + 2))
-    up = combined(1 + wave >= 0, [HALF, square(1 + wave)], [HALF, bounded(cos, phi * (2 * d + 2))])
-    margin = measured(spring, damper, [assume(b >= 0), up])
-    pushes = combined(K >= 0, [spring, -S.One])
-    passive = closed(sufficient(), on_first_half(margin), pushes)
-    least = combined(b <= x, [placed(limits()[0], {b: x})], [spring, -T / 2], [damper, -S.One])
     wave = closed(
         sign_of(sin, angle),
         positive(angle > 0, [omega > 0, T > 0]),
@@ -121,7 +112,22 @@ def at_the_end(stiffness: Theorem, damping: Theorem, equation: Theorem) -> Theor
     )
     more = positive(2 * d + 2 > 0, [2, shares()[0]])
     apart = combined(Ne(1 / bottom, 0), [more, wave], [none, 2 * cos(turn)])
-    return closed(bordering(passive, least), apart, not_zero(assume(T > 0)))
+    return closed(spring, apart), closed(damper, apart)
+
+
+def at_the_end(stiffness: Theorem, damping: Theorem, equation: Theorem) -> Theorem:
+    """The wall of (7) with omega T = pi/(d+1) is (0, b), which is on the boundary."""
+    lines: Any = stiffness.conclusion, damping.conclusion
+    none, full = of_the_end(lines[0].right, lines[1].right, equation)
+    spring = combined(Eq(K, 0), [stiffness, S.One], [none, S.One])
+    damper = combined(Eq(B, b), [damping, S.One], [full, S.One])
+    wave = cos(phi * (2 * d + 2))
+    up = combined(1 + wave >= 0, [HALF, square(1 + wave)], [HALF, bounded(cos, phi * (2 * d + 2))])
+    margin = measured(spring, damper, [assume(b >= 0), up])
+    pushes = combined(K >= 0, [spring, -S.One])
+    passive = closed(sufficient(), on_first_half(margin), pushes)
+    least = combined(b <= x, [placed(limits()[0], {b: x})], [spring, -T / 2], [damper, -S.One])
+    return closed(bordering(passive, least), not_zero(assume(T > 0)))
 
 
 def on_boundary(stiffness: Theorem, damping: Theorem) -> Theorem:

@@ -11,7 +11,15 @@ from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
 from symhaptic.notation import B, K, T, b, k, m, y, z
 from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, in_units
+from symhaptic.paper.propositions.stability import (
+    DAMPER,
+    HEAVY,
+    SOON,
+    SPRING,
+    STIFFER,
+    STRONGER,
+    in_units,
+)
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.kernel import (
@@ -55,19 +63,19 @@ APART = [positive(Ne(s, 0), s > 0) for s in (T, m, SOON, HEAVY)]
 
 @cache
 def at_twice_the_rate() -> Theorem:
-    """K has a stable B at T <=> 4 K has one at T/2, under RATE."""
+    """K has a stable B at T <=> K' = 4 K has one at T/2, under RATE."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(4 * K, B, T / 2, m, DAMPER, SPRING)
-    return _same(B, before, after, 2 * B, B / 2, RATE)
+    after = in_units(STIFFER, B, T / 2, m, DAMPER, SPRING)
+    return _same(B, before, after, 2 * B, B / 2, [Eq(STIFFER, 4 * K), *RATE])
 
 
 @cache
 def for_another_mass_and_rate() -> Theorem:
-    """B has a stable K <=> B (m'/T')/(m/T) has one for m' and T', under KEPT."""
+    """B has a stable K <=> B' = B (m'/T')/(m/T) has one for m' and T', under KEPT."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(K, B * (HEAVY / SOON) / (m / T), SOON, HEAVY, DAMPER, SPRING)
-    more = HEAVY * T**2 / (m * SOON**2)
-    return _same(K, before, after, K * more, K / more, KEPT)
+    after = in_units(K, STRONGER, SOON, HEAVY, DAMPER, SPRING)
+    more, wall = HEAVY * T**2 / (m * SOON**2), Eq(STRONGER, B * (HEAVY / SOON) / (m / T))
+    return _same(K, before, after, K * more, K / more, [wall, *KEPT])
 
 
 def _same(
@@ -85,7 +93,9 @@ def _carried(
     """There is a value for which ``after`` is stable, if there is one for ``before``."""
     other = Symbol(f"{free}'")
     named = Relation(other, "=", value)
-    known = [assume(p) for p in (named, named, kept[1], kept[0])]
+    wall, damper, spring = map(assume, kept)
+    pair = (assume(named), wall) if free == K else (wall, assume(named))
+    known = [*pair, spring, damper]
     found = moved(assume(before), after.at({free: other}), known)
     some = witnessed(found, Exists((free,), after), {free: other})
     there_is = witnessed(identity(value, value), Exists((other,), named), {other: value})
@@ -108,11 +118,12 @@ def moved(found: Theorem, wanted: Any, known: Sequence[Theorem | None]) -> Theor
 
 
 @cache
-def with_the_mass() -> Theorem:
-    """K and B are stable <=> (m'/m) K and (m'/m) B with the mass m', under HELD."""
+def with_the_mass(stiffer: Symbol, stronger: Symbol) -> Theorem:
+    """K and B are stable <=> K' = (m'/m) K and B' = (m'/m) B with the mass m', under HELD."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(K * HEAVY / m, B * HEAVY / m, T, HEAVY, DAMPER, SPRING)
-    return _both_ways(before, after, HELD)
+    after = in_units(stiffer, stronger, T, HEAVY, DAMPER, SPRING)
+    wall = Eq(stiffer, K * HEAVY / m), Eq(stronger, B * HEAVY / m)
+    return _both_ways(before, after, wall, HELD)
 
 
 @cache
@@ -130,15 +141,18 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
 
 
 @cache
-def with_the_rate() -> Theorem:
-    """K and B are stable <=> y^2 K and y B are at y times the rate, under FASTER."""
+def with_the_rate(stiffer: Symbol, stronger: Symbol) -> Theorem:
+    """K and B are stable <=> K' = y^2 K and B' = y B are at y times the rate, under FASTER."""
     before = in_units(K, B, T, m, b, k)
-    after = in_units(y**2 * K, y * B, T / y, m, DAMPER, SPRING)
-    return closed(_both_ways(before, after, FASTER), positive(Ne(y, 0), y > 0))
+    after = in_units(stiffer, stronger, T / y, m, DAMPER, SPRING)
+    wall = Eq(stiffer, y**2 * K), Eq(stronger, y * B)
+    return closed(_both_ways(before, after, wall, FASTER), positive(Ne(y, 0), y > 0))
 
 
-def _both_ways(before: Proposition, after: Proposition, kept: list[Any]) -> Theorem:
-    known = [None, None, assume(kept[1]), assume(kept[0])]
+def _both_ways(
+    before: Proposition, after: Proposition, wall: Sequence[Any], kept: list[Any]
+) -> Theorem:
+    known = [*map(assume, wall), assume(kept[1]), assume(kept[0])]
     there, back = moved(assume(before), after, known), moved(assume(after), before, known)
     return closed(either_way(there, back, before, after), *APART)
 

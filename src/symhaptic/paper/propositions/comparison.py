@@ -27,6 +27,7 @@ from symhaptic.notation import (
     y,
 )
 from symhaptic.notation.proposition import (
+    Exists,
     ForAll,
     Iff,
     Not,
@@ -40,7 +41,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.digits import bounds, example, number, quoted
-from symhaptic.paper.propositions.passivity import BORDER, WALL, at_every_frequency
+from symhaptic.paper.propositions.passivity import ABOVE, BORDER, WALL, at_every_frequency
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -72,14 +73,15 @@ def _passive_is_robust(printed: Printed) -> Proposition:
 
 @claims("eq27")
 def _envelope_in_its_plane(printed: Printed) -> Proposition:
-    """Each wall that (27) gives for an angle is on the boundary, as for (7).
+    """Each wall that (27) gives for an angle is on the boundary, and no others are, as for (7).
 
     By Table I it stands for a wall in SI units, of every mass and period.
     """
-    inside = omega_hat > 0, omega_hat < sp.pi
-    table = normalised(alpha, beta, delta)
-    given = [T > 0, m > 0, b >= 0, d >= 0, *table, *inside, *printed]
-    return ForAll((*WALL, m, alpha, beta, delta, omega_hat), implied(given, BORDER))
+    curve = [omega_hat > 0, omega_hat < sp.pi, *printed]
+    others = implied([BORDER, *ABOVE], Exists((omega_hat,), both(curve)))
+    given = [T > 0, m > 0, b >= 0, d >= 0, *normalised(alpha, beta, delta)]
+    then = both([implied(curve, BORDER), others])
+    return ForAll((*WALL, m, alpha, beta, delta, omega_hat), implied(given, then))
 
 
 @claims("s5a-proportional")

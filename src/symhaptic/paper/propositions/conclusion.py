@@ -12,7 +12,15 @@ from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, LOOPS, SPRING, in_units
+from symhaptic.paper.propositions.stability import (
+    DAMPER,
+    HEAVY,
+    LOOPS,
+    SPRING,
+    STIFFER,
+    STRONGER,
+    in_units,
+)
 from symhaptic.paper.reading import Printed
 
 
@@ -29,35 +37,36 @@ def _springs_against_arms(printed: Printed) -> Proposition:
 
 @claims("s6-sampling")
 def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
-    """At y times the rate y K is passive where K was, and y^2 K with y B stable.
+    """At y times the rate y K is passive where K was, and K' = y^2 K with B' = y B stable.
 
     Passive is what meets (5).  The paper does not say what becomes of the operator in the stable
     loop: its damper and spring may change.
     """
     walls = at_every_frequency(FIVE)
     passive = Iff((walls, walls.at({K: y * K, T: T / y})))
-    after = in_units(y**2 * K, y * B, T / y, m, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T / y, m, DAMPER, SPRING)
     stable = Iff((in_units(K, B, T, m, b, k), after))
-    given = [*LOOPS, y > 0, DAMPER >= 0, SPRING >= 0]
-    symbols = (K, B, T, m, b, k, d, y, DAMPER, SPRING)
+    wall = sp.Eq(STIFFER, y**2 * K), sp.Eq(STRONGER, y * B)
+    given = [*LOOPS, y > 0, DAMPER >= 0, SPRING >= 0, *wall]
+    symbols = (K, B, T, m, b, k, d, y, STIFFER, STRONGER, DAMPER, SPRING)
     return ForAll(symbols, implied(given, both([passive, stable])))
 
 
 @claims("s6-mass")
 def _mass_scales_stability_alone(printed: Printed) -> Proposition:
-    """A wall is stable where the wall in proportion to another mass is; passive with both or none.
+    """A wall is stable where the one grown like the mass is; passive with both masses or none.
+
+    That is K' = (m'/m) K and B' = (m'/m) B.
 
     The paper does not say what becomes of the operator: its damper and spring may change.
     """
-    after = in_units(K * HEAVY / m, B * HEAVY / m, T, HEAVY, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T, HEAVY, DAMPER, SPRING)
     stable = Iff((in_units(K, B, T, m, b, k), after))
     devices = (Predicate("passive_device", (v,), (x * v**2 / 2, *WALL)) for x in (m, HEAVY))
-    given = [*LOOPS, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
-    symbols = (K, B, T, m, b, k, d, HEAVY, DAMPER, SPRING)
+    wall = sp.Eq(STIFFER, K * HEAVY / m), sp.Eq(STRONGER, B * HEAVY / m)
+    given = [*LOOPS, HEAVY > 0, DAMPER >= 0, SPRING >= 0, *wall]
+    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER, STRONGER, DAMPER, SPRING)
     return ForAll(symbols, implied(given, both([stable, Iff(tuple(devices))])))
-
-
-STIFFER = Symbol("K'")
 
 
 @claims("s6-performance")

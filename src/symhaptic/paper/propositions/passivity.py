@@ -106,12 +106,19 @@ def _summed_up(printed: Printed, six: sp.Expr | Proposition = SIX) -> Propositio
     return Iff((at_every_frequency(*printed), proposition(six)))
 
 
-RANGE = (-b <= B, d * b / (2 * d + 3) >= B)
+LITTLE = d * b / (2 * d + 3) >= B
+"""A wall is damped as the end of the line (8) is, or less."""
+
+ABOVE = (d > 0, d * b / (2 * d + 3) < B)
+"""It is damped more, behind a delay."""
+
+RANGE = (-b <= B, LITTLE)
 """The damping for which (9) is printed."""
 
-BORDER = both(
-    [PASSIVE, ForAll((x,), implied([x >= 0, x < b], Not((PASSIVE.at({b: x}),))))],
-)
+MINIMAL = ForAll((x,), implied([x >= 0, x < b], Not((PASSIVE.at({b: x}),))))
+"""With less damping of the device a wall is not passive."""
+
+BORDER = both([PASSIVE, MINIMAL])
 """A wall is passive, and it is not with less damping of the device."""
 
 STIFFEST = both([PASSIVE, ForAll((x, y), implied([PASSIVE.at({K: x, B: y})], x <= K))])
@@ -120,15 +127,21 @@ STIFFEST = both([PASSIVE, ForAll((x, y), implied([PASSIVE.at({K: x, B: y})], x <
 
 @claims("eq7")
 def _envelope_is_the_boundary(printed: Printed) -> Proposition:
-    """Each wall that (7) gives for a frequency is on the boundary."""
-    inside = omega > 0, omega < sp.pi / T
-    return ForAll((*WALL, omega), implied([*LOOP, *inside, *printed], BORDER))
+    """Each wall that (7) gives for a frequency is on the boundary; behind a delay no other wall is.
+
+    The latter of walls which are damped more than the end of the line (8): up to there the boundary
+    is its line.  Without delay (7) is one wall, and the upper boundary that of (6), see Fig. 4.
+    """
+    curve = [omega > 0, omega < sp.pi / T, *printed]
+    others = implied([BORDER, *ABOVE], Exists((omega,), both(curve)))
+    return ForAll((*WALL, omega), implied(LOOP, both([implied(curve, BORDER), others])))
 
 
 @claims("eq8")
-def _line_is_the_boundary(printed: Printed) -> Proposition:
-    """Each wall of the line is on the boundary."""
-    return ForAll((*WALL, y), implied([*LOOP, y >= 0, y <= 1, *printed], BORDER))
+def _line_is_the_lower_boundary(printed: Printed) -> Proposition:
+    """Up to the damping of its end, the boundary has the walls of the line and no others."""
+    on_line = Exists((y,), both([y >= 0, y <= 1, *printed]))
+    return ForAll(WALL, implied(LOOP, Iff((both([BORDER, LITTLE]), on_line))))
 
 
 @claims("eq9")
@@ -246,15 +259,23 @@ def _linear_in_the_period(printed: Printed) -> Proposition:
     return scaled(y * T)
 
 
+UPPER = both([sp.Eq(d, 0), K >= 0, B >= 0, sp.Eq(b, K * T / 2 + B)])
+"""The upper part of (6), which is for no delay, as an equation."""
+
+
 @claims("fig4")
 def _curves_of_the_figure(printed: Printed) -> Proposition:
-    """For seven delays: (7) up to its end, the line (8) and the tip (11)."""
+    """For seven delays: (7) up to its end, the line (8) and the tip (11), and no other wall.
+
+    Without delay the upper part is that of (6), of which (7) is one wall.
+    """
     delays = Or(tuple(proposition(sp.Eq(d, sp.Rational(text))) for text in DELAYS))
-    drawn = omega > 0, omega < sp.pi / T, omega <= sp.pi / (T * (d + 1))
     curve, line, tip = (printed_of(id) for id in ("eq7", "eq8", "eq11"))
+    arc = both([omega > 0, omega < sp.pi / T, omega <= sp.pi / (T * (d + 1)), *curve])
+    straight = both([y >= 0, y <= 1, *line])
     then = [
-        implied([*drawn, *curve], BORDER),
-        implied([y >= 0, y <= 1, *line], BORDER),
+        *(implied([of], BORDER) for of in (arc, straight, UPPER)),
+        implied([BORDER], Or((Exists((omega,), arc), Exists((y,), straight), UPPER))),
         implied(tip, STIFFEST),
     ]
     return ForAll((*WALL, omega, y), implied([*LOOP, delays], both(then)))

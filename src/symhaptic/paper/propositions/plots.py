@@ -41,7 +41,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
 from symhaptic.paper.propositions.linear import on_the_line_of_25
-from symhaptic.paper.propositions.passivity import BORDER
+from symhaptic.paper.propositions.passivity import ABOVE, BORDER
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
     DEVICE,
@@ -162,9 +162,10 @@ def _boundaries_with_delay(printed: Printed) -> Proposition:
     """For d = 1 and d = 2 and the four limits of (23): curve, left bound and tip of the region.
 
     On the curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
-    is stable.  The stable walls lie right of alpha = -gamma and come as near to it as the thickness
-    of a line; one of them is as stiff as all, to within that.  The spring 0.001 is visible: for
-    d = 2 it is more than a seventieth of what lies right of the origin.
+    is stable.  That all walls inside it are stable is not claimed.  The stable walls lie right of
+    alpha = -gamma and come as near to it as the thickness of a line; one of them is as stiff as
+    all, to within that.  The spring 0.001 is visible: for d = 2 it is more than a seventieth of
+    what lies right of the origin.
     """
     other = STABLE.at(dict(zip((alpha, beta), BESIDE, strict=True)))
     walls = [
@@ -213,14 +214,17 @@ def _linear_condition_beside_the_boundary(printed: Printed) -> Proposition:
     """For gamma = 0.001, five dampers, no delay and one period: the solid curves and their marks.
 
     On a curve are the walls that have a zero at exp(j theta); none is stable, and no wall left of
-    alpha = -gamma or on it.  On each there are walls whose errors (26) are 0, 2 and 5 percent, to a
-    hundredth of a percent, and on three a wall with the error -2 percent.
+    alpha = -gamma or on it.  Without delay all walls between that line and the curve are stable, as
+    for Fig. 7; one period late that is not claimed.  On each curve there are walls whose errors
+    (26) are 0, 2 and 5 percent, to a hundredth of a percent, and on three a wall with the error -2
+    percent.
     """
     left = ForAll((alpha, beta), implied([STABLE], alpha > -gamma))
     given = [Or(tuple(proposition(sp.Eq(s, v)) for v in values)) for s, values in LINED.items()]
     curves = implied(given, both([solid(), left, *map(marked, LEVELS)]))
     more = [marked(-LEVELS[1]).at({d: late, delta: damper}) for late, damper in BEFORE]
-    return both([ForAll(tuple(LINED), curves), *more]).at({gamma: STIFF})
+    marks = both([ForAll(tuple(LINED), curves), *more]).at({gamma: STIFF})
+    return both([marks, between_line_and_curve()])
 
 
 # -- springs at the Nyquist frequency ------------------------------------------------------
@@ -263,10 +267,17 @@ def one_of(*delays: str) -> Proposition:
 
 
 def dashed() -> Proposition:
-    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls."""
+    """Each wall of (27), for delta = 0.02 up to its end, is on the boundary of passive walls.
+
+    Behind a delay no other wall is on it, of those that are damped more than the end of (8).
+    """
+    units = {K: alpha, B: beta, b: DAMPED, T: sp.S.One}
     curve = [proposition(line).at({delta: DAMPED}) for line in transcribed("eq27")]
-    given = [omega_hat > 0, omega_hat < sp.pi, omega_hat <= sp.pi / (d + 1), *curve]
-    return implied(given, BORDER.at({K: alpha, B: beta, b: DAMPED, T: sp.S.One}))
+    arc, end = [omega_hat > 0, omega_hat < sp.pi, *curve], omega_hat <= sp.pi / (d + 1)
+    border = BORDER.at(units)
+    above = [proposition(p).at(units) for p in ABOVE]
+    others = implied([border, *above], Exists((omega_hat,), both(arc)))
+    return both([implied([end, *arc], border), others])
 
 
 def solid() -> Proposition:
@@ -288,10 +299,12 @@ def right_of_the_origin(then: Proposition) -> Proposition:
 def _both_in_one_plane(printed: Printed) -> Proposition:
     """For seven delays, gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
 
-    A wall of a dashed curve, (27) up to its end, is on the boundary of the passive walls.  On a
-    solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
-    is stable, and no wall left of alpha = -gamma or on it.  The passive region, (5) and alpha > 0,
-    is inside the stable one.  The dash-dotted line of the largest stiffness is that of Fig. 12.
+    A wall of a dashed curve, (27) up to its end, is on the boundary of the passive walls, and with
+    more damping than the end of (8) no other wall is, behind a delay.  On a solid curve,
+    alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none is stable,
+    and no wall left of alpha = -gamma or on it.  That all walls inside it are stable is not
+    claimed.  The passive region, (5) and alpha > 0, is inside the stable one.  The dash-dotted line
+    of the largest stiffness is that of Fig. 12.
     """
     arm = {gamma: STIFF, delta: DAMPED}
     left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
@@ -308,9 +321,9 @@ PANELS = ("0", "0.5", "1", "2")
 def _springs_up_to_nyquist(printed: Printed) -> Proposition:
     """For four delays, delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
 
-    On a curve are the walls that have a zero at exp(j theta); none is stable.  The green region for
-    delta = 0.02, (5) and alpha > 0, is inside the robustly stable one: its walls are stable with
-    every spring.
+    On a curve are the walls that have a zero at exp(j theta); none is stable.  That all walls
+    inside it are stable is not claimed.  The green region for delta = 0.02, (5) and alpha > 0, is
+    inside the robustly stable one: its walls are stable with every spring.
     """
     springs = [gamma >= 0, gamma <= NYQUIST]
     curves = [

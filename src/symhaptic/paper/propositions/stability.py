@@ -173,42 +173,53 @@ SOON, HEAVY, DAMPER, SPRING = Symbol("T'"), *MORE
 """Period, mass, damper and spring of another loop."""
 
 
+STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
+"""The wall beside another mass, or at another rate."""
+
+
 @claims("s4d-quadratic-in-period")
 def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
-    """Some B makes K stable at T where some B makes 4 K stable at T/2, and only there.
+    """Some B makes K stable at T where some B makes K' = 4 K stable at T/2, and only there.
 
     The paper does not say what becomes of the operator: its damper and spring may change.
     """
     before = Exists((B,), in_units(K, B, T, m, b, k))
-    after = Exists((B,), in_units(4 * K, B, T / 2, m, DAMPER, SPRING))
-    given = [*LOOPS, DAMPER >= 0, SPRING >= 0]
-    return ForAll((K, T, m, b, k, d, DAMPER, SPRING), implied(given, Iff((before, after))))
+    after = Exists((B,), in_units(STIFFER, B, T / 2, m, DAMPER, SPRING))
+    given = [*LOOPS, DAMPER >= 0, SPRING >= 0, sp.Eq(STIFFER, 4 * K)]
+    symbols = (K, T, m, b, k, d, STIFFER, DAMPER, SPRING)
+    return ForAll(symbols, implied(given, Iff((before, after))))
 
 
 @claims("s4d-damping-bound")
 def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
-    """Beside some K a damping B is stable where B (m'/T')/(m/T) is, for another m' and T'."""
+    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'."""
     before = Exists((K,), in_units(K, B, T, m, b, k))
     scaled = B * (HEAVY / SOON) / (m / T)
-    after = Exists((K,), in_units(K, scaled, SOON, HEAVY, DAMPER, SPRING))
-    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0]
-    symbols = (B, T, m, b, k, d, SOON, HEAVY, DAMPER, SPRING)
+    after = Exists((K,), in_units(K, STRONGER, SOON, HEAVY, DAMPER, SPRING))
+    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0, sp.Eq(STRONGER, scaled)]
+    symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER, DAMPER, SPRING)
     return ForAll(symbols, implied(given, Iff((before, after))))
 
 
 OTHER = Symbol("alpha_1")
 
 
+REACH = Symbol("y")
+"""How far up and down a line is reached."""
+
+
 @claims("s4d-left-bound")
 def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """On the printed line: no wall to its left or on it is stable, and some as near as one likes.
+    """On the printed line: no wall to its left or on it is stable; and a piece of it is a bound.
 
-    For every spring, damper and delay.
+    The piece has some length: for each beta between its ends, some walls are stable that lie as
+    near to the line as one likes.  For every spring, damper and delay.
     """
     [line] = map(proposition, printed)
     stable = STABLE.at({alpha: OTHER})
     right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
-    near = Exists((OTHER, beta), both([alpha + MOST > OTHER, stable]))
-    reached = ForAll((MOST,), implied([MOST > 0], near))
+    near = Exists((OTHER,), both([alpha + MOST > OTHER, stable]))
+    between = [MOST > 0, beta >= -REACH, beta <= REACH]
+    piece = Exists((REACH,), both([REACH > 0, ForAll((MOST, beta), implied(between, near))]))
     given = [*PLANT, d >= 0, line]
-    return ForAll((alpha, gamma, delta, d), implied(given, both([right, reached])))
+    return ForAll((alpha, gamma, delta, d), implied(given, both([right, piece])))

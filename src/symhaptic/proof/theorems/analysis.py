@@ -13,6 +13,8 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import (
+    And,
+    Exists,
     Implies,
     Not,
     Predicate,
@@ -39,6 +41,7 @@ SOURCES = {
     "increases": "mean value theorem; Rudin, Principles of Mathematical Analysis, 3rd ed., 5.10",
     "grows": "mean value theorem; Rudin, 5.10 and 5.11",
     "above_its_start": "monotone functions have one-sided limits; Rudin, 4.29",
+    "crosses_zero": "intermediate value theorem; Rudin, 4.23",
     "no_other_limit": "a limit is unique; Rudin, 4.2 and 3.2",
     "in_the_limit": "limits keep weak inequalities; Rudin, 3.19 and 4.2",
     "induction": "mathematical induction",
@@ -58,33 +61,34 @@ def increases(
     of which nothing is known but that it lies between the ends.
     """
     expr, lower, upper = term(expr), term(lower), term(upper)
-    hypotheses = _rising(expr, variable, lower, upper, slope, defined) | conditions(lower, upper)
+    hypotheses = _rising(expr, variable, (lower, upper), slope, defined) | conditions(lower, upper)
     return hypotheses, Predicate("increasing", (variable,), (expr, lower, upper))
 
 
 def _rising(
-    expr: Expr,
-    variable: Symbol,
-    lower: Expr,
-    upper: Expr,
-    slope: Theorem,
-    defined: Sequence[Theorem],
+    expr: Expr, variable: Symbol, ends: tuple[Expr, Expr], slope: Theorem, shown: Sequence[Theorem]
 ) -> set[Proposition]:
-    """What is left to show so that f is defined and rises on (lower, upper)."""
-    claim = relation(slope, "<")
-    if expr.has(sp.Abs, sp.re, sp.im, sp.conjugate) or not real(expr):
-        raise NotShown(f"{expr} is not differentiable, or not real, by its form")
+    """What is left to show so that f is defined and rises between the ends."""
+    claim, hypotheses = relation(slope, "<"), _smooth(expr, variable, ends, (slope, *shown))
     if claim.left != 0 or not is_zero(sp.diff(expr, variable) - claim.right):
         raise NotShown(f"{claim} is not the sign of the derivative of {expr}")
-    open_ = conditions(expr) - {d.conclusion for d in defined}
-    hypotheses = slope.hypotheses.union(open_, *(d.hypotheses for d in defined))
-    hypotheses -= _between(lower, variable, upper)
+    return hypotheses
+
+
+def _smooth(
+    expr: Expr, variable: Symbol, ends: tuple[Expr, Expr], shown: Sequence[Theorem]
+) -> set[Proposition]:
+    """What is left to show so that f is defined, and what is ``shown`` holds, between the ends."""
+    if expr.has(sp.Abs, sp.re, sp.im, sp.conjugate) or not real(expr):
+        raise NotShown(f"{expr} is not differentiable, or not real, by its form")
+    hypotheses = conditions(expr) - {t.conclusion for t in shown}
+    hypotheses = hypotheses.union(*(t.hypotheses for t in shown)) - {*_between(variable, *ends)}
     without([variable], hypotheses)
     return set(hypotheses)
 
 
-def _between(lower: Expr, variable: Symbol, upper: Expr) -> set[Proposition]:
-    return {Relation(lower, "<", variable), Relation(variable, "<", upper)}
+def _between(variable: Symbol, lower: Expr, upper: Expr) -> tuple[Proposition, Proposition]:
+    return Relation(lower, "<", variable), Relation(variable, "<", upper)
 
 
 @rule
@@ -98,7 +102,7 @@ def grows(
     expr, x, y = term(expr), term(smaller), term(larger)
     if variable in x.free_symbols | y.free_symbols or not (real(x) and real(y)):
         raise NotShown(f"{x} and {y} are no ends for {variable}")
-    inside = _rising(expr, variable, x, y, slope, defined)
+    inside = _rising(expr, variable, (x, y), slope, defined)
     ends = [expr.xreplace({variable: v}) for v in (x, y)]
     hypotheses = inside | {Relation(x, "<", y)} | conditions(*ends, x, y)
     for end in (x, y):
@@ -116,7 +120,7 @@ def above_its_start(theorem: Theorem, start: Theorem) -> Judgement:
         raise NotShown(f"{claim} is not the limit at the lower end")
     hypotheses = theorem.hypotheses | start.hypotheses
     without([variable], hypotheses)
-    return hypotheses | _between(lower, variable, upper), Relation(claim.of[2], "<", expr)
+    return {*hypotheses, *_between(variable, lower, upper)}, Relation(claim.of[2], "<", expr)
 
 
 @rule
@@ -133,9 +137,26 @@ def in_the_limit(
     ends = (Predicate("limit", (variable,), (difference, e, limit.of[2])) for e in (lower, upper))
     if limit not in ends:
         raise NotShown(f"{limit} is no limit of {difference} at an end")
-    hypotheses = (theorem.hypotheses - _between(lower, variable, upper)) | end.hypotheses
+    hypotheses = theorem.hypotheses - {*_between(variable, lower, upper)} | end.hypotheses
     without([variable], hypotheses)
     return hypotheses | {Relation(lower, "<", upper)}, Relation(_ZERO, "<=", limit.of[2])
+
+
+@rule
+def crosses_zero(below: Theorem, above: Theorem, *defined: Theorem) -> Judgement:
+    """f(v) = 0 for a v in (lower, upper): its limit at one end is negative, at the other positive.
+
+    The limits are shown, at the lower end (``below``) and at the upper one (``above``), and that no
+    divisor of f vanishes between (``defined``); that 0 lies between the limits is a hypothesis.
+    """
+    claim, other = predicate(below, "limit"), predicate(above, "limit")
+    [variable], (expr, lower, start), (_, upper, end) = claim.over, claim.of, other.of
+    if other != Predicate("limit", (variable,), (expr, upper, end)):
+        raise NotShown(f"{other} is no limit of {expr}")
+    order = {Relation(start, "<", _ZERO), Relation(_ZERO, "<", end), Relation(lower, "<", upper)}
+    hypotheses = order | _smooth(expr, variable, (lower, upper), defined)
+    there = And((*_between(variable, lower, upper), Relation(expr, "=", _ZERO)))
+    return hypotheses | below.hypotheses | above.hypotheses, Exists((variable,), there)
 
 
 @rule
