@@ -633,13 +633,12 @@ Ltac rationals :=
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].
 
+Ltac Craises_to z w n :=
+  replace (Craised z w) with (z ^ n)%C by (rewrite <- Craised_number; f_equal; simpl; Cpushed; ring).
 Ltac Craises :=
   repeat match goal with |- context [Craised ?z ?w] =>
     first
-      [ replace (Craised z w) with (z ^ 0)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 1)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 2)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 3)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      [ Craises_to z w 0%nat | Craises_to z w 1%nat | Craises_to z w 2%nat | Craises_to z w 3%nat
       | match goal with |- context [Craised z ?v] =>
           tryif constr_eq v w then fail
           else replace (Craised z w) with (Craised z v) by (f_equal; Cring)

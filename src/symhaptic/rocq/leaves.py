@@ -76,9 +76,11 @@ def by_jury(theorem: Theorem) -> Theorem:
     stable, signs = judged.conclusion.parts
     if inside is claim:
         return applied(judged, conjoined(*map(settled, signs.parts)))
-    wrong: Any = next(s for s in signs.parts if sign(s.terms[1]) == -1)
-    given = part(applied(judged, assume(stable)), wrong)
-    return absurd(given, settled(Relation(wrong.right, "<", wrong.left)), stable)
+    for wrong in signs.parts:
+        if (found := sign(wrong.terms[1])) in (-1, 0):
+            known = settled(Relation(wrong.terms[1], "<=" if found == 0 else "<", sp.S.Zero))
+            return absurd(part(applied(judged, assume(stable)), wrong), known, stable)
+    raise NotPrinted("a polynomial of which Jury's criterion does not decide")
 
 
 _HIGHEST = 8
