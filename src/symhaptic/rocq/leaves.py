@@ -89,11 +89,16 @@ _HIGHEST = 8
 
 def _real_part(number: Expr) -> Expr:
     """A number that is real, without j."""
-    turned = {
-        e: sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
-        for e in number.atoms(sp.exp)
-        for size, angle in [polar(e)]
-    }
+    powers = [p for p in number.atoms(sp.Pow) if p.exp.is_Integer and p.exp < 0 and p.has(sp.I)]
+    number = number.xreplace({p: sp.factor_terms(p.base) ** p.exp for p in powers})
+    turned: dict[Expr, Expr] = {}
+    for p in number.atoms(sp.Pow, sp.exp):
+        if isinstance(p, sp.exp):
+            size, angle = polar(p)
+            turned[p] = sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
+        elif p.has(sp.I):
+            conjugate = p.base.xreplace({sp.I: -sp.I})
+            turned[p] = (conjugate / sp.expand(p.base * conjugate)) ** -p.exp
     return sp.expand(number.xreplace(turned)).as_independent(sp.I, as_Add=True)[0]
 
 
