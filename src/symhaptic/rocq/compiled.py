@@ -134,7 +134,7 @@ def version() -> str:
 
 def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     limit = f"Default Timeout={SECONDS}"
-    command = [coqc(), "-q", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
+    command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
