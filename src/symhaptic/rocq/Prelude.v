@@ -128,7 +128,8 @@ Ltac Qnumber t :=
 Add Field Rquotients : RealField.Rfield
   (morphism Qnumbers, completeness Qcomplete, constants [Qnumber],
     power_tac RealField.R_power_theory [RealField.Rpow_tac]).
-Ltac shown := unfold Qvalue in *; cbn [QArith_base.Qnum QArith_base.Qden] in *.
+Ltac shown := try unfold Qvalue in *; cbn [QArith_base.Qnum QArith_base.Qden] in *.
+Ltac shown_here := try (unfold Qvalue; cbn [QArith_base.Qnum QArith_base.Qden]).
 
 (* -- logic -------------------------------------------------------------------------- *)
 
@@ -162,7 +163,7 @@ Ltac nz_known :=
   end.
 
 Ltac nz_with last :=
-  opened; factors; repeat split;
+  opened; factors; repeat split; shown_here;
   first
     [ assumption
     | lra
@@ -440,7 +441,7 @@ Ltac Cnz_part :=
     first [apply Rgt_not_eq; interval | apply Rlt_not_eq; interval] in
   intro E; first [solve [part (@fst R R)] | solve [part (@snd R R)]].
 Ltac Cnz_with last :=
-  cbv beta; repeat split;
+  cbv beta; repeat split; try (unfold Cvalue; cbn [QArith_base.Qnum QArith_base.Qden]);
   first
     [ assumption
     | apply Ci_apart
