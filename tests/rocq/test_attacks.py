@@ -6,12 +6,12 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, symbols, tan
+from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, sqrt, symbols, tan
 
 from symhaptic.book import foreign
 from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
 from symhaptic.notation import X, s, z
-from symhaptic.notation.proposition import Relation, proposition, whole
+from symhaptic.notation.proposition import Or, Relation, proposition, whole
 from symhaptic.paper.ranges import RANGES
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Positive
@@ -115,6 +115,21 @@ ATTACKS = {
     "an identity": (
         lambda: identity((x**2 - 1) / (x - 1), x + 1),
         [("x + 1)", "x - 1)"), ("(x - 1 <> 0) -> ", ""), ("(x^2 - 1)", "(x^3 - 1)")],
+    ),
+    "quotients of numbers": (
+        lambda: identity((x / 2 + Rational(1, 3)) ** 2, x**2 / 4 + x / 3 + Rational(1, 9)),
+        [("x^2/4", "x^2/3"), ("1/9", "1/8"), ("x/3 +", "-x/3 +"), ("(x/2", "(x/4")],
+    ),
+    "j below a line": (
+        lambda: roots_inside(z - 1 / (1 + sqrt(3) * I) - 1 / (1 - sqrt(3) * I), z, {}),
+        [("sqrt(3)", "sqrt(0)"), ("- 1/(1", "- 3/(1")],
+    ),
+    "the case of one case": (
+        lambda: by_cases(
+            assume(Or((proposition(x > 1),))),
+            combined(x > 0, [assume(x > 1)], [S.One]),
+        ),
+        [("(0 < x)", "(2 < x)"), ("(1 < x) -> ", "")],
     ),
     "sines of sums": (
         lambda: identity(sin(3 * x), 3 * sin(x) - 4 * sin(x) ** 3),

@@ -1,7 +1,7 @@
 (* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
    A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
 From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
-From Coq Require QArith Qround Ranalysis5.
+From Coq Require QArith Qround Qreals Qreduction Ranalysis5.
 From Coquelicot Require Export Coquelicot.
 From Interval Require Export Tactic.
 Open Scope R_scope.
@@ -79,6 +79,58 @@ Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list 
   Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
   ~ passive_wall K B b T d.
 
+(* -- numbers --------------------------------------------------------------------------- *)
+
+(* Quotients of whole numbers are constants of ring and field, so that no divisor is a variable. *)
+Definition Qvalue (q : QArith_base.Q) : R :=
+  match QArith_base.Qden q with
+  | xH => IZR (QArith_base.Qnum q)
+  | p => match QArith_base.Qnum q with Zpos xH => / IZR (Zpos p) | n => IZR n * / IZR (Zpos p) end
+  end.
+Lemma Qvalued : forall q, Qvalue q = Q2R q.
+Proof.
+  intros [[| [p | p |] | p] [d | d |]]; unfold Qvalue, Q2R; simpl;
+    first [ring | field; apply IZR_neq; discriminate].
+Qed.
+Notation Q_morph zero one plus times minus opp eq value :=
+  (ring_morph zero one plus times minus opp eq
+    (QArith_base.Qmake 0%Z 1%positive) (QArith_base.Qmake 1%Z 1%positive)
+    Qreduction.Qplus' Qreduction.Qmult' Qreduction.Qminus' QArith_base.Qopp QArith_base.Qeq_bool value).
+Lemma Qnumbers : Q_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) Qvalue.
+Proof.
+  split; intros; rewrite ?Qvalued, <- ?Qreals.Q2R_plus, <- ?Qreals.Q2R_mult, <- ?Qreals.Q2R_minus,
+    <- ?Qreals.Q2R_opp.
+  1, 2: unfold Q2R; simpl; field.
+  1-3: apply Qreals.Qeq_eqR;
+    first [apply Qreduction.Qplus'_correct | apply Qreduction.Qmult'_correct | apply Qreduction.Qminus'_correct].
+  - reflexivity.
+  - apply Qreals.Qeq_eqR, QArith_base.Qeq_bool_iff; assumption.
+Qed.
+Lemma Qcomplete : forall p q, Qvalue p = Qvalue q -> QArith_base.Qeq_bool p q = true.
+Proof. intros p q; rewrite !Qvalued; intro E; apply QArith_base.Qeq_bool_iff, Qreals.eqR_Qeq, E. Qed.
+Ltac whole_Q n :=
+  match isZcst n with
+  | true => constr:(QArith_base.Qmake n 1%positive)
+  | _ => constr:(InitialRing.NotConstant)
+  end.
+Ltac part_Q p :=
+  match isPcst p with
+  | true => lazymatch p with xH => constr:(InitialRing.NotConstant) | _ => constr:(QArith_base.Qmake 1%Z p) end
+  | _ => constr:(InitialRing.NotConstant)
+  end.
+Ltac Qnumber t :=
+  match t with
+  | Qvalue ?q => constr:(q)
+  | IZR ?n => whole_Q n
+  | / IZR (Zpos ?p) => part_Q p
+  | _ => constr:(InitialRing.NotConstant)
+  end.
+Add Field Rquotients : RealField.Rfield
+  (morphism Qnumbers, completeness Qcomplete, constants [Qnumber],
+    power_tac RealField.R_power_theory [RealField.Rpow_tac]).
+Ltac shown := try unfold Qvalue in *; cbn [QArith_base.Qnum QArith_base.Qden] in *.
+Ltac shown_here := try (unfold Qvalue; cbn [QArith_base.Qnum QArith_base.Qden]).
+
 (* -- logic -------------------------------------------------------------------------- *)
 
 Ltac opened := repeat match goal with H : _ /\ _ |- _ => destruct H end.
@@ -111,7 +163,7 @@ Ltac nz_known :=
   end.
 
 Ltac nz_with last :=
-  opened; factors; repeat split;
+  opened; factors; repeat split; shown_here;
   first
     [ assumption
     | lra
@@ -142,7 +194,7 @@ Ltac nz_hard _ :=
        [ first
            [ transitivity e; [ring | exact E]
            | transitivity (- e); [ring | rewrite E; ring]
-           | field_simplify_eq in E; [lra | nz_quick ..] ]
+           | field_simplify_eq in E; [shown; lra | nz_quick ..] ]
        | nz_quick .. ]]
   end.
 
@@ -155,8 +207,9 @@ Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]
 Ltac known_values :=
   rewrite ?Ropp_mult_distr_l_reverse, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI, ?cos_PI,
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
-Ltac same_field := first [reflexivity | solve [ring] | solve [field; nz]].
-Ltac quick_field := first [reflexivity | solve [ring] | solve [field; nz_quick]].
+Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
+Ltac same_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz]]].
+Ltac quick_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz_quick]]].
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
@@ -232,16 +285,39 @@ Ltac refuted :=
 
 (* -- complex numbers ---------------------------------------------------------------- *)
 
-Lemma Cnumbers : ring_morph (RtoC 0) (RtoC 1) Cplus Cmult Cminus Copp (@eq C)
-  0%Z 1%Z Z.add Z.mul Z.sub Z.opp Z.eqb (fun n => RtoC (IZR n)).
+Definition Cvalue (q : QArith_base.Q) : C :=
+  match QArith_base.Qden q with
+  | xH => RtoC (IZR (QArith_base.Qnum q))
+  | p =>
+      match QArith_base.Qnum q with
+      | Zpos xH => (/ RtoC (IZR (Zpos p)))%C
+      | n => (RtoC (IZR n) * / RtoC (IZR (Zpos p)))%C
+      end
+  end.
+Lemma Cvalued : forall q, Cvalue q = RtoC (Qvalue q).
 Proof.
-  split; intros; rewrite ?plus_IZR, ?mult_IZR, ?minus_IZR, ?opp_IZR;
-    rewrite ?RtoC_plus, ?RtoC_mult, ?RtoC_minus, ?RtoC_opp; try reflexivity.
-  apply Z.eqb_eq in H; rewrite H; reflexivity.
+  intros [[| [p | p |] | p] [d | d |]]; unfold Cvalue, Qvalue; simpl; try reflexivity;
+    rewrite ?RtoC_mult, RtoC_inv by (apply IZR_neq; discriminate); reflexivity.
 Qed.
+Lemma Cnumbers : Q_morph (RtoC 0) (RtoC 1) Cplus Cmult Cminus Copp (@eq C) Cvalue.
+Proof.
+  destruct Qnumbers; split; intros; rewrite ?Cvalued; try reflexivity.
+  - rewrite morph_add; apply RtoC_plus.
+  - rewrite morph_sub; apply RtoC_minus.
+  - rewrite morph_mul; apply RtoC_mult.
+  - rewrite morph_opp; apply RtoC_opp.
+  - apply f_equal, morph_eq; assumption.
+Qed.
+Lemma Ccomplete : forall p q, Cvalue p = Cvalue q -> QArith_base.Qeq_bool p q = true.
+Proof. intros p q; rewrite !Cvalued; intro E; apply Qcomplete, RtoC_inj, E. Qed.
 Ltac Cnumber t :=
-  match t with RtoC (IZR ?n) => constr:(n) | _ => constr:(InitialRing.NotConstant) end.
-Add Field Cnumbered : C_field_theory (morphism Cnumbers, constants [Cnumber]).
+  match t with
+  | Cvalue ?q => constr:(q)
+  | RtoC (IZR ?n) => whole_Q n
+  | Cinv (RtoC (IZR (Zpos ?p))) => part_Q p
+  | _ => constr:(InitialRing.NotConstant)
+  end.
+Add Field Cnumbered : C_field_theory (morphism Cnumbers, completeness Ccomplete, constants [Cnumber]).
 
 Lemma RtoC_div : forall x y : R, y <> 0 -> RtoC (x / y)%R = (RtoC x / RtoC y)%C.
 Proof. intros x y H; unfold Rdiv, Cdiv; rewrite RtoC_mult, RtoC_inv; [reflexivity | exact H]. Qed.
@@ -358,14 +434,21 @@ Ltac Clifted :=
   end;
   Cpushed; intros; cbn [Cpower] in *.
 Ltac Cring := cbn [Cpower]; first [reflexivity | ring].
+(* By its real or its imaginary part. *)
+Ltac Cnz_part :=
+  let E := fresh in
+  let part f := apply (f_equal f) in E; simpl in E; ring_simplify in E; shown; revert E;
+    first [apply Rgt_not_eq; interval | apply Rlt_not_eq; interval] in
+  intro E; first [solve [part (@fst R R)] | solve [part (@snd R R)]].
 Ltac Cnz_with last :=
-  cbv beta; repeat split;
+  cbv beta; repeat split; try (unfold Cvalue; cbn [QArith_base.Qnum QArith_base.Qden]);
   first
     [ assumption
     | apply Ci_apart
     | apply Cexp_apart
     | apply Craised_apart; assumption
     | apply Cnot_zero; nz_with last
+    | Cnz_part
     | solve [apply Cproduct_apart; Cnz_with last]
     | match goal with
       | H : ?c <> RtoC 0 |- ?e <> RtoC 0 =>
@@ -384,8 +467,9 @@ Ltac Cnz_hard _ :=
   | |- _ <> 0 => nz_hard tt
   end.
 Ltac Cnz := Cnz_with Cnz_hard.
-Ltac Cquick_field := cbn [Cpower]; first [reflexivity | solve [ring] | solve [field; Cnz_quick]].
-Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; field; Cnz]].
+Ltac Cquick_field :=
+  cbn [Cpower]; first [reflexivity | solve [undivided; first [solve [ring] | field; Cnz_quick]]].
+Ltac Csame_field := first [Cquick_field | solve [cbn [Cpower]; undivided; field; Cnz]].
 
 Ltac enclosed := first [lra | interval | interval with (i_prec 100) | interval with (i_prec 400)].
 Ltac numeric :=
@@ -633,13 +717,12 @@ Ltac rationals :=
 Ltac gained :=
   first [reflexivity | unfold Motion.energy; rationals; numeric].
 
+Ltac Craises_to z w n :=
+  replace (Craised z w) with (z ^ n)%C by (rewrite <- Craised_number; f_equal; simpl; Cpushed; ring).
 Ltac Craises :=
   repeat match goal with |- context [Craised ?z ?w] =>
     first
-      [ replace (Craised z w) with (z ^ 0)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 1)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 2)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
-      | replace (Craised z w) with (z ^ 3)%C by (rewrite <- Craised_number; f_equal; simpl; ring)
+      [ Craises_to z w 0%nat | Craises_to z w 1%nat | Craises_to z w 2%nat | Craises_to z w 3%nat
       | match goal with |- context [Craised z ?v] =>
           tryif constr_eq v w then fail
           else replace (Craised z w) with (Craised z v) by (f_equal; Cring)
@@ -1053,7 +1136,9 @@ Ltac derived :=
     | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].
-Ltac slope := unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto; nz.
+Ltac slope :=
+  unfold tan, cot, cosh, sinh, tanh; auto_derive; repeat split; auto;
+  first [nz | solve [valued; known_values; nz]].
 
 (* -- limits --------------------------------------------------------------------------- *)
 

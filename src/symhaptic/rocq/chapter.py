@@ -207,7 +207,7 @@ def _step(
         return [_axiom(step, rule, own)]
     if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
         return _instance(step, theorem, known, number)
-    names = Names()
+    names = Names("0")  # of a symbol that cancels, any number will do
     try:
         if theorem.rule not in WRITTEN:
             raise NotPrinted(f"the rule {theorem.rule}")

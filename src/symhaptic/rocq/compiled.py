@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import time
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from pathlib import Path
@@ -20,6 +21,8 @@ from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
+from symhaptic.rocq.shared import FOLDER, Seen
+from symhaptic.rocq.steps import is_open
 
 PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes"))
 """What chapters use; the second uses the first."""
@@ -73,11 +76,6 @@ class Outcome:
         return sorted(named, key=lambda name: (name in (REALS, INTEGERS), name))
 
 
-def is_open(name: str) -> bool:
-    """Whether an axiom of a file is a leaf that is not checked."""
-    return name.startswith("open_")
-
-
 def rule_of(name: str) -> str:
     """The classical rule or axiom of our kernel that an axiom of a file stands for.
 
@@ -103,7 +101,7 @@ def coqc() -> str:
 
 def prepared(folder: Path) -> Path:
     """The folder with the preludes in it; one that is new there is not compiled yet."""
-    folder.mkdir(parents=True, exist_ok=True)
+    (folder / FOLDER).mkdir(parents=True, exist_ok=True)
     stale = False
     for path in PRELUDES:
         there, text = folder / path.name, path.read_text(encoding="utf-8")
@@ -111,6 +109,9 @@ def prepared(folder: Path) -> Path:
         if stale:
             there.write_text(text, encoding="utf-8")
             there.with_suffix(".vo").unlink(missing_ok=True)
+    if stale:
+        shutil.rmtree(folder / FOLDER)
+        (folder / FOLDER).mkdir()
     return folder
 
 
@@ -133,7 +134,7 @@ def version() -> str:
 
 def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     limit = f"Default Timeout={SECONDS}"
-    command = [coqc(), "-q", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
+    command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
@@ -170,18 +171,19 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     place.write_text(text, encoding="utf-8")
     if not file.steps:
         return _marked(_outcome(file, chapter, {}, {}), chapter, of)
-    done = _compiled(folder, file.name)
+    seen, done = _asked(file, folder)
     if done.returncode:
-        file = printed(chapter, failing(folder, text))
+        file = printed(chapter, failing(folder, seen.text))
         place.write_text(file.written(), encoding="utf-8")
-        done = _compiled(folder, file.name)
+        seen, done = _asked(file, folder)
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
         outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
         outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
         outcome.pieces[0], outcome.open = 0, {"the file": why}
         return _marked(outcome, chapter, of)
-    rests = resting(file, done.stdout)
+    seen.keep()
+    rests = resting(file, done.stdout, seen.own)
     outcome = _outcome(file, chapter, told(file, rests), rests)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
@@ -189,6 +191,13 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
         kept = {"text": of, "outcome": asdict(outcome)}
         known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
     return _marked(outcome, chapter, of)
+
+
+def _asked(file: File, folder: Path) -> tuple[Seen, subprocess.CompletedProcess[str]]:
+    """What of a file is new, compiled."""
+    seen = Seen(folder, file)
+    (folder / FOLDER / f"{seen.name}.v").write_text(seen.text, encoding="utf-8")
+    return seen, _compiled(folder, f"{FOLDER}/{seen.name}")
 
 
 def _marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:
@@ -243,12 +252,12 @@ def _error(said: str) -> str:
     return f"coqc: not within {SECONDS} s"
 
 
-def resting(file: File, said: str) -> dict[str, list[str]]:
+def resting(file: File, said: str, own: Mapping[str, str]) -> dict[str, list[str]]:
     """What each statement rests on: what all of them do, but for what only others' lemmas name.
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
     """
-    found = axioms(said)
+    found = {own.get(name, name) for name in axioms(said)}
     here = {step.name for step in file.steps} | meant() | known_there()
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them

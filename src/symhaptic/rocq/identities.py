@@ -184,9 +184,9 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     rules = _rules(parts, of_complex, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
-    push, nz = ("cbn [Cpower]; ", "Cnz") if of_complex else ("", "nz")
+    push, nz = ("cbn [Cpower]; undivided; ", "Cnz") if of_complex else ("undivided; ", "nz")
     last = (
-        " | field_simplify_eq; [first [lra | nra] | nz ..]"
+        " | field_simplify_eq; [shown; first [lra | nra] | nz ..]"
         if any(v.is_Pow for v in parts.values)
         else ""
     )

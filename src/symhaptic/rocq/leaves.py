@@ -76,9 +76,11 @@ def by_jury(theorem: Theorem) -> Theorem:
     stable, signs = judged.conclusion.parts
     if inside is claim:
         return applied(judged, conjoined(*map(settled, signs.parts)))
-    wrong: Any = next(s for s in signs.parts if sign(s.terms[1]) == -1)
-    given = part(applied(judged, assume(stable)), wrong)
-    return absurd(given, settled(Relation(wrong.right, "<", wrong.left)), stable)
+    for wrong in signs.parts:
+        if (found := sign(wrong.terms[1])) in (-1, 0):
+            known = settled(Relation(wrong.terms[1], "<=" if found == 0 else "<", sp.S.Zero))
+            return absurd(part(applied(judged, assume(stable)), wrong), known, stable)
+    raise NotPrinted("a polynomial of which Jury's criterion does not decide")
 
 
 _HIGHEST = 8
@@ -87,11 +89,16 @@ _HIGHEST = 8
 
 def _real_part(number: Expr) -> Expr:
     """A number that is real, without j."""
-    turned = {
-        e: sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
-        for e in number.atoms(sp.exp)
-        for size, angle in [polar(e)]
-    }
+    powers = [p for p in number.atoms(sp.Pow) if p.exp.is_Integer and p.exp < 0 and p.has(sp.I)]
+    number = number.xreplace({p: sp.factor_terms(p.base) ** p.exp for p in powers})
+    turned: dict[Expr, Expr] = {}
+    for p in number.atoms(sp.Pow, sp.exp):
+        if isinstance(p, sp.exp):
+            size, angle = polar(p)
+            turned[p] = sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
+        elif p.has(sp.I):
+            conjugate = p.base.xreplace({sp.I: -sp.I})
+            turned[p] = (conjugate / sp.expand(p.base * conjugate)) ** -p.exp
     return sp.expand(number.xreplace(turned)).as_independent(sp.I, as_Add=True)[0]
 
 

@@ -127,7 +127,8 @@ def by_cases(proof: Proof, theorem: Theorem) -> None:
     pattern = names[-1]
     for name in reversed(names[:-1]):
         pattern = f"[{name} | {pattern}]"
-    proof.say(f"destruct {proof.have(cover)} as {pattern}.")
+    taken = "destruct" if len(names) > 1 else "pose proof"
+    proof.say(f"{taken} {proof.have(cover)} as {pattern}.")
     before = dict(proof.scope)
     for name, disjunct, case in zip(names, claim.of, cases, strict=True):
         proof.scope = dict(before)

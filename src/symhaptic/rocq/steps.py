@@ -54,6 +54,11 @@ class Step:
         return f"{head}\n{claim}\nProof.\n{proof}\nQed.\n"
 
 
+def is_open(name: str) -> bool:
+    """Whether an axiom of a file is a leaf that is not checked."""
+    return name.startswith("open_")
+
+
 def comment(text: str) -> str:
     """A comment; Rocq reads strings in it, and comments in comments."""
     return f"(* {text.replace(chr(34), chr(39)).replace('(*', '( *').replace('*)', '* )')} *)"

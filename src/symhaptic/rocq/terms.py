@@ -42,17 +42,20 @@ _NAMES: Mapping[Any, str] = {
 class Names:
     """Names of symbols in one lemma: the symbol's own, with a prime where two share it."""
 
-    def __init__(self) -> None:
+    def __init__(self, other: str | None = None) -> None:
         self._of: dict[Symbol, str] = {}
+        self.other = other
+        """What is written for a symbol that is not bound; it is refused where there is nothing."""
         self.as_complex: set[Symbol] = set()
         """Bound symbols that are complex where they are bound, whatever their name says."""
         self.spelled: dict[Expr, str] = {}
         """Variables that stand for what is written so."""
 
     def __getitem__(self, symbol: Symbol) -> str:
-        if symbol not in self._of:
+        found = self._of.get(symbol, self.other)
+        if found is None:
             raise NotPrinted(f"the symbol {symbol} is not bound")
-        return self._of[symbol]
+        return found
 
     def __contains__(self, symbol: object) -> bool:
         return symbol in self._of

@@ -1,0 +1,149 @@
+"""What a chapter takes from another is what it would prove by the same proof, or is refused."""
+
+import json
+import shutil
+from dataclasses import replace
+
+import pytest
+from chapters import chapter
+from sympy import Symbol
+
+from symhaptic.book import foreign
+from symhaptic.notation.proposition import proposition
+from symhaptic.rocq import compiled
+from symhaptic.rocq.chapter import File
+from symhaptic.rocq.shared import FOLDER, Seen
+from symhaptic.rocq.steps import Step
+
+TEXT = proposition(Symbol("x") > 0)
+
+
+def step(name, statement, *lines, kind="Lemma"):
+    return Step(name, "rule", (), (), TEXT, statement, kind, list(lines))
+
+
+def file(name, *steps):
+    return File(name, "Mine", list(steps), {"one": (steps[-1].name,)})
+
+
+FIRST = (
+    step("rule_stored_1", "0 < 2", kind="Axiom"),
+    step("step_2", "0 < 1", "lra."),
+    step("step_3", "0 < 1 /\\ 0 < 2", "exact (conj step_2 rule_stored_1)."),
+)
+OTHER = (
+    step("step_1", "0 < 1", "lra."),
+    step("rule_stored_4", "0 < 2", kind="Axiom"),
+    step("step_5", "0 < 1 /\\ 0 < 2", "exact (conj step_1 rule_stored_4)."),
+)
+"""The same under other names."""
+
+
+def proved(folder, *steps):
+    """The file in which some steps stand."""
+    (folder / FOLDER).mkdir(parents=True, exist_ok=True)
+    found = Seen(folder, file("first", *steps))
+    found.keep()
+    return found
+
+
+def taken(folder, *steps):
+    """Which of some steps are taken from it."""
+    return set(Seen(folder, file("second", *steps)).there)
+
+
+def test_the_same_is_taken_under_whatever_name(tmp_path):
+    proved(tmp_path, *FIRST)
+    assert taken(tmp_path, *OTHER) == {"step_1", "rule_stored_4", "step_5"}
+    # and those on which nothing that is left stands are not written
+    assert [s.name for s in Seen(tmp_path, file("second", *OTHER)).file.steps] == ["step_5"]
+
+
+@pytest.mark.parametrize(
+    ("number", "changed", "left"),
+    [
+        (0, {"statement": "0 < 3"}, {"step_1", "step_5"}),  # and what it is used for
+        (0, {"lines": ["nra."]}, {"step_1", "step_5"}),
+        (0, {"kind": "Axiom"}, {"step_1", "step_5"}),
+        (1, {"rule": "other"}, {"rule_stored_4", "step_5"}),
+        (1, {"statement": "0 < 4"}, {"rule_stored_4", "step_5"}),
+        (2, {"statement": "0 < 1 /\\ 0 < 4"}, {"step_5"}),
+        (2, {"lines": ["exact (conj step_1 step_1)."]}, {"step_5"}),
+    ],
+)
+def test_what_differs_in_one_place_is_not_taken(tmp_path, number, changed, left):
+    proved(tmp_path, *FIRST)
+    steps = list(OTHER)
+    steps[number] = replace(steps[number], **changed)
+    assert {s.name for s in steps} - taken(tmp_path, *steps) == left
+
+
+def test_what_rests_on_an_open_step_is_never_taken(tmp_path):
+    open_ = (step("open_step_2", "0 < 1", kind="Axiom"),
+             step("step_3", "0 < 1", "exact open_step_2."))  # fmt: skip
+    proved(tmp_path, *open_)
+    assert taken(tmp_path, *open_) == set()
+
+
+def test_a_prelude_that_changed_forgets_all(tmp_path):
+    compiled.prepared(tmp_path)
+    proved(tmp_path, *FIRST)
+    assert taken(compiled.prepared(tmp_path), *OTHER)
+    (tmp_path / "Prelude.v").write_text("")
+    assert not taken(compiled.prepared(tmp_path), *OTHER)
+
+
+needs_rocq = pytest.mark.skipif(shutil.which("coqc") is None, reason=compiled.INSTALL)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = compiled.prepared(tmp_path_factory.mktemp("rocq"))
+    compiled.prelude_compiled(made)
+    return made
+
+
+def forged(folder, mark, *steps):
+    """A file of which its index tells that a step of it is what is looked for."""
+    name = f"forged_{len([*(folder / FOLDER).glob('*.v')])}"
+    text = file(name, *steps).written()
+    (folder / FOLDER / f"{name}.v").write_text(text)
+    assert compiled._compiled(folder, f"{FOLDER}/{name}").returncode == 0
+    index = folder / FOLDER / f"{name}.json"
+    index.write_text(json.dumps({mark: steps[-1].name}))
+    return index
+
+
+@pytest.mark.slow
+@needs_rocq
+def test_an_index_that_lies_is_found_out(folder):
+    """Rocq compares what both say; what was believed there is an axiom that nobody named here."""
+    mine = file("mine", step("lemma_1", "0 < 2", "lra."))
+    [mark] = Seen(folder, mine).marks.values()
+    index = forged(folder, mark, step("step_1", "0 < 1", "lra."))  # of something else
+    seen, done = compiled._asked(mine, folder)
+    assert "step_1" in done.stderr
+    assert set(compiled.failing(folder, seen.text)) == {"lemma_1"}
+    index.unlink()
+    index = forged(folder, mark, step("step_1", "0 < 2", kind="Axiom"))
+    seen, done = compiled._asked(mine, folder)
+    rests = compiled.resting(mine, done.stdout, seen.own)
+    assert "which nobody named" in compiled.told(mine, rests)["one"]
+    index.unlink()
+
+
+@pytest.mark.slow
+@needs_rocq
+def test_a_chapter_that_takes_all_rests_on_the_same(folder):
+    """Under the names of its own axioms; and what it is marked by is what is written."""
+    one = chapter("s3b_envelope")
+    first = compiled.asked(one, folder)
+    (folder / "s3b_envelope.json").unlink()
+    again = compiled.asked(one, folder)
+    [text] = [t for f in (folder / FOLDER).glob("*.v") if "exact s3b" in (t := f.read_text())]
+    assert "lra" not in text
+    assert not again.kept
+    assert (again.rests, again.statements, again.text) == (
+        first.rests, first.statements, first.text,
+    )  # fmt: skip
+    assert foreign.REALS in next(iter(again.rests.values()))
