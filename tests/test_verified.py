@@ -6,7 +6,7 @@ import pytest
 from chapters import chapter
 from typer.testing import CliRunner
 
-from symhaptic.book import ledger, parallel
+from symhaptic.book import ledger, reader
 from symhaptic.cli.main import app
 
 
@@ -19,7 +19,7 @@ def told():
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(ledger, "run", lambda path: chapter(path.stem))
-        patch.setattr(parallel, "untouched", lambda: True)
+        patch.setattr(reader, "untouched", lambda: True)
         return CliRunner().invoke(app, ["verify", "--strict", "--format", "json"])
 
 

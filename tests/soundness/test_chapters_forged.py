@@ -494,8 +494,9 @@ def test_a_source_does_not_patch_the_judge(tmp_path: Path) -> None:
 import symhaptic.book.beforehand as beforehand
 import symhaptic.book.ledger as ledger
 import symhaptic.book.parallel as parallel
+import symhaptic.book.reader as reader
 from symhaptic.paper.statement import Source, Statement
-for module in (ledger, parallel, beforehand):
+for module in (ledger, parallel, reader, beforehand):
     if hasattr(module, "judged_again"):
         module.judged_again = lambda entry: None
 SOURCE = Source("f", "Forged", "A. Author", "2026")
