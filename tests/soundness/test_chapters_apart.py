@@ -1,15 +1,20 @@
 """Chapters leave nothing behind, nothing is settled twice, and what fails says where."""
 
+import copyreg
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 from command import symhaptic
+
+from symhaptic.book.arrivals import arrived, sent
+from symhaptic.book.chapters import BadChapter
 
 HEAD = '''r"""A title.
 
@@ -146,6 +151,14 @@ def test_junit_and_json_have_an_error_for_a_chapter_that_raises(tmp_path):
     assert [r["verdict"] for r in found["statements"]] == ["definition"]
     (error,) = found["errors"]
     assert (error["derivation"], error["line"]) == (str(path), 11)
+
+
+def test_what_is_wrong_arrives_beside_packages_that_send_errors_in_their_way(monkeypatch):
+    # dask.distributed has tblib register a way for every class of errors that is there
+    wrong = BadChapter(Path("wrong.py"), "proves nothing", 7)
+    monkeypatch.setitem(copyreg.dispatch_table, BadChapter, lambda error: (print, error.args))
+    found = arrived(sent(wrong), Path("other.py"))
+    assert (type(found), found.args) == (BadChapter, wrong.args)
 
 
 def test_a_chapter_whose_process_dies_is_told(tmp_path):

@@ -47,13 +47,18 @@ def sent(result: Any, known: Sequence[Theorem] = ()) -> bytes:
 
 
 class _Writer(pickle.Pickler):
-    """Writes the place of a theorem that is known where it arrives."""
+    """Writes the place of a theorem that is known where it arrives.
+
+    What is wrong with a chapter is written as it is made, however other packages would have it.
+    """
 
     def __init__(self, file: io.BytesIO, known: Sequence[Theorem]) -> None:
         super().__init__(file)
         self.places = {id(theorem): place for place, theorem in enumerate(known)}
 
     def reducer_override(self, part: Any) -> Any:
+        if type(part) is BadChapter:
+            return BadChapter, part.args
         place = self.places.get(id(part)) if type(part) is Theorem else None
         return NotImplemented if place is None else (_known, (place,))
 
