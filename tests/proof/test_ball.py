@@ -176,6 +176,23 @@ def test_zeros_on_the_circle_or_outside_are_not_inside(polynomial):
     assert not zeros_inside(sp.expand(polynomial), z)
 
 
+@pytest.mark.parametrize(
+    "nothing",
+    [
+        (z + 1) * (z - 1) - z**2 + 1,
+        (z + 1) * (z - 1) - z**2 + sp.sin(1) ** 2 + sp.cos(1) ** 2,
+        (z + sp.pi) * (z - sp.pi) - z**2 + sp.pi**2,
+    ],
+    ids=str,
+)
+def test_the_zeros_of_nothing_are_everywhere(nothing):
+    assert not zeros_inside(nothing, z)
+
+
+def test_a_constant_has_no_zeros():
+    assert zeros_inside((z + 1) * (z - 1) - z**2 + 2, z)
+
+
 def test_zeros_close_to_the_circle_are_inside():
     assert zeros_inside(z**2 - (1 - Rational(1, 10**400)), z)
     assert zeros_inside(z - exp(I) * (1 - Rational(1, 10**40)), z)

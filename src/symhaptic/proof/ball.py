@@ -196,14 +196,14 @@ def _in_balls(expr: Expr, variable: sp.Symbol, at: dict[Expr, Expr | acb | arb])
 
 
 def _reduced_inside(rising: list[acb]) -> bool:
-    """Schur's reduction in balls, down to a constant."""
+    """Schur's reduction in balls, down to a constant, which is not zero: all is a zero of 0."""
     while len(rising) > 1:
         mirrored = [c.conjugate() for c in reversed(rising)]
         share = rising[0] / mirrored[0]
         if not abs(share) < 1:
             return False
         rising = [p - share * q for p, q in zip(rising[1:], mirrored[1:], strict=True)]
-    return True
+    return not rising[0].contains(0)
 
 
 def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:
