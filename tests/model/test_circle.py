@@ -31,3 +31,9 @@ def test_parts_are_those_of_the_complex_number(expr, theta):
 
 def test_powers():
     assert circle.powers(A * z**2 - 3 / z + 5) == {2: A, -1: -3, 0: 5}
+
+
+def test_numbers_need_not_be_rational():
+    # |z + pi|^2 = 1 + pi^2 + 2 pi cos theta, by hand
+    assert circle.square(z + sp.pi) == sp.pi * z + sp.pi / z + sp.pi**2 + 1
+    assert circle.real(sp.sqrt(2) * z) == sp.sqrt(2) * z / 2 + sp.sqrt(2) / (2 * z)

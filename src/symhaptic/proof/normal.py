@@ -202,7 +202,8 @@ class Field:
         # the roots of unity: exp(j pi p/q) and j itself
         self._turns = self._turns or bool(self._exponents)
         self._order = lcm(4, 2 * denominators[0])
-        spend(20 * self._order * self._turns)
+        if self._turns:
+            spend(20 * self._order)
         self._zeta = sp.Dummy("zeta")
         self._generator: dict[int, Expr] = {}
         self._denominators = denominators
@@ -216,7 +217,8 @@ class Field:
                 continue
             self._generator[i] = sp.Dummy(f"g{i}")
             names.append(self._generator[i])
-        names += [self._zeta] * self._turns
+        if self._turns:
+            names.append(self._zeta)
         self._ring = ring = Ring(names)
         ring.small = None if self._small is None else names.index(self._small.variable)
         if self._turns:

@@ -16,6 +16,7 @@ from sympy import Expr, Rational, S, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.model import circle
 from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1
 from symhaptic.notation.proposition import Relation, conjuncts, whole
 from symhaptic.proof import box
@@ -59,17 +60,10 @@ def on_box(expr: Expr, ranges: Ranges) -> Theorem:
 @cache
 def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Theorem:
     ranges = dict(sides)
-    small = _expanded(expr.xreplace(BALLS).xreplace(FREE))
+    small = circle.expanded(expr.xreplace(BALLS).xreplace(FREE))
     found = box.positive(small, ranges, named(SMALL))
     certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
-
-
-def _expanded(polynomial: Expr) -> Expr:
-    """The sum of its terms, faster than by ``expand``."""
-    symbols = sorted(polynomial.free_symbols, key=str)
-    terms: Expr = sp.ring(symbols, sp.QQ)[0].from_expr(polynomial).as_expr()
-    return terms
 
 
 def of_every_plant(theorem: Theorem) -> Theorem:
