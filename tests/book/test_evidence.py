@@ -10,7 +10,7 @@ from symhaptic.book.chapters import folder, run
 from symhaptic.book.evidence import evidence
 from symhaptic.book.rests import shown_in
 from symhaptic.book.rules import classical, says
-from symhaptic.notation.proposition import MEANINGS, TERMS
+from symhaptic.notation.predicates import MEANINGS, TERMS
 from symhaptic.notation.written import defined
 from symhaptic.proof.theorems.axioms import AXIOMS
 

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from sympy import Expr
 
 from symhaptic.notation.latex import latex
+from symhaptic.notation.predicates import MEANINGS, TERMS
 from symhaptic.notation.proposition import (
-    MEANINGS,
-    TERMS,
     And,
     Exists,
     ForAll,

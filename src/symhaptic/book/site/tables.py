@@ -26,7 +26,7 @@ from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.results import USE
 from symhaptic.book.tex.words import anchor
 from symhaptic.notation.latex import latex
-from symhaptic.notation.proposition import MEANINGS
+from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.verdict import Kind

@@ -13,7 +13,7 @@ from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.tex.forms import running
 from symhaptic.book.tex.words import anchor, escaped, prose
 from symhaptic.notation import SYMBOLS
-from symhaptic.notation.proposition import MEANINGS
+from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
 
