@@ -92,17 +92,34 @@ Proof.
   intros [[| [p | p |] | p] [d | d |]]; unfold Qvalue, Q2R; simpl;
     first [ring | field; apply IZR_neq; discriminate].
 Qed.
+(* Whole numbers are added and multiplied as such: there is nothing to reduce. *)
+Definition Qwhole_or (op : Z -> Z -> Z) (other : QArith_base.Q -> QArith_base.Q -> QArith_base.Q)
+  (p q : QArith_base.Q) : QArith_base.Q :=
+  match QArith_base.Qden p, QArith_base.Qden q with
+  | xH, xH => QArith_base.Qmake (op (QArith_base.Qnum p) (QArith_base.Qnum q)) 1
+  | _, _ => other p q
+  end.
+Definition Qadd := Qwhole_or Z.add Qreduction.Qplus'.
+Definition Qsubtract := Qwhole_or Z.sub Qreduction.Qminus'.
+Definition Qtimes := Qwhole_or Z.mul Qreduction.Qmult'.
+Lemma Qsteps : forall p q, QArith_base.Qeq (Qadd p q) (QArith_base.Qplus p q) /\
+  QArith_base.Qeq (Qsubtract p q) (QArith_base.Qminus p q) /\
+  QArith_base.Qeq (Qtimes p q) (QArith_base.Qmult p q).
+Proof.
+  intros [n [d | d |]] [m [e | e |]]; repeat split; unfold Qadd, Qsubtract, Qtimes, Qwhole_or; simpl;
+    try apply Qreduction.Qplus'_correct; try apply Qreduction.Qmult'_correct; try apply Qreduction.Qminus'_correct;
+    unfold QArith_base.Qeq; simpl; lia.
+Qed.
 Notation Q_morph zero one plus times minus opp eq value :=
   (ring_morph zero one plus times minus opp eq
     (QArith_base.Qmake 0%Z 1%positive) (QArith_base.Qmake 1%Z 1%positive)
-    Qreduction.Qplus' Qreduction.Qmult' Qreduction.Qminus' QArith_base.Qopp QArith_base.Qeq_bool value).
+    Qadd Qtimes Qsubtract QArith_base.Qopp QArith_base.Qeq_bool value).
 Lemma Qnumbers : Q_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) Qvalue.
 Proof.
   split; intros; rewrite ?Qvalued, <- ?Qreals.Q2R_plus, <- ?Qreals.Q2R_mult, <- ?Qreals.Q2R_minus,
     <- ?Qreals.Q2R_opp.
   1, 2: unfold Q2R; simpl; field.
-  1-3: apply Qreals.Qeq_eqR;
-    first [apply Qreduction.Qplus'_correct | apply Qreduction.Qmult'_correct | apply Qreduction.Qminus'_correct].
+  1-3: apply Qreals.Qeq_eqR, (Qsteps x y).
   - reflexivity.
   - apply Qreals.Qeq_eqR, QArith_base.Qeq_bool_iff; assumption.
 Qed.
