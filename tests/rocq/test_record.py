@@ -77,8 +77,8 @@ def in_kernel(judged):
     meanings = MEANING | set(map(compiled.rule_of, compiled.known_there()))
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
-    if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros by Jury's criterion
-        found.add("jury")
+    if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros as Schur did
+        found.add(foreign.SCHUR)
     return found & (set(sources()) | meanings)
 
 

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.rules import says
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.proof.theorems.kernel import NotShown, Theorem
+from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
-from symhaptic.rocq.leaves import BOXED, LEAVES, SPELLED
+from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
@@ -49,8 +48,9 @@ class File:
 
     def written(self) -> str:
         """The text: byte by byte the same from run to run."""
-        boxes = " Boxes" if any(step.rule in BOXED for step in self.steps) else ""
-        import_ = f"From Symhaptic Require Import Prelude{boxes}."
+        rules = {step.rule for step in self.steps}
+        also = [name for name, some in (("Boxes", BOXED), ("Zeros", COUNTED)) if rules & some]
+        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *also])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
@@ -99,8 +99,7 @@ HOW = (
     "classical theorems, and what is known of a device; one that is named open_ is a step which "
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
     "printed, fails. Tactics, and what the predicates are, stand in Prelude.v; how the pieces of a "
-    "box are checked, in Boxes.v."
-    "box are checked, in Boxes.v."
+    "box are checked, in Boxes.v; how the zeros of a polynomial are counted, in Zeros.v."
 )
 
 
@@ -133,7 +132,7 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     why: dict[Said, str] = {}
     named = _named(chapter)
     roots = [theorem for _, _, theorem in theorems_of(chapter)]
-    for theorem in _spelled(order(roots)):
+    for theorem in order(roots):
         if said(theorem) in known:
             continue
         try:
@@ -163,15 +162,6 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     }
     file.statements = {id: names for id, names in file.statements.items() if id not in file.missing}
     return file
-
-
-def _spelled(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
-    """The theorems, with other steps to those that are printed so."""
-    for theorem in theorems:
-        if theorem.rule in SPELLED:
-            with suppress(NotShown, NotPrinted):
-                yield from order([SPELLED[theorem.rule](theorem)])
-        yield theorem
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:

@@ -24,8 +24,8 @@ from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
 from symhaptic.rocq.shared import FOLDER, Seen
 from symhaptic.rocq.steps import is_open
 
-PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes"))
-"""What chapters use; the second uses the first."""
+PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes", "Zeros"))
+"""What chapters use; each uses those before it."""
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
@@ -85,6 +85,8 @@ def rule_of(name: str) -> str:
     instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
     if instance and instance[1] in BELIEVED | WRITTEN:
         return instance[1]
+    if name in known_there():
+        return name.removeprefix("rule_")
     return _AXIOMS.get(name, name)
 
 
