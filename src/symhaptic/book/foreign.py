@@ -29,7 +29,7 @@ REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
 """What a statement may rest on beside classical rules."""
 
 SCHUR = "schur"
-"""The criterion by which Rocq counts zeros where our kernel has a decider; Zeros.v has its source."""
+"""By what Rocq counts zeros, where our kernel has a decider; its source stands in Zeros.v."""
 
 
 @dataclass(frozen=True)

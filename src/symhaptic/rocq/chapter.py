@@ -131,8 +131,9 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
     named = _named(chapter)
-    roots = [theorem for _, _, theorem in theorems_of(chapter)]
-    for theorem in order(roots):
+    half = {said(t) for _, _, t in theorems_of(chapter) if _half_said(t)}
+    # what would say less is not worth its steps
+    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in half):
         if said(theorem) in known:
             continue
         try:
@@ -149,7 +150,7 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
-            if any(map(half_said, (*theorem.hypotheses, theorem.conclusion))):
+            if said(theorem) in half:
                 file.missing.setdefault(id, "a root of what may be negative, in complex numbers")
             elif said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
@@ -162,6 +163,10 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     }
     file.statements = {id: names for id, names in file.statements.items() if id not in file.missing}
     return file
+
+
+def _half_said(theorem: Theorem) -> bool:
+    return any(map(half_said, (*theorem.hypotheses, theorem.conclusion)))
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:

@@ -40,6 +40,7 @@ _PRIMITIVE = (
     "Uint63Axioms.",
     "FloatOps.",
 )
+_OURS = tuple(f"{path.stem}." for path in PRELUDES)
 
 
 class NoRocq(OSError):
@@ -274,6 +275,8 @@ def axioms(said: str) -> set[str]:
 def _short(name: str) -> str:
     if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
         return REALS
+    if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
+        return name.partition(".")[2]
     return INTEGERS if name.startswith(_PRIMITIVE) else name
 
 
