@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Poly, Rational, S, Symbol, expand
+from sympy import Add, Expr, Ne, Rational, S, Symbol
 
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, slow
@@ -23,6 +23,7 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     on_box,
 )
+from symhaptic.model.circle import expanded, powers
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, x
 from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
@@ -71,9 +72,14 @@ def minor(delay: int) -> Expr:
 
 def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
     """(f(to) - f(by))/(to - by) of a polynomial f."""
-    rising = Poly(value, by).all_coeffs()[::-1]
-    powers = (sum(to**i * by ** (k - 1 - i) for i in range(k)) for k in range(len(rising)))
-    return expand(Add(*(c * p for c, p in zip(rising, powers, strict=True))))
+    return expanded(
+        Add(
+            *(
+                c * Add(*(to**i * by ** (k - 1 - i) for i in range(k)))
+                for k, c in powers(value, by).items()
+            )
+        )
+    )
 
 
 @cache
