@@ -62,9 +62,7 @@ def _sum(symbols: list[Expr], terms: Terms) -> Expr:
     )
 
 
-def _polynomial(
-    expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpoly]
-) -> fmpq_mpoly:
+def _polynomial(expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpoly]) -> fmpq_mpoly:
     """A polynomial with rational coefficients in these names."""
     if expr in names:
         return names[expr]

@@ -70,7 +70,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         return _known(placed(at_point(expr, ranges), here))
 
     bottom = on_curve(below)
-    share = over(1 / below > 0, one(), bottom)
+    share = over(Relation(S.Zero, "<", 1 / below), one(), bottom)
     there = some.body.at(wall).of  # type: ignore[attr-defined]
     parts = [fact(there[0]), fact(there[1])]
     parts.append(conjoined(*(identity(p.left, p.right) for p in there[2].of)))

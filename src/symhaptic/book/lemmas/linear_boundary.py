@@ -10,10 +10,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Rational, S, Symbol
+from sympy import Expr, Ne, Rational, S, Symbol
 
 from symhaptic.book.lemmas.arm_numbers import pushed
-from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, slow
+from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
@@ -23,7 +23,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     on_box,
 )
-from symhaptic.model.circle import expanded, powers
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, x
 from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
@@ -68,18 +67,6 @@ def minor(delay: int) -> Expr:
     *_, last = conjuncts(by_inequalities(delay).conclusion.of[1])  # type: ignore[attr-defined]
     value: Expr = last.right  # type: ignore[attr-defined]
     return value
-
-
-def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
-    """(f(to) - f(by))/(to - by) of a polynomial f."""
-    return expanded(
-        Add(
-            *(
-                c * Add(*(to**i * by ** (k - 1 - i) for i in range(k)))
-                for k, c in powers(value, by).items()
-            )
-        )
-    )
 
 
 @cache

@@ -11,12 +11,11 @@ from typing import Any
 
 from sympy import Add, Expr, Ne, Rational, S, Symbol, div, symbols
 
-from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, room
+from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
     HALF,
     LOW,
     TOP,
-    divided,
     level,
     minor,
     turn,

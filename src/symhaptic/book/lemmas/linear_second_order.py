@@ -13,8 +13,8 @@ from typing import Any
 from sympy import Add, Expr, Rational, S, Symbol, diff, exp, symbols
 
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
-from symhaptic.book.lemmas.line_crossing import ROOM, room, slow
-from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, divided, on_it
+from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
+from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import (
     A,

@@ -105,7 +105,7 @@ def on_the_line_of_25(symbol: Symbol) -> Expr:
     """What alpha, or beta, is where both sides of (25) are equal."""
     [line] = transcribed("eq25")
     _, value = sp.solve_linear(*line.args, [symbol])
-    return sp.factor_terms(sp.cancel(value))
+    return sp.sympify(sp.factor_terms(sp.cancel(value)))
 
 
 def on_the_line(stiffness: Expr, delay: int) -> Expr:
