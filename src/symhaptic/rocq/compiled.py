@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 import shutil
 import subprocess
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from pathlib import Path
@@ -191,6 +192,18 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
         kept = {"text": of, "outcome": asdict(outcome)}
         known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
     return _marked(outcome, chapter, of)
+
+
+def longest_first(paths: Sequence[Path], folder: Path) -> list[Path]:
+    """Derivations in the order of how long each took the last time, those that are new first."""
+
+    def seconds(path: Path) -> float:
+        known = folder / f"{path.stem}.json"
+        if not known.is_file():
+            return math.inf
+        return float(json.loads(known.read_text(encoding="utf-8"))["outcome"]["seconds"])
+
+    return sorted(paths, key=seconds, reverse=True)
 
 
 def _asked(file: File, folder: Path) -> tuple[Seen, subprocess.CompletedProcess[str]]:
