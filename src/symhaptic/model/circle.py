@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import reduce
 from operator import add, mul
-from typing import TypeAlias
 
 import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -25,19 +24,6 @@ def expanded(expr: Expr) -> Expr:
     >>> expanded((z + a / z) ** 2)
     a**2/z**2 + 2*a + z**2
     """
-    try:
-        symbols, terms = _terms(expr)
-    except ValueError:  # with other numbers than rational ones
-        return sp.expand(expr)
-    return _sum(symbols, terms)
-
-
-Terms: TypeAlias = "dict[tuple[int, ...], fmpq]"
-"""The coefficients of products of powers of some symbols."""
-
-
-def _terms(expr: Expr) -> tuple[list[Expr], Terms]:
-    """The terms of a polynomial, or a Laurent polynomial in z, in symbols and 1/z."""
     back = {
         p: _BACK**-p.exp
         for p in expr.atoms(sp.Pow)
@@ -46,20 +32,16 @@ def _terms(expr: Expr) -> tuple[list[Expr], Terms]:
     moved = expr.xreplace(back)
     names = sorted(moved.free_symbols | {z}, key=str)
     context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(len(names))], "lex")
-    found = _polynomial(moved, context, dict(zip(names, context.gens(), strict=True)))
-    return [1 / z if name == _BACK else name for name in names], found.to_dict()
-
-
-def _sum(symbols: list[Expr], terms: Terms) -> Expr:
-    return sp.Add(
-        *(
-            sp.Mul(
-                sp.Rational(int(c.p), int(c.q)),
-                *(s ** int(n) for s, n in zip(symbols, powers, strict=True) if n),
-            )
-            for powers, c in terms.items()
-        )
-    )
+    try:
+        found = _polynomial(moved, context, dict(zip(names, context.gens(), strict=True)))
+    except ValueError:  # with other numbers than rational ones
+        return sp.expand(expr)
+    symbols = [1 / z if name == _BACK else name for name in names]
+    terms = []
+    for exponents, c in found.to_dict().items():
+        factors = (s ** int(n) for s, n in zip(symbols, exponents, strict=True) if n)
+        terms.append(sp.Mul(sp.Rational(int(c.p), int(c.q)), *factors))
+    return sp.Add(*terms)
 
 
 def _polynomial(expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpoly]) -> fmpq_mpoly:

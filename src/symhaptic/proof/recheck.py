@@ -12,16 +12,17 @@ from typing import TypeAlias
 
 import sympy as sp
 from flint import acb, acb_series, arb, ctx
-from sympy import Expr, Symbol
+from sympy import Expr
 
 from symhaptic.notation.proposition import symbols_in
 from symhaptic.proof.ball import is_real
-from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Positive, Zero
+from symhaptic.proof.certificate import Balls, Box, Certificate, Given, Largest, Positive, Zero
 from symhaptic.proof.program import Uncheckable, program, real, value
 from symhaptic.proof.rewriting import Unsupported
 
 Interval: TypeAlias = tuple[arb, arb]
 Numbers: TypeAlias = Callable[[Balls], Balls]
+"""Balls of further symbols, for balls of those of a box."""
 
 _BITS = 1 << 20
 """Certificates of a higher precision are not looked at."""
@@ -64,7 +65,7 @@ def _positive(claim: Positive) -> bool:
     if not _sound(claim):
         return False
     with ctx.workprec(claim.bits):
-        given = _given(claim.given) if claim.given else _nothing
+        given = _given(claim.given)
         value, *sides = (_on(expr, claim.box, given) for expr in (claim.expr, *claim.defined))
         whole = [_interval(ends) for ends in claim.box.values()]
         if None in whole:
@@ -137,7 +138,7 @@ def _by_slopes(claim: Positive, value: Callable[[list[arb]], arb], piece: list[I
     return total
 
 
-def _on(expr: Expr, box: Iterable[Symbol], given: Numbers) -> Callable[[list[arb]], arb]:
+def _on(expr: Expr, box: Box, given: Numbers) -> Callable[[list[arb]], arb]:
     """An expression as a function of balls of the symbols of a box."""
     symbols = sorted(symbols_in(expr), key=str)
     run, complex_parts = program(expr, symbols), expr.has(sp.I)
@@ -152,12 +153,10 @@ def _on(expr: Expr, box: Iterable[Symbol], given: Numbers) -> Callable[[list[arb
     return value
 
 
-def _nothing(balls: Balls) -> Balls:
-    return {}
-
-
-def _given(given: Given) -> Numbers:
+def _given(given: Given | None) -> Numbers:
     """Balls of further symbols, computed once for an interval of those they depend on."""
+    if given is None:
+        return lambda balls: {}
     needs = {s: sorted(symbols_in(expr), key=str) for s, expr in given.meanings.items()}
     programs = {s: program(expr, needs[s]) for s, expr in given.meanings.items()}
     known: dict[tuple[object, ...], Balls] = {}
@@ -219,7 +218,6 @@ def _largest(claim: Largest) -> bool:
         for x, (low, high) in zip(point, below.box.values(), strict=True):
             if not (x >= real(low) and x <= real(high)):
                 return False
-        given = _given(below.given) if below.given else _nothing
-        reached = _on(claim.expr, below.box, given)(point)
+        reached = _on(claim.expr, below.box, _given(below.given))(point)
         lower = value(claim.lower)
         return bool(lower.imag.is_zero() and reached >= lower.real)

@@ -124,9 +124,9 @@ def bent_downwards(delay: int) -> Theorem:
         for i, of_both in powers(of_y, A_1).items()
         for j, part_ in powers(of_both, b_1).items()
     }
-    square_ = {(1, 1, 0): small, (2, 0, 0): -small / 2, (0, 2, 0): -small / 2}
+    added = {(1, 1, 0): small, (2, 0, 0): -small / 2, (0, 2, 0): -small / 2}
     for i, j, k in {(i, j, k) for i in range(3) for j in range(4) for k in range(2)}:
-        part_ = parts.get((i, j, k), S.Zero) + square_.get((i, j, k), 0)
+        part_ = parts.get((i, j, k), S.Zero) + added.get((i, j, k), 0)
         if part_ != 0:
             rows.append([*[wide] * i, *[high] * j, *[along] * k, on(delay, part_)])
     return combined(Relation(S.Zero, "<", value), *rows)

@@ -103,12 +103,12 @@ def on_line(delay: int) -> Expr:
 
 @cache
 def along(delay: int) -> dict[int, Expr]:
-    """Its coefficients of A."""
+    """The coefficients of the minor on the line, by power of A."""
     return powers(on_line(delay), A)
 
 
 def curvature(delay: int) -> Expr:
-    """What is left of it, over A^2."""
+    """The minor on the line without its terms of order 0 and 1, over A^2."""
     return expanded(Add(*(c * A ** (k - 2) for k, c in along(delay).items() if k > 1)))
 
 

@@ -104,7 +104,9 @@ LATE = (0, 1)
 def on_the_line_of_25(symbol: Symbol) -> Expr:
     """What alpha, or beta, is where both sides of (25) are equal."""
     [line] = transcribed("eq25")
-    _, value = sp.solve_linear(*line.args, [symbol])
+    found, value = sp.solve_linear(*line.args, [symbol])
+    if found != symbol:
+        raise ValueError(f"(25) is not linear in {symbol}")
     return sp.sympify(sp.factor_terms(sp.cancel(value)))
 
 
