@@ -55,6 +55,18 @@ def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
     assert "--format junit" in refused.stderr
 
 
+def test_what_took_long_is_begun_first(tmp_path):
+    """And what was never compiled before that; else the order is that of the book."""
+    paths = [tmp_path / f"{name}.py" for name in ("short", "new", "long", "newer")]
+    for name, seconds in (("short", 1.5), ("long", 20.0)):
+        kept = {"text": "", "outcome": {"seconds": seconds}}
+        (tmp_path / f"{name}.json").write_text(json.dumps(kept))
+    (tmp_path / "new.json").write_text("[]")  # not of a chapter, as rocq.json is not
+    (tmp_path / "newer.json").write_text("{")  # cut off
+    found = compiled.longest_first(paths, tmp_path)
+    assert [path.stem for path in found] == ["new", "newer", "long", "short"]
+
+
 CHAPTER = '''r"""Is a spring that is stretched further pulled harder?"""
 
 from sympy import symbols

@@ -256,7 +256,10 @@ def test_who_interrupts_is_left_alone_by_all_processes(tmp_path):
         f"    import os, time\n    open({str(begun)!r}, 'w').write(str(os.getpid()))\n"
         "    time.sleep(200)\n",
     )
-    program = "from symhaptic.cli.main import main; main()"
+    program = (  # interrupted as in a terminal, also where tests run in the background
+        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+        "from symhaptic.cli.main import main; main()"
+    )
     run = subprocess.Popen(
         [sys.executable, "-c", program, "verify", "eq1", "--derivation", path],
         stdout=subprocess.DEVNULL,

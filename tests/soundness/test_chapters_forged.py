@@ -299,6 +299,29 @@ def test_a_sign_that_the_page_shows_is_derived_again_where_it_arrives(tmp_path: 
     assert (told.exit_code, "1 proved" in out.read_text()) == (0, True)
 
 
+OF_ANOTHER_UNIT = """
+from sympy import Eq, symbols
+import symhaptic.book.page as pages
+from symhaptic.notation import K, T, m
+x = symbols("x")
+def derive(page):
+    pages.of_another_unit = lambda name, meaning: None
+    page.define("A stiffness", K, m / T)
+    page.step("What it gives", 2 * T - T, T, name=x)
+    page.state("forged", "a period", r"x = K T^2 / m")
+    page.settle("forged", Eq(x, T), given={K: m / T})
+"""
+
+
+def test_the_units_of_what_is_put_in_are_compared_again_where_it_arrives(tmp_path: Path) -> None:
+    """m/T is in Ns/m and a stiffness in N/m, so that K T^2 / m has no unit, and is no period."""
+    path, out = chapter(tmp_path, "forged", OF_ANOTHER_UNIT), tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code == 1
+    said = "K is in N/m, what it stands for in Ns/m"
+    assert f"DIFFERS  forged: compared again: {said}" in out.read_text()
+
+
 @pytest.mark.parametrize(
     ("derived", "kind"),
     [

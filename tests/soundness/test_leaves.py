@@ -103,6 +103,9 @@ def test_arithmetic_of_signs() -> None:
     p, q, weak, apart = assume(x > 0), assume(y > 0), assume(x >= 0), assume(Ne(x, 0))
     equal = assume(sp.Eq(x, y))
     refused(
+        lambda: combined(Relation(x, "<", x)),
+        lambda: combined(Relation(x, "!=", x)),
+        lambda: combined(Relation(sp.sqrt(x), "<=", sp.sqrt(x))),
         lambda: combined(x > 0, [weak]),
         lambda: combined(x > 0, [apart]),
         lambda: combined(x > 0, [p], [-1, q]),
@@ -436,3 +439,8 @@ def test_a_motion_in_algebraic_numbers() -> None:
         lambda: gains((-1, 0, -sp.sqrt(3), 1, 0), steps),
         lambda: gains((-1, 0, sp.sqrt(-1), 1, 0), steps),
     )
+
+
+def test_what_has_no_value_is_itself_only_under_a_condition_that_is_false():
+    never = sin(x) ** 2 + cos(x) ** 2 - 1
+    assert identity(1 / never, 1 / never).hypotheses == {Relation(never, "!=", S.Zero)}

@@ -25,6 +25,7 @@ from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source
 from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
 from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.units import of_another_unit
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
 GENERATED = "written by `symhaptic report`; do not edit"
@@ -177,6 +178,9 @@ def _compared_again(entry: Entry, printed: Printed) -> str | None:
     try:
         if wrong := not_defined(compared.given, list(compared.given.items())):
             return f"{id}: {wrong}"
+        for name, meaning in compared.given.items():
+            if wrong := of_another_unit(name, meaning):
+                return f"{id}: compared again: {wrong}"
         forms = _forms(compared)
         own = id not in STATEMENTS
         found = replace(forms, assumed=own and typed_again(printed, forms)).decide(printed)

@@ -23,7 +23,6 @@ from sympy.core.function import AppliedUndef
 from symhaptic.book.grounds import not_defined, retyped, shows, unproved, written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
 from symhaptic.book.sources import CLAIMED, STATEMENTS
-from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
@@ -49,7 +48,7 @@ from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact, recipe
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined
-from symhaptic.proof.units import UnitError, dimension_of, shown
+from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown
 from symhaptic.proof.verdict import Verdict
 
 
@@ -68,28 +67,13 @@ class Page(Record):
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
             raise FalseStep(f"{title}: {wrong}") from None
-        self._same_unit(title, name, meaning)
+        if isinstance(name, Expr) and (other := of_another_unit(name, meaning)):
+            raise FalseStep(f"{title}: {other}")
         self.checks.append((title, Units(meaning)))
         self._defined(name, meaning)
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
-
-    def _same_unit(self, title: str, name: Expr | str, meaning: Expr) -> None:
-        """The units of a name, where it is no text and has one, are those of its meaning."""
-        if isinstance(name, str) or meaning == 0:
-            return
-        known = all(s.name in SYMBOLS for s in name.free_symbols)
-        try:
-            ours, theirs = dimension_of(name), dimension_of(meaning)
-        except UnitError as wrong:
-            if known:
-                raise FalseStep(f"{title}: {wrong}") from None
-            return
-        if ours != theirs:
-            raise FalseStep(
-                f"{title}: {name} is in {shown(ours)}, what it stands for in {shown(theirs)}"
-            )
 
     def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
         if isinstance(name, Expr):

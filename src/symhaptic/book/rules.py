@@ -69,7 +69,8 @@ def others() -> Mapping[str, Mapping[str, str]]:
         found[name] = {
             rule: says(rule)
             for rule, function in vars(module).items()
-            if hasattr(function, "__wrapped__")
+            if inspect.isfunction(function)  # what only keeps its values is none
+            and hasattr(function, "__wrapped__")
             and getattr(function, "__module__", "") == module.__name__
             and rule not in classical()
         }

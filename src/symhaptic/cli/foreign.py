@@ -45,16 +45,17 @@ def judged(
     except compiled.NoRocq as missing:
         typer.echo(f"symhaptic: {missing}; the files are written, and nothing is checked", err=True)
         work = compiled.written
-    done: dict[int, Outcome] = {}
+    done: dict[Path, Outcome] = {}
+    ordered = compiled.longest_first(paths, folder)  # so that all workers end together
     status = 0
     with progress(len(paths)) as told:
-        for i, one in each(partial(work, folder=folder), paths, workers or 2, told):
+        for i, one in each(partial(work, folder=folder), ordered, workers or 2, told):
             if isinstance(one, BadChapter):
                 typer.echo(f"symhaptic: error: {one}", err=True)
                 status = 2
             else:
-                done[i] = one
-    outcomes = [done[i] for i in sorted(done)]
+                done[ordered[i]] = one
+    outcomes = [done[path] for path in paths if path in done]
     found = record.record(outcomes, version)
     write(replace, folder / "rocq.json", record.text(found))
     text = record.text(found) if as_json else told_of(outcomes, wanted)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import add, mul
+
 import sympy as sp
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Expr
 
 from symhaptic.notation import z
@@ -27,21 +31,41 @@ def expanded(expr: Expr) -> Expr:
     }
     moved = expr.xreplace(back)
     names = sorted(moved.free_symbols | {z}, key=str)
+    context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(len(names))], "lex")
     try:
-        terms = sp.ring(names, sp.QQ)[0].from_expr(moved).as_expr()
+        found = _polynomial(moved, context, dict(zip(names, context.gens(), strict=True)))
     except ValueError:  # with other numbers than rational ones
         return sp.expand(expr)
-    return terms.xreplace({_BACK: 1 / z})
+    symbols = [1 / z if name == _BACK else name for name in names]
+    terms = []
+    for exponents, c in found.to_dict().items():
+        factors = (s ** int(n) for s, n in zip(symbols, exponents, strict=True) if n)
+        terms.append(sp.Mul(sp.Rational(int(c.p), int(c.q)), *factors))
+    return sp.Add(*terms)
 
 
-def powers(expr: Expr) -> dict[int, Expr]:
-    """The coefficients of a Laurent polynomial, by power of z."""
-    found: dict[int, Expr] = {}
+def _polynomial(expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpoly]) -> fmpq_mpoly:
+    """A polynomial with rational coefficients in these names."""
+    if expr in names:
+        return names[expr]
+    if expr.is_Rational:
+        return context.constant(fmpq(int(expr.p), int(expr.q)))
+    if expr.is_Add or expr.is_Mul:
+        parts = (_polynomial(part, context, names) for part in expr.args)
+        return reduce(add if expr.is_Add else mul, parts)
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp > 0:
+        return _polynomial(expr.base, context, names) ** int(expr.exp)
+    raise ValueError(f"{expr} is no polynomial with rational coefficients")
+
+
+def powers(expr: Expr, of: sp.Symbol = z) -> dict[int, Expr]:
+    """The coefficients of a Laurent polynomial in z, or a polynomial, by power of a symbol."""
+    found: dict[int, list[Expr]] = {}
     for term in sp.Add.make_args(expanded(expr)):
-        coefficient, rest = term.as_independent(z)
+        coefficient, rest = term.as_independent(of)
         power = int(rest.as_base_exp()[1]) if rest != 1 else 0
-        found[power] = found.get(power, sp.S.Zero) + coefficient
-    return found
+        found.setdefault(power, []).append(coefficient)
+    return {power: sp.Add(*parts) for power, parts in found.items()}
 
 
 def square(expr: Expr) -> Expr:

@@ -57,7 +57,13 @@ class Arc(NamedTuple):
 
     def coefficients(self, polynomial: Expr) -> list[Expr]:
         """Lowest power first."""
-        return list(reversed(sp.Poly(polynomial, CHORD).all_coeffs()))
+        return list(_coefficients(polynomial))
+
+
+@lru_cache(maxsize=64)
+def _coefficients(polynomial: Expr) -> tuple[Expr, ...]:
+    found = circle.powers(polynomial, CHORD)
+    return tuple(found.get(power, sp.S.Zero) for power in range(max(found) + 1))
 
 
 @lru_cache(maxsize=16)
@@ -68,14 +74,14 @@ def arc(delay: int) -> Arc:
     -y**2/2 + y
     """
     forced = (gamma + s_1 * (z - 1)) * _TOP + s_2 * (z - 1) ** 2
-    product = sp.expand(-(z**delay) * forced * _TOP.subs(circle.MIRRORED))
+    product = circle.expanded(-(z**delay) * forced * _TOP.subs(circle.MIRRORED))
     size = circle.in_chord(circle.square(_TOP), CHORD)
     damping = circle.in_chord(circle.height(product), CHORD)
     stiffness = circle.in_chord(circle.real(product), CHORD) - damping * CHORD / 2
     above = damping + delta * size - (delay + sp.Rational(1, 2)) * stiffness
     return Arc(
         *(
-            sp.collect(sp.expand(part), CHORD)
+            sp.collect(circle.expanded(part), CHORD)
             for part in (stiffness + gamma * size, damping, above, size)
         )
     )

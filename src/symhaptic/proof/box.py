@@ -17,6 +17,7 @@ import sympy as sp
 from flint import acb, arb, ctx
 from sympy import Expr
 
+from symhaptic.notation.proposition import symbols_in
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
@@ -214,7 +215,7 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
 
 
 def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
-    unbound = expr.free_symbols - set(box)
+    unbound = symbols_in(expr) - set(box)
     if unbound and given is None:
         raise NotShown(f"the box has no interval for {', '.join(sorted(map(str, unbound)))}")
     if len(box) > _SYMBOLS:

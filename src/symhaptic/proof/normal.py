@@ -83,12 +83,11 @@ class Field:
         """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
         spend(1)
         self._turns = self._turns or expr is sp.I
-        if id(expr) in seen or expr.is_Rational or expr is sp.I or expr is sp.pi:
+        if expr.is_Rational or expr is sp.I or expr is sp.pi or id(expr) in seen:
             return
         seen.add(id(expr))
-        if not expr.is_commutative:
-            raise Unsupported(f"no normal form for {expr}, which does not commute")
         if expr.is_Symbol:
+            _check_commutes(expr)
             symbols.add(expr)
             outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
@@ -113,8 +112,10 @@ class Field:
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
         elif isinstance(expr, Application):
+            _check_commutes(expr)
             self._opaque.setdefault(expr, sp.Dummy("f"))
         else:
+            _check_commutes(expr)
             raise Unsupported(f"no normal form for {type(expr).__name__}: {expr}")
 
     def _expanded(self, expr: Expr, small: sp.Symbol) -> bool:
@@ -189,6 +190,8 @@ class Field:
 
     @staticmethod
     def _depends(poly: fmpq_mpoly, ring: Ring, name: Expr) -> bool:
+        if poly.is_constant():
+            return False
         index = ring.names.index(name)
         return any(monomial[index] for monomial in poly.to_dict())
 
@@ -274,23 +277,25 @@ class Field:
             return ring.constant(expr)
         if expr is sp.I and exponential is not None:
             return Fractional(ring.gen[self._zeta] ** (self._order // 4), ring.one)
-        if expr in ring.gen:
+        if expr.is_Symbol or expr is sp.pi or expr is sp.I:
             return Fractional(ring.gen[expr], ring.one)
-        if expr in self._opaque:
-            return Fractional(ring.gen[self._opaque[expr]], ring.one)
         if expr.is_Add:
             known = self._images if exponential is not None else {}
             if expr not in known:
                 plain, others = ring.polynomial(expr.args)
-                known[expr] = Fractional(plain, ring.one)
+                total = Fractional(plain, ring.one)
                 for arg in others:
-                    known[expr] = ring.sum(known[expr], self._image(arg, ring, exponential))
+                    total = ring.sum(total, self._image(arg, ring, exponential))
+                known[expr] = total
             return known[expr]
         if expr.is_Mul:
-            product = self._image(expr.args[0], ring, exponential)
-            for arg in expr.args[1:]:
+            powers, coefficient, others = ring.monomial(expr.args)
+            product = Fractional(ring.ctx.from_dict({powers: coefficient}), ring.one)
+            for arg in others:
                 product = product * self._image(arg, ring, exponential)
             return product
+        if expr in self._opaque:
+            return Fractional(ring.gen[self._opaque[expr]], ring.one)
         if expr in self._series:
             still, moving = (self._image(part, ring, exponential) for part in self._series[expr])
             return still * self._taylor(moving, ring)
@@ -416,6 +421,11 @@ class Field:
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
         roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
+
+
+def _check_commutes(expr: Expr) -> None:
+    if not expr.is_commutative:
+        raise Unsupported(f"no normal form for {expr}, which does not commute")
 
 
 def _name(symbol: sp.Symbol) -> str:

@@ -30,15 +30,21 @@ SLOPES = sp.symbols("L' S' n_0' q'")
 """Their derivatives with respect to delta."""
 
 
-def numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
-    """Balls of the four numbers and of their derivatives, for balls of gamma and delta.
+def numbers(at: Mapping[sp.Symbol, acb], sloped: bool) -> dict[sp.Symbol, acb]:
+    """Balls of the four numbers, and of their derivatives, for balls of gamma and delta.
 
     n_0 is the response to the first of two periods of force (chapter s4a_discretisation has the
     samples).
     """
-    key = (ctx.prec, *(end for s in (gamma, delta) for end in _ends(at[s])))
+    key = (sloped, ctx.prec, *(end for s in (gamma, delta) for end in _ends(at[s])))
     if key not in _KNOWN:
-        _KNOWN[key] = _numbers(at)
+        found = with_slopes(at[gamma].real, at[delta].real, (delta,) if sloped else ())
+        names = zip(NUMBERS, SLOPES, strict=True)
+        _KNOWN[key] = {
+            name: acb(value)
+            for symbols, values in zip(names, found, strict=True)
+            for name, value in zip(symbols, values, strict=False)
+        }
     return _KNOWN[key]
 
 
@@ -48,12 +54,6 @@ _KNOWN: dict[tuple[object, ...], dict[sp.Symbol, acb]] = {}
 
 def _ends(value: acb) -> tuple[object, object]:
     return value.real.mid().man_exp(), value.real.rad().man_exp()
-
-
-def _numbers(at: Mapping[sp.Symbol, acb]) -> dict[sp.Symbol, acb]:
-    found = with_slopes(at[gamma].real, at[delta].real, (delta,))
-    values = dict(zip(NUMBERS, (acb(value) for value, _ in found), strict=True))
-    return values | dict(zip(SLOPES, (acb(slope) for _, slope in found), strict=True))
 
 
 def with_slopes(g: arb, dl: arb, by: tuple[sp.Symbol, ...]) -> tuple[tuple[arb, ...], ...]:
@@ -112,18 +112,21 @@ class Named:
     @cached_property
     def of(self) -> Sequence[sp.Symbol]:
         """Gamma, delta and what else the expressions are made of."""
-        made = set().union(*(expr.free_symbols for expr in self.meanings.values()))
-        return gamma, delta, *sorted(made - {gamma, delta, *NUMBERS, *SLOPES}, key=str)
+        return gamma, delta, *sorted(self._made - {gamma, delta, *NUMBERS, *SLOPES}, key=str)
+
+    @cached_property
+    def _made(self) -> frozenset[sp.Symbol]:
+        return frozenset().union(*(expr.free_symbols for expr in self.meanings.values()))
 
     def numbers(self, at: Balls) -> Balls:
-        """Balls of the plant's numbers and of their slopes."""
-        return numbers(at)
+        """Balls of the plant's numbers, and of their slopes where an expression has them."""
+        return numbers(at, not self._made.isdisjoint(SLOPES))
 
     def __call__(self, at: Balls) -> Balls:
         """Balls of the expressions, for balls of gamma, delta and what else occurs in them."""
         key = tuple(end for s in self.of for end in _ends(at[s]))
         if key not in self._known:
-            values = {**at, **numbers(at)}
+            values = {**at, **self.numbers(at)}
             named = {s: ball(expr, values, ctx.prec) for s, expr in self.meanings.items()}
             self._known[key] = named
         return self._known[key]

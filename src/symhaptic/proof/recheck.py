@@ -14,12 +14,15 @@ import sympy as sp
 from flint import acb, acb_series, arb, ctx
 from sympy import Expr
 
+from symhaptic.notation.proposition import symbols_in
 from symhaptic.proof.ball import is_real
-from symhaptic.proof.certificate import Balls, Certificate, Given, Largest, Positive, Zero
+from symhaptic.proof.certificate import Balls, Box, Certificate, Given, Largest, Positive, Zero
 from symhaptic.proof.program import Uncheckable, program, real, value
 from symhaptic.proof.rewriting import Unsupported
 
 Interval: TypeAlias = tuple[arb, arb]
+Numbers: TypeAlias = Callable[[Balls], Balls]
+"""Balls of further symbols, for balls of those of a box."""
 
 _BITS = 1 << 20
 """Certificates of a higher precision are not looked at."""
@@ -62,8 +65,8 @@ def _positive(claim: Positive) -> bool:
     if not _sound(claim):
         return False
     with ctx.workprec(claim.bits):
-        value = _on(claim)
-        sides = [_on(replace(claim, expr=side)) for side in claim.defined]
+        given = _given(claim.given)
+        value, *sides = (_on(expr, claim.box, given) for expr in (claim.expr, *claim.defined))
         whole = [_interval(ends) for ends in claim.box.values()]
         if None in whole:
             return False
@@ -104,7 +107,7 @@ def _sound(claim: Positive) -> bool:
         and not set(claim.box) & set(meanings)
         and all(
             isinstance(expr, Expr)
-            and expr.free_symbols <= known
+            and symbols_in(expr) <= known
             and (not expr.has(sp.I) or is_real(expr))
             for expr in (claim.expr, *claim.defined)
         )
@@ -122,7 +125,7 @@ def _interval(ends: tuple[Expr, Expr]) -> Interval | None:
 
 def _by_slopes(claim: Positive, value: Callable[[list[arb]], arb], piece: list[Interval]) -> arb:
     """The value in the middle, and the slopes from series of first order times the way there."""
-    symbols = sorted(claim.expr.free_symbols, key=str)
+    symbols = sorted(symbols_in(claim.expr), key=str)
     run = program(claim.expr, symbols)
     at = dict(zip(claim.box, piece, strict=True))
     total = value([((low + high) / 2).mid() for low, high in piece])
@@ -135,15 +138,13 @@ def _by_slopes(claim: Positive, value: Callable[[list[arb]], arb], piece: list[I
     return total
 
 
-def _on(claim: Positive) -> Callable[[list[arb]], arb]:
-    """The expression as a function of balls of the symbols of its box."""
-    own = list(claim.box)
-    given = _given(claim.given) if claim.given else lambda balls: {}
-    symbols = sorted(claim.expr.free_symbols, key=str)
-    run, complex_parts = program(claim.expr, symbols), claim.expr.has(sp.I)
+def _on(expr: Expr, box: Box, given: Numbers) -> Callable[[list[arb]], arb]:
+    """An expression as a function of balls of the symbols of a box."""
+    symbols = sorted(symbols_in(expr), key=str)
+    run, complex_parts = program(expr, symbols), expr.has(sp.I)
 
     def value(at: list[arb]) -> arb:
-        balls = {s: acb(x) for s, x in zip(own, at, strict=True)}
+        balls = {s: acb(x) for s, x in zip(box, at, strict=True)}
         balls |= given(balls)
         found = run(*(balls[s] for s in symbols))
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
@@ -152,9 +153,11 @@ def _on(claim: Positive) -> Callable[[list[arb]], arb]:
     return value
 
 
-def _given(given: Given) -> Callable[[Balls], Balls]:
+def _given(given: Given | None) -> Numbers:
     """Balls of further symbols, computed once for an interval of those they depend on."""
-    needs = {s: sorted(expr.free_symbols, key=str) for s, expr in given.meanings.items()}
+    if given is None:
+        return lambda balls: {}
+    needs = {s: sorted(symbols_in(expr), key=str) for s, expr in given.meanings.items()}
     programs = {s: program(expr, needs[s]) for s, expr in given.meanings.items()}
     known: dict[tuple[object, ...], Balls] = {}
     made = {*given.of, *(s for some in needs.values() for s in some)}
@@ -215,6 +218,6 @@ def _largest(claim: Largest) -> bool:
         for x, (low, high) in zip(point, below.box.values(), strict=True):
             if not (x >= real(low) and x <= real(high)):
                 return False
-        reached = _on(replace(below, expr=claim.expr))(point)
+        reached = _on(claim.expr, below.box, _given(below.given))(point)
         lower = value(claim.lower)
         return bool(lower.imag.is_zero() and reached >= lower.real)

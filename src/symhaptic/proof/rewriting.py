@@ -100,12 +100,17 @@ def as_exponentials(expr: Expr) -> Expr:
 @lru_cache(maxsize=8192)
 def _rewritten(expr: Expr) -> Expr:
     """The same of an expression that holds one of them; nothing is evaluated on the way."""
+    if not expr.args:
+        return expr
     j = sp.I
-    if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot)):
-        exponent, unit = j * as_exponentials(expr.args[0]), 2 * j
-    elif isinstance(expr, (sp.sinh, sp.cosh, sp.tanh)):
-        exponent, unit = as_exponentials(expr.args[0]), sp.S(2)
-    if isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh)):
+    if isinstance(expr, (sp.re, sp.im)):
+        inside = expr.args[0]
+        one, other = as_exponentials(inside), as_exponentials(conjugated(inside))
+        return (one + other) / 2 if isinstance(expr, sp.re) else (one - other) / (2 * j)
+    if isinstance(expr, _REWRITTEN):
+        around = isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot))
+        argument = _rewritten(expr.args[0])
+        exponent, unit = (j * argument, 2 * j) if around else (argument, sp.S(2))
         up, down = sp.exp(exponent, evaluate=False), sp.exp(-exponent, evaluate=False)
         sine = _product(1 / unit, sp.Add(up, _product(sp.S.NegativeOne, down), evaluate=False))
         cosine = _product(sp.S.Half, sp.Add(up, down, evaluate=False))
@@ -115,21 +120,12 @@ def _rewritten(expr: Expr) -> Expr:
             return cosine
         top, bottom = (cosine, sine) if isinstance(expr, sp.cot) else (sine, cosine)
         return _product(top, sp.Pow(bottom, -1, evaluate=False))
-    if isinstance(expr, sp.re):
-        inside = expr.args[0]
-        return (as_exponentials(inside) + as_exponentials(conjugated(inside))) / 2
-    if isinstance(expr, sp.im):
-        inside = expr.args[0]
-        return (as_exponentials(inside) - as_exponentials(conjugated(inside))) / (2 * j)
-    if isinstance(expr, sp.exp):
-        return sp.exp(as_exponentials(expr.args[0]), evaluate=False)
-    if expr.is_Add or expr.is_Mul:
-        args = tuple(map(as_exponentials, expr.args))
-        return expr if args == expr.args else expr.func(*args, evaluate=False)
-    if expr.is_Pow:
-        base, power = map(as_exponentials, expr.args)
-        return sp.Pow(base, power, evaluate=not power.is_Integer)
-    return expr
+    if not (expr.is_Add or expr.is_Mul or expr.is_Pow or isinstance(expr, sp.exp)):
+        return expr
+    args = tuple(map(_rewritten, expr.args))
+    if args == expr.args:
+        return expr
+    return expr.func(*args, evaluate=bool(expr.is_Pow and not args[1].is_Integer))
 
 
 def _product(left: Expr, right: Expr) -> Expr:

@@ -13,8 +13,10 @@ from sympy import Expr
 
 from symhaptic.proof.budget import spend
 
+_ONE = fmpq(1)
 
-@dataclass(frozen=True)
+
+@dataclass(slots=True)
 class Fractional:
     """A quotient of polynomials in the generators of :class:`symhaptic.proof.normal.Field`."""
 
@@ -64,6 +66,11 @@ class Ring:
         since dividing by it would lose orders of the cut-off polynomials."""
         if left.den == right.den:
             return Fractional(left.num + right.num, left.den)
+        if left.den.is_one():
+            left, right = right, left
+        if right.den.is_one():
+            spend(len(right.num) * len(left.den))
+            return Fractional(left.num + right.num * left.den, left.den)
         spend(len(left.den) * len(right.den))
         common = left.den.gcd(right.den)
         if self.small is not None and any(m[self.small] for m in common.to_dict()):
@@ -81,29 +88,31 @@ class Ring:
         found: dict[tuple[int, ...], fmpq] = {}
         others = []
         for term in terms:
-            monomial = self._monomial(term)
-            if monomial is None:
+            powers, coefficient, rest = self.monomial(term.args if term.is_Mul else (term,))
+            if rest:
                 others.append(term)
             else:
-                powers, coefficient = monomial
                 found[powers] = found[powers] + coefficient if powers in found else coefficient
         spend(len(found))
         return self.ctx.from_dict(found), others
 
-    def _monomial(self, term: Expr) -> tuple[tuple[int, ...], fmpq] | None:
+    def monomial(self, factors: Iterable[Expr]) -> tuple[tuple[int, ...], fmpq, list[Expr]]:
+        """The product of those that are numbers and powers of generators, and the other factors."""
         powers = [0] * max(1, len(self.names))
-        coefficient = fmpq(1)
-        for part in term.args if term.is_Mul else (term,):
+        coefficient, others = _ONE, []
+        for part in factors:
             if part.is_Rational:
                 coefficient *= fmpq(int(part.p), int(part.q))
                 continue
             base, power = part, 1
             if part.is_Pow and part.args[1].is_Integer and part.args[1] > 0:
                 base, power = part.args[0], int(part.args[1])
-            if base not in self._index:
-                return None
-            powers[self._index[base]] += power
-        return tuple(powers), coefficient
+            index = None if base.is_Add or base.is_Mul else self._index.get(base)
+            if index is None:
+                others.append(part)
+            else:
+                powers[index] += power
+        return tuple(powers), coefficient, others
 
     def relate(self, name: Expr, coefficients: dict[int, fmpq_mpoly]) -> None:
         """Impose sum of coefficient times name**power = 0."""

@@ -52,6 +52,25 @@ def dimension_of(expr: Expr, extra: Mapping[str, Dimension] | None = None) -> Di
     return _dimension(expr, known)
 
 
+def of_another_unit(name: Expr, meaning: Expr) -> str | None:
+    """What is wrong with a name that stands for something, by their units; nothing where they are
+    the same, the notation knows no unit of one, or the meaning is zero.
+
+    >>> from symhaptic.notation import K, T, m
+    >>> of_another_unit(K, m/T)
+    'K is in N/m, what it stands for in Ns/m'
+    """
+    if meaning == 0:
+        return None
+    try:
+        ours, theirs = dimension_of(name), dimension_of(meaning)
+    except UnitError as wrong:
+        return str(wrong) if all(s.name in SYMBOLS for s in name.free_symbols) else None
+    if ours == theirs:
+        return None
+    return f"{name} is in {shown(ours)}, what it stands for in {shown(theirs)}"
+
+
 def _dimension(expr: Expr, known: Mapping[str, Dimension]) -> Dimension:
     if expr.is_Symbol:
         if expr.name not in known:

@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 import shutil
 import subprocess
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
@@ -164,12 +166,9 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     begin = time.perf_counter()
     file = printed(chapter)
     text = file.written()
-    known = folder / f"{file.name}.json"
-    of = text_mark(text)
-    if known.is_file():
-        before = json.loads(known.read_text(encoding="utf-8"))
-        if before["text"] == of:
-            return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
+    of, before = text_mark(text), _before(file.name, folder)
+    if before.get("text") == of:
+        return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     place = folder / f"{file.name}.v"
     place.write_text(text, encoding="utf-8")
     if not file.steps:
@@ -192,8 +191,27 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
         # what took too long may be quicker the next time
         kept = {"text": of, "outcome": asdict(outcome)}
-        known.write_text(json.dumps(kept, indent=1), encoding="utf-8")
+        (folder / f"{file.name}.json").write_text(json.dumps(kept, indent=1), encoding="utf-8")
     return _marked(outcome, chapter, of)
+
+
+def longest_first(paths: Sequence[Path], folder: Path) -> list[Path]:
+    """Derivations in the order of how long each took the last time, those that are new first."""
+
+    def seconds(path: Path) -> float:
+        return float(_before(path.stem, folder).get("outcome", {}).get("seconds", math.inf))
+
+    return sorted(paths, key=seconds, reverse=True)
+
+
+def _before(name: str, folder: Path) -> dict[str, Any]:
+    """What was found of a chapter the last time; nothing where another file has its name."""
+    path = folder / f"{name}.json"
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (FileNotFoundError, json.JSONDecodeError):
+        return {}
+    return found if isinstance(found, dict) and {"text", "outcome"} <= set(found) else {}
 
 
 def _asked(file: File, folder: Path) -> tuple[Seen, subprocess.CompletedProcess[str]]:

@@ -28,7 +28,7 @@ from symhaptic.proof.theorems.kernel import (
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
+from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 FAR = -Rational(1, 10**5)
 """Marks next to the corner lie left of this, and are not drawn."""
@@ -40,9 +40,14 @@ def _known(theorem: Theorem) -> Theorem:
 
 
 @cache
+def _arc(damper: Expr, delay: int) -> Arc:
+    return Arc(STIFF, damper, delay)
+
+
+@cache
 def angle_of(damper: Expr, delay: int, level: Expr) -> Rational:
     """Where the error is about this, as a search finds it."""
-    [found] = (p for p in points(Arc(STIFF, damper, delay), level) if p.alpha.mid() > float(FAR))
+    [found] = (p for p in points(_arc(damper, delay), level) if p.alpha.mid() > float(FAR))
     return Rational(round(float(found.theta.mid()) * 10**10), 10**10)
 
 
@@ -65,6 +70,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         return _known(placed(at_point(expr, ranges), here))
 
     bottom = on_curve(below)
+    share = over(Relation(S.Zero, "<", 1 / below), one(), bottom)
     there = some.body.at(wall).of  # type: ignore[attr-defined]
     parts = [fact(there[0]), fact(there[1])]
     parts.append(conjoined(*(identity(p.left, p.right) for p in there[2].of)))
@@ -75,9 +81,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         difference = meant.right - meant.left
         rest = difference.subs(dict.fromkeys(BESIDE, S.Zero))
         scaled = (difference - rest).expand().subs(top) + rest * below
-        above = Relation(S.Zero, "<", shown.right - shown.left)
-        strict = over(above, on_curve(scaled), bottom)
-        parts.append(positive(shown, [strict]))
+        parts.append(positive(shown, [on_curve(scaled), share]))
     found = witnessed(conjoined(*parts), some, wall)
     apart = not_zero(bottom), not_zero(on_curve(size))
     return for_all(symbols, given, weakened(closed(found, *apart, *apart), *given))

@@ -10,12 +10,13 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Expr, Ne, Rational, S, cancel, div, expand, pi
+from sympy import Add, Expr, Ne, Rational, S, Symbol, div, expand, pi
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
+from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x, y
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts
@@ -71,7 +72,7 @@ def start(value: Expr) -> Theorem:
     """0 <= f(-gamma), from the gap where it counts and from balls where it does not."""
     resting = expand(value.subs(a, AT_REST))
     share, rest = div(resting, ROOM, e)
-    moved = cancel((value - resting) / (a - AT_REST))
+    moved = divided(value, a, AT_REST)
     turn = combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
     claim = Relation(S.Zero, "<=", value)
     if rest != 0:
@@ -82,13 +83,21 @@ def start(value: Expr) -> Theorem:
     return combined(claim, *known)
 
 
-def bent(value: Expr, stiffer: Expr) -> Expr:
+def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
+    """(f(to) - f(by))/(to - by) of a polynomial f."""
+    return expanded(
+        Add(
+            *(
+                c * Add(*(to**i * by ** (k - 1 - i) for i in range(k)))
+                for k, c in powers(value, by).items()
+            )
+        )
+    )
+
+
+def bent(value: Expr) -> Expr:
     """The second divided difference of f over -gamma, x and alpha."""
-
-    def slope(one: Expr, two: Expr) -> Expr:
-        return cancel((value.subs(alpha, one) - value.subs(alpha, two)) / (one - two))
-
-    return expand(cancel((slope(stiffer, x) - slope(x, -gamma)) / (stiffer + gamma)))
+    return divided(divided(value, alpha, x), alpha, -gamma)
 
 
 def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
@@ -96,7 +105,7 @@ def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
     above, more = positive(x + gamma > 0, -gamma < x), positive(alpha - x >= 0, x <= alpha)
     length = positive(alpha + gamma > 0, [above], [more])
     rows: list[list[Any]] = [[above, there], [more, start(expand(value.subs(alpha, -gamma)))]]
-    curve = bent(value, alpha)
+    curve = bent(value)
     if curve != 0:
         wide = (-STIFF, TOP[delay])
         down = on_box(-curve, {**RANGES, alpha: wide, x: wide})
@@ -177,7 +186,7 @@ def in_the_triangle(delay: int) -> Theorem:
                 Relation(S.Zero, "<", expand(value.subs(alpha, there))),
                 [part(known, _like(claim, known, there))],
             )
-            fall = -cancel((expand(value.subs(alpha, y)) - value) / (y - alpha))
+            fall = -divided(value, alpha, y)
             down = placed(on_box(fall, {**wide, y: wide[alpha]}), {y: there})
             parts.append(combined(claim, [higher], [less, down]))
     found = closed(of_every_plant(applied(loop, conjoined(*parts))), on_it)

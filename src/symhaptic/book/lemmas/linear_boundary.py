@@ -10,10 +10,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Poly, Rational, S, Symbol, expand
+from sympy import Expr, Ne, Rational, S, Symbol
 
 from symhaptic.book.lemmas.arm_numbers import pushed
-from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, slow
+from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
@@ -67,13 +67,6 @@ def minor(delay: int) -> Expr:
     *_, last = conjuncts(by_inequalities(delay).conclusion.of[1])  # type: ignore[attr-defined]
     value: Expr = last.right  # type: ignore[attr-defined]
     return value
-
-
-def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
-    """(f(to) - f(by))/(to - by) of a polynomial f."""
-    rising = Poly(value, by).all_coeffs()[::-1]
-    powers = (sum(to**i * by ** (k - 1 - i) for i in range(k)) for k in range(len(rising)))
-    return expand(Add(*(c * p for c, p in zip(rising, powers, strict=True))))
 
 
 @cache

@@ -9,19 +9,19 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Poly, Rational, S, Symbol, div, expand, symbols
+from sympy import Add, Expr, Ne, Rational, S, Symbol, div, symbols
 
-from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, room
+from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
     HALF,
     LOW,
     TOP,
-    divided,
     level,
     minor,
     turn,
 )
 from symhaptic.book.lemmas.stiffest_stable import on_box
+from symhaptic.model.circle import expanded, powers
 from symhaptic.notation import a, alpha, beta, delta, e, gamma
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
@@ -55,7 +55,7 @@ def coordinates(delay: int) -> dict[Symbol, Expr]:
 def minor_at(delay: int) -> Expr:
     """The minor as a function of A and b, without a."""
     wall = {alpha: A - gamma, beta: b - delta - share(delay) * gamma}
-    return expand(minor(delay).subs(a, AT_REST).subs(wall, simultaneous=True))
+    return expanded(minor(delay).subs(a, AT_REST).subs(wall, simultaneous=True))
 
 
 def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
@@ -91,7 +91,7 @@ def stiffer(delay: int) -> Theorem:
     down = on(delay, -slope(delay, A, A_1))
     later = placed(up, {A: A_1})
     back = assume(A_1 <= A)
-    gain = positive(there - value > 0, [b < b_1, later], [back, down])
+    gain = positive(Relation(S.Zero, "<", there - value), [b < b_1, later], [back, down])
     none = combined(Relation(there - value, "=", S.Zero), [zero_of(there)], [zero_of(value), -1])
     wanted = A < A_1
     return by_cases(ordered(A, A_1), assume(wanted), anything(absurd(gain, none), wanted))
@@ -105,8 +105,8 @@ def zero_of(value: Expr) -> Theorem:
 def bent(delay: int) -> Expr:
     """-f[0, y, 1] of the minor f along the ray to (A_1, b_1)."""
     way = minor_at(delay).subs({A: y * A_1, b: y * b_1}, simultaneous=True)
-    rising = Poly(way, y).all_coeffs()[::-1]
-    return expand(-Add(*(c * y**i for k, c in enumerate(rising) for i in range(k - 1))))
+    rising = powers(way, y)
+    return expanded(-Add(*(c * y**i for k, c in rising.items() for i in range(k - 1))))
 
 
 @cache
@@ -118,13 +118,18 @@ def bent_downwards(delay: int) -> Theorem:
     small = Rational(1, 100) if delay else S.Zero
     if small:
         rows.append([small / 2, square(A_1 - b_1)])
-    for powers in {(i, j, k) for i in range(3) for j in range(4) for k in range(2)}:
-        i, j, k = powers
-        part_ = value.coeff(y, k).coeff(A_1, i).coeff(b_1, j)
-        part_ += {(1, 1, 0): small, (2, 0, 0): -small / 2, (0, 2, 0): -small / 2}.get(powers, 0)
+    parts = {
+        (i, j, k): part_
+        for k, of_y in powers(value, y).items()
+        for i, of_both in powers(of_y, A_1).items()
+        for j, part_ in powers(of_both, b_1).items()
+    }
+    added = {(1, 1, 0): small, (2, 0, 0): -small / 2, (0, 2, 0): -small / 2}
+    for i, j, k in {(i, j, k) for i in range(3) for j in range(4) for k in range(2)}:
+        part_ = parts.get((i, j, k), S.Zero) + added.get((i, j, k), 0)
         if part_ != 0:
             rows.append([*[wide] * i, *[high] * j, *[along] * k, on(delay, part_)])
-    return combined(value > 0, *rows)
+    return combined(Relation(S.Zero, "<", value), *rows)
 
 
 @cache
@@ -149,7 +154,7 @@ def _above_the_ray(delay: int) -> Theorem:
     rest, part_way = positive(1 - y > 0, y < 1), positive(y > 0, y > 0)
     first = at_start(delay)
     gain = combined(
-        here > 0,
+        Relation(S.Zero, "<", here),
         [more, lift],
         [rest, first],
         [zero_of(there), -y],
@@ -186,7 +191,7 @@ def start_by_gap(delay: int) -> Expr:
     """How often the gap is in the minor at the start of the line."""
     share_, rest = div(minor_at(delay).subs({A: 0, b: 0}), ROOM, e)
     assert rest == 0
-    return expand(share_)
+    return expanded(share_)
 
 
 @cache

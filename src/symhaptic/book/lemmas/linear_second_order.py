@@ -10,10 +10,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Expr, Rational, S, Symbol, diff, exp, expand, symbols
+from sympy import Add, Expr, Rational, S, Symbol, diff, exp, symbols
 
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
-from symhaptic.book.lemmas.line_crossing import ROOM, room, slow
+from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import (
@@ -31,6 +31,7 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.model.circle import expanded, powers
 from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1, u
 from symhaptic.notation.proposition import Implies, Relation, both, conjuncts
 from symhaptic.paper.propositions.linear import LATE
@@ -97,19 +98,29 @@ def _tangent() -> Theorem:
 
 def on_line(delay: int) -> Expr:
     """The minor on the line, as a function of A."""
-    return expand(minor_at(delay).subs(b, share(delay) * A))
+    return expanded(minor_at(delay).subs(b, share(delay) * A))
+
+
+@cache
+def along(delay: int) -> dict[int, Expr]:
+    """The coefficients of the minor on the line, by power of A."""
+    return powers(on_line(delay), A)
+
+
+def curvature(delay: int) -> Expr:
+    """The minor on the line without its terms of order 0 and 1, over A^2."""
+    return expanded(Add(*(c * A ** (k - 2) for k, c in along(delay).items() if k > 1)))
 
 
 @cache
 def rates(delay: int) -> dict[Symbol, Expr]:
     """How the slope of the minor at the start of the line is made of what is small."""
     loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
-    slope_ = on_line(delay).coeff(A, 1).subs(e, loss).subs(n_1, n_0 + UNEVEN)
-    rest, found = expand(slope_), {}
+    slope_ = along(delay)[1].subs(e, loss).subs(n_1, n_0 + UNEVEN)
+    rest, found = expanded(slope_), {}
     for small in (UNEVEN, delta, gamma, GAP):
-        without = rest.subs(small, 0)
-        found[small] = expand((rest - without) / small).xreplace(MEANT)
-        rest = without
+        found[small] = divided(rest, small, S.Zero).xreplace(MEANT)
+        rest = rest.subs(small, 0)
     assert rest == 0
     return found
 
@@ -128,41 +139,38 @@ BELOW = -CONSTANT * (delta + gamma) * (A + gamma)
 @cache
 def positive_above(delay: int) -> Theorem:
     """The minor is positive at the surplus 3 A^2."""
-    rate, line = rates(delay), on_line(delay)
+    rate = rates(delay)
     value = minor_at(delay).subs(b, share(delay) * A + ABOVE)
-    rest = line - line.coeff(A, 0) - A * line.coeff(A, 1)
-    bent = CONSTANT * curved(delay, ABOVE) + expand(rest / A**2)
+    bent = CONSTANT * curved(delay, ABOVE) + curvature(delay)
     width, less = assume(A > 0), pushed()[2]
     return combined(
-        value > 0,
+        Relation(S.Zero, "<", value),
         [at_start(delay)],
         [width, on_box(rate[UNEVEN], RANGES), positive(n_1 - n_0 >= 0, [less])],
         [width, on_box(rate[delta], RANGES), assume(delta >= 0)],
         [width, on_box(rate[gamma] + rate[GAP] * MOST / gamma, RANGES), assume(gamma >= 0)],
         [width, on_box(-rate[GAP], RANGES), narrow()],
-        [width, width, on_box(expand(bent), BOX)],
+        [width, width, on_box(expanded(bent), BOX)],
     )
 
 
 @cache
 def negative_below(delay: int) -> Theorem:
     """The minor is not positive at the surplus -3 (delta + gamma) (A + gamma)."""
-    rate, line = rates(delay), on_line(delay)
+    rate, weight = rates(delay), start_by_gap(delay)
     value = minor_at(delay).subs(b, share(delay) * A + BELOW)
-    first, weight = line.coeff(A, 0), start_by_gap(delay)
-    rest = expand((line - first - A * line.coeff(A, 1)) / A**2)
     push = CONSTANT * curved(delay, BELOW)
     width, spring, loss = assume(A > 0), assume(gamma >= 0), assume(delta >= 0)
     by_loss = push - rate[delta] - rate[UNEVEN] / 6
     return combined(
-        value <= 0,
-        [loss, width, on_box(expand(by_loss), BOX)],
-        [spring, width, on_box(expand(push - rate[gamma]), BOX)],
+        Relation(value, "<=", S.Zero),
+        [loss, width, on_box(expanded(by_loss), BOX)],
+        [spring, width, on_box(expanded(push - rate[gamma]), BOX)],
         [width, on_box(rate[UNEVEN], RANGES), nearly_even()],
         [width, on_box(-rate[GAP], RANGES), room()],
-        [width, width, on_box(-rest, BOX)],
-        [spring, loss, on_box(expand(push - weight * gamma / 32), BOX)],
-        [spring, spring, on_box(expand(push), BOX)],
+        [width, width, on_box(-curvature(delay), BOX)],
+        [spring, loss, on_box(expanded(push - weight * gamma / 32), BOX)],
+        [spring, spring, on_box(expanded(push), BOX)],
         [on_box(weight, RANGES), narrow()],
     )
 
@@ -182,7 +190,7 @@ def not_above(delay: int) -> Theorem:
     value, bow = minor_at(delay), share(delay) * A + ABOVE
     contrary, width = assume(bow < b), assume(A > 0)
     lift = _between(delay, bow, b)
-    gain = positive(value > 0, [contrary, lift], [positive_above(delay)])
+    gain = positive(Relation(S.Zero, "<", value), [contrary, lift], [positive_above(delay)])
     ends = (
         positive(bow >= LOW, [share(delay), width], [CONSTANT, width, width], [-LOW]),
         positive(bow <= MOST_B, [contrary], b <= MOST_B),
@@ -199,7 +207,7 @@ def not_below(delay: int) -> Theorem:
     contrary, width = assume(b < bow), assume(A > 0)
     lift = placed(_between(delay, b_1, b), {b: bow, b_1: b})
     there = value.subs(b, bow)
-    gain = combined(there > 0, [contrary, lift], [zero_of(value), -S.One])
+    gain = combined(Relation(S.Zero, "<", there), [contrary, lift], [zero_of(value), -S.One])
     less = positive(share(delay) * A - bow >= 0, *_products(width))
     top = share(delay) * BOX[A][1]
     ends = (

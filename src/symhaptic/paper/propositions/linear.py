@@ -104,8 +104,10 @@ LATE = (0, 1)
 def on_the_line_of_25(symbol: Symbol) -> Expr:
     """What alpha, or beta, is where both sides of (25) are equal."""
     [line] = transcribed("eq25")
-    [value] = sp.solve(sp.Eq(*line.args), symbol)
-    return sp.sympify(value)
+    found, value = sp.solve_linear(*line.args, [symbol])
+    if found != symbol:
+        raise ValueError(f"(25) is not linear in {symbol}")
+    return sp.sympify(sp.factor_terms(sp.cancel(value)))
 
 
 def on_the_line(stiffness: Expr, delay: int) -> Expr:

@@ -23,6 +23,7 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     proposition,
+    symbols_in,
     term,
     whole,
 )
@@ -49,6 +50,9 @@ def identity(left: Any, right: Any) -> Judgement:
 
 
 def _same(left: Expr, right: Expr) -> bool:
+    """Whether both are the same where they are defined, as an expression is that it is."""
+    if left == right:
+        return True
     try:
         return Field([left, right]).are_equal(left, right)
     except (Unsupported, Undefined) as wrong:
@@ -246,7 +250,7 @@ def on_plants(certificate: Positive) -> Judgement:
         raise NotShown("a number of the plant is no side of the box")
     expr = term(certificate.expr).xreplace(meanings)
     allowed = set(certificate.box) | numbers
-    if not {gamma, delta} <= set(certificate.box) or not expr.free_symbols <= allowed:
+    if not {gamma, delta} <= set(certificate.box) or not symbols_in(expr) <= allowed:
         raise NotShown(f"{expr} is not made of the plant's numbers and the sides of the box")
     device = Predicate("device", (), (gamma, delta, n_1, n_0, a, e))
     fresh = replace(certificate, given=Named(dict(given.meanings)))

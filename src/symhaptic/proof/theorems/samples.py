@@ -8,10 +8,12 @@ the list of what has to be believed beside logic and the deciders.  All are abou
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
-from sympy import Expr, Matrix, Symbol
+from sympy import Expr, Symbol
+from sympy import ImmutableMatrix as Matrix
 from sympy.core.function import AppliedUndef
 
 from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term, whole
@@ -60,13 +62,12 @@ def held_answer(
     1 - epsilon, X det(z - Phi) = (1, 0) adj(z - Phi) (Gamma(1 - epsilon) z^-l + Phi(1 - epsilon)
     Gamma(epsilon) z^(-l-1)).  That l is whole and 0 <= epsilon <= 1 are hypotheses.
     """
-    mass, damping, stiffness, z, found = (term(v) for v in (*device, at, answer))
+    own, z, found = tuple(map(term, device)), term(at), term(answer)
     periods, rest = (term(v) for v in delay)
-    if any(variable in v.free_symbols for v in (mass, damping, stiffness, z, periods, rest)):
+    if any(variable in v.free_symbols for v in (*own, z, periods, rest)):
         raise NotShown(f"{variable} is bound")
     phi, held = Matrix(2, 2, [term(v) for v in motion[:4]]), Matrix([term(v) for v in motion[4:]])
-    hypotheses = _moves(mass, damping, stiffness, phi, held, time)
-    hypotheses |= {whole(periods)}
+    hypotheses = _moves(own, phi, held, time) | {whole(periods)}
     if rest != 0:
         if not real(rest):
             raise NotShown(f"{rest} is not real by its form")
@@ -78,7 +79,7 @@ def held_answer(
         push += before * z ** (-periods - 1)
     determinant = (z - one[0, 0]) * (z - one[1, 1]) - one[0, 1] * one[1, 0]
     numerator = (z - one[1, 1]) * push[0] + one[0, 1] * push[1]
-    response = transfer((mass, damping, stiffness), periods + rest, variable)
+    response = transfer(own, periods + rest, variable)
     wanted = (
         Relation(z, "!=", _ZERO),
         Relation(determinant, "!=", _ZERO),
@@ -87,10 +88,12 @@ def held_answer(
     return hypotheses, Iff((answers(response, variable, z, found, _ONE), And(wanted)))
 
 
+@lru_cache(maxsize=1 << 8)
 def _moves(
-    mass: Expr, damping: Expr, stiffness: Expr, phi: Matrix, held: Matrix, time: Symbol
-) -> set[Proposition]:
+    device: tuple[Expr, ...], phi: Matrix, held: Matrix, time: Symbol
+) -> frozenset[Proposition]:
     """Conditions under which Phi and Gamma obey the differential equation, from their starts."""
+    mass, damping, stiffness = device
     forms = [*phi, *held]
     if any(time in v.free_symbols for v in (mass, damping, stiffness)):
         raise NotShown(f"the device changes with {time}")
@@ -111,7 +114,7 @@ def _moves(
         raise NotShown(str(why)) from None
     found = set(conditions(1 / mass, damping, stiffness, *forms))
     without([time], found)
-    return found
+    return frozenset(found)
 
 
 @rule
