@@ -48,9 +48,7 @@ class File:
 
     def written(self) -> str:
         """The text: byte by byte the same from run to run."""
-        rules = {step.rule for step in self.steps}
-        also = [name for name, some in (("Boxes", BOXED), ("Zeros", COUNTED)) if rules & some]
-        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *also])}."
+        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *self._checkers()])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
@@ -62,6 +60,11 @@ class File:
             ends.append(wrapped(f"Definition all_of_it := {f'({said})' if names else 'I'}.", "  "))
             ends.append("Print Assumptions all_of_it.")
         return "\n".join([*head, *steps, *ends]) + "\n"
+
+    def _checkers(self) -> list[str]:
+        """The files of the checkers that it uses."""
+        rules = {step.rule for step in self.steps}
+        return [name for name, (some, _) in CHECKERS.items() if rules & some]
 
     def named_by(self, id: str) -> set[str]:
         """Every name in the lemmas of a statement, and in those that they use."""
@@ -82,7 +85,11 @@ class File:
         for id, why in self.missing.items():
             yield f"{id} is not here: {why}"
         if self.steps:
-            yield HOW
+            yield (
+                HOW
+                + "".join(f"; {CHECKERS[name][1]}, in {name}.v" for name in self._checkers())
+                + "."
+            )
         rules = sorted({step.rule for step in self.steps} - set(AXIOMS))
         for rule in rules:
             yield f"{rule}: {says(rule).partition('. ')[0].removesuffix('.')}."
@@ -98,9 +105,13 @@ HOW = (
     "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
     "classical theorems, and what is known of a device; one that is named open_ is a step which "
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
-    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v; how the pieces of a "
-    "box are checked, in Boxes.v; how the zeros of a polynomial are counted, in Zeros.v."
+    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
 )
+CHECKERS = {
+    "Boxes": (BOXED, "how the pieces of a box are checked"),
+    "Zeros": (COUNTED, "how the zeros of a polynomial are counted"),
+}
+"""Programs that are proved in Rocq, by their files: for which rules, and what they do."""
 
 
 def _paragraph(text: str) -> str:

@@ -152,8 +152,19 @@ def written(path: Path, folder: Path) -> Outcome:
 
 
 def text_mark(text: str) -> str:
-    """What two texts share that Rocq is given alike, with the prelude that they import."""
-    return hashlib.sha256((_preludes() + text).encode()).hexdigest()
+    """What two texts share that Rocq is given alike, with the preludes that they import."""
+    return hashlib.sha256("".join([*_imported(text).values(), text]).encode()).hexdigest()
+
+
+def _imported(text: str) -> dict[str, str]:
+    """The preludes that a text imports, by name, each after those that it imports itself."""
+    known = {path.stem: path for path in PRELUDES}
+    found: dict[str, str] = {}
+    for names in re.findall(r"^From Symhaptic Require \w+ ([\w ]+)\.$", text, re.M):
+        for name in names.split():
+            of_it = known[name].read_text(encoding="utf-8")
+            found |= _imported(of_it) | {name: of_it}
+    return found
 
 
 def judged(path: Path, folder: Path) -> Outcome:
