@@ -64,7 +64,7 @@ class File:
     def _checkers(self) -> list[str]:
         """The files of the checkers that it uses."""
         rules = {step.rule for step in self.steps}
-        return [name for name, (some, _) in CHECKERS.items() if rules & some]
+        return [name for name, (some, *_) in CHECKERS.items() if rules & some]
 
     def named_by(self, id: str) -> set[str]:
         """Every name in the lemmas of a statement, and in those that they use."""
@@ -73,6 +73,7 @@ class File:
         while left:
             step = known[left.pop()]
             words = set(re.findall(r"[\w']+", " ".join([step.name, step.statement, *step.lines])))
+            words |= {axiom for some, _, axiom in CHECKERS.values() if step.rule in some and axiom}
             left += (words - found) & set(known)
             found |= words
         return found
@@ -108,10 +109,10 @@ HOW = (
     "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
 )
 CHECKERS = {
-    "Boxes": (BOXED, "how the pieces of a box are checked"),
-    "Zeros": (COUNTED, "how the zeros of a polynomial are counted"),
+    "Boxes": (BOXED, "how the pieces of a box are checked", ""),
+    "Zeros": (COUNTED, "how the zeros of a polynomial are counted", "rule_schur"),
 }
-"""Programs that are proved in Rocq, by their files: for which rules, and what they do."""
+"""Programs that are proved in Rocq, by their files: for which rules, what they do, and by what."""
 
 
 def _paragraph(text: str) -> str:

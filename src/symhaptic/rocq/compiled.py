@@ -284,12 +284,12 @@ def _error(said: str) -> str:
     return f"coqc: not within {SECONDS} s"
 
 
-def resting(file: File, said: str, own: Mapping[str, str]) -> dict[str, list[str]]:
+def resting(file: File, said: str, own: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
     """What each statement rests on: what all of them do, but for what only others' lemmas name.
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
     """
-    found = {own.get(name, name) for name in axioms(said)}
+    found = {here for name in axioms(said) for here in own.get(name, [name])}
     here = {step.name for step in file.steps} | meant() | known_there()
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
