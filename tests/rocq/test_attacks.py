@@ -245,13 +245,21 @@ ATTACKS = {
         lambda: roots_inside(z**2 - z / 2 + Rational(1, 3), z, {}),
         [("1/3", "4/3"), ("z/2", "5*z/2"), ("(stable", "(~ stable")],
     ),
+    "zeros of many": (
+        lambda: roots_inside(z**40 - z**39 + Rational(1, 50), z, {}),
+        [("1/50", "1/20"), ("1/50", "0"), ("- z^39", "+ z^41"), ("z^40 -", "z^40/2 -")],
+    ),
+    "zeros that nearly touch the circle": (
+        lambda: roots_inside((z**2 - 1 + Rational(1, 10**12)) * (z - exp(-1) / 2), z, {}),
+        [("999999999999/1000000000000", "1"), ("exp(-1)/2", "3*exp(-1)")],
+    ),
     "a zero outside": (
         lambda: root_outside(z**2 - z / 2 + Rational(4, 3), z),
         [("4/3", "1/3"), ("(~ (stable", "((stable")],
     ),
     "zeros in numbers with j": (
         lambda: roots_inside(z**2 - z * (exp(I) + exp(-I)) / 2 + Rational(1, 3), z, {}),
-        [("1/3", "4/3"), ("Cexp(-Ci)", "Cexp(-2*Ci)")],
+        [("1/3", "4/3"), ("Cexp(-Ci)", "5*Cexp(-Ci)")],
     ),
     "a limit of second order": (
         lambda: tends((1 - cos(x)) / x**2, x, S.Zero, Rational(1, 2)),
@@ -425,7 +433,7 @@ ATTACKS = {
 }
 
 
-BEGIN = "From Symhaptic Require Import Prelude Boxes.\nSet Default Timeout 10.\n\n"
+BEGIN = "From Symhaptic Require Import Prelude Boxes Zeros.\nSet Default Timeout 10.\n\n"
 """What is right is proved in a second; what is wrong some tactics do not give up for minutes."""
 
 
@@ -504,6 +512,31 @@ def test_a_certificate_that_does_not_cover_the_box_is_refused(folder, right, wro
     assert set(failed) == {"other"}
 
 
+UNKNOWN = (
+    "RtoC 0",  # no polynomial that something leads
+    "z - z + RtoC 0",
+    "z - RtoC 1",  # a zero on the circle
+    "z^3 + RtoC 1",
+    "(z - RtoC 1/2)*(z - Ci)",
+    "z - RtoC (tan (PI/4))",
+    "RtoC 0*z^2 + z - RtoC 2",  # what seems to lead is nothing
+    "z + RtoC 3/z",  # no polynomial
+    "z + Cexp(z)",
+    "Cconj z",
+)
+"""Of which neither is to be proved."""
+
+
+def test_zeros_that_nothing_is_known_of_are_refused(folder):
+    claims = {f"neither_{i}_{j}": f"{sign}stable (fun z : C => {wrong})%C"
+              for i, wrong in enumerate(UNKNOWN) for j, sign in enumerate(["", "~ "])}  # fmt: skip
+    claims["unstable"] = "stable (fun z : C => (fun w : C => w - RtoC 3) z)%C"
+    claims["right"] = "stable (fun z : C => z - RtoC 1/2)%C"
+    by = "Proof.\n  zeros 100%positive.\nQed.\n"
+    text = "".join(f"Lemma {name} : {claim}.\n{by}" for name, claim in claims.items())
+    assert set(compiled.failing(folder, f"{BEGIN}{text}")) == claims.keys() - {"right"}
+
+
 def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
     """The axioms of the reals and primitive floats; of a device besides what the axiom says."""
     (folder / "asked.v").write_text(
@@ -516,3 +549,14 @@ def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
     library = {foreign.REALS, foreign.INTEGERS}
     assert set(compiled.axioms(first)) == library
     assert set(compiled.axioms(second)) == library | {"rule_on_plants", "device"}
+
+
+def test_the_counter_of_zeros_rests_on_schur_s_criterion(folder):
+    (folder / "counted.v").write_text(
+        "From Symhaptic Require Import Zeros.\nDefinition both := (zeros_inside, zero_outside).\n"
+        "Print Assumptions both.\n"
+    )
+    done = compiled._compiled(folder, "counted")
+    assert done.returncode == 0, done.stderr
+    library = {foreign.REALS, foreign.INTEGERS}
+    assert set(compiled.axioms(done.stdout)) == library | {"rule_schur", "stable"}

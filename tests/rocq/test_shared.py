@@ -78,6 +78,17 @@ def test_what_differs_in_one_place_is_not_taken(tmp_path, number, changed, left)
     assert {s.name for s in steps} - taken(tmp_path, *steps) == left
 
 
+def test_axioms_that_say_the_same_are_each_known_again(tmp_path):
+    """Rocq lists the one by which a lemma was proved, which is known here by either name."""
+    twice = (*FIRST[:1], step("rule_stored_9", "0 < 2", kind="Axiom"), *FIRST[1:])
+    first = proved(tmp_path, *twice)
+    again = Seen(tmp_path, file("first", *twice))
+    names = ["rule_stored_1", "rule_stored_9"]
+    assert [again.own[f"{first.name}.{name}"] for name in names] == [names, names]
+    said = f"Axioms:\n{first.name}.rule_stored_1 : 0 < 2\n"
+    assert compiled.resting(file("first", *twice), said, again.own) == {"one": names}
+
+
 def test_what_rests_on_an_open_step_is_never_taken(tmp_path):
     open_ = (step("open_step_2", "0 < 1", kind="Axiom"),
              step("step_3", "0 < 1", "exact open_step_2."))  # fmt: skip
@@ -110,7 +121,7 @@ def forged(folder, mark, *steps):
     (folder / FOLDER / f"{name}.v").write_text(text)
     assert compiled._compiled(folder, f"{FOLDER}/{name}").returncode == 0
     index = folder / FOLDER / f"{name}.json"
-    index.write_text(json.dumps({mark: steps[-1].name}))
+    index.write_text(json.dumps({steps[-1].name: mark}))
     return index
 
 

@@ -28,6 +28,9 @@ UNKNOWN = "Rocq was not asked"
 REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
 """What a statement may rest on beside classical rules."""
 
+SCHUR = "schur"
+"""By what Rocq counts zeros, where our kernel has a decider; its source stands in Zeros.v."""
+
 
 @dataclass(frozen=True)
 class Checked:
@@ -52,9 +55,10 @@ class Checked:
     def others(self) -> list[str]:
         """What else it rests on, in words: meanings of predicates, and Rocq's library."""
         library = [name for name in (REALS, INTEGERS) if name in self.rests]
-        known = {*self.rules, *library}
+        known = {*self.rules, *library, SCHUR}
         meanings = [name.replace("_", " ") for name in self.rests if name not in known]
-        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + library
+        counted = ["Schur's criterion"] if SCHUR in self.rests else []
+        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + counted + library
 
     @property
     def in_short(self) -> str:

@@ -8,15 +8,18 @@ Import List Tree.
 Open Scope list_scope.
 Open Scope R_scope.
 
-Module Ball := FloatIntervalFull PrimitiveFloat.
+(* -- values ------------------------------------------------------------------------- *)
+
+(* Terms over intervals whose ends are floats of any kind. *)
+Module Values (F : Sig.FloatOps with Definition sensible_format := true).
+Module Ball := FloatIntervalFull F.
 Module Balls := IntervalAlgos Ball.
 Module J := Balls.J.
-Definition prec := PrimitiveFloat.PtoP 53.
 Notation ball := Ball.type.
 Definition has (X : ball) (x : R) : Prop := contains (Ball.convert X) (Xreal x).
 
-(* -- values ------------------------------------------------------------------------- *)
-
+Section Precise.
+Variable prec : F.precision.
 Definition ops := Balls.BndValuator.operations prec.
 Definition nullary_of (o : nullary_op) : ball :=
   match o with Tree.Int n => Ball.fromZ prec n | Tree.Pi => Ball.pi prec | Tree.Bpow _ _ => Ball.nai end.
@@ -64,6 +67,20 @@ Proof.
   - apply has_unary; assumption.
   - apply has_binary; assumption.
 Qed.
+End Precise.
+End Values.
+
+(* Primitive floats, for many pieces. *)
+Module Import Floats := Values PrimitiveFloat.
+Definition prec := PrimitiveFloat.PtoP 53.
+Notation ops := (Floats.ops prec).
+Notation nullary_of := (Floats.nullary_of prec).
+Notation value_of := (Floats.value_of prec).
+Notation has_nullary := (Floats.has_nullary prec).
+Notation has_unary := (Floats.has_unary prec).
+Notation has_binary := (Floats.has_binary prec).
+Notation has_value := (Floats.has_value prec).
+Notation ball := Ball.type.
 
 (* -- slopes: f(x) - f(c) = s . (x - c) ------------------------------------------------ *)
 
@@ -107,7 +124,7 @@ Definition add := Ball.add prec.
 Definition mul := Ball.mul prec.
 Arguments add : simpl never.
 Arguments mul : simpl never.
-Arguments ops : simpl never.
+Arguments Floats.ops : simpl never.
 Definition moved (V C : ball) (Sl : list ball) : node :=
   Node (Ball.meet V (add C (along Ball.zero add mul Sl ways))) (Some (C, Sl)).
 Definition times (K : ball) (Sl : list ball) := map (mul K) Sl.

@@ -92,17 +92,34 @@ Proof.
   intros [[| [p | p |] | p] [d | d |]]; unfold Qvalue, Q2R; simpl;
     first [ring | field; apply IZR_neq; discriminate].
 Qed.
+(* Whole numbers are added and multiplied as such: there is nothing to reduce. *)
+Definition Qwhole_or (op : Z -> Z -> Z) (other : QArith_base.Q -> QArith_base.Q -> QArith_base.Q)
+  (p q : QArith_base.Q) : QArith_base.Q :=
+  match QArith_base.Qden p, QArith_base.Qden q with
+  | xH, xH => QArith_base.Qmake (op (QArith_base.Qnum p) (QArith_base.Qnum q)) 1
+  | _, _ => other p q
+  end.
+Definition Qadd := Qwhole_or Z.add Qreduction.Qplus'.
+Definition Qsubtract := Qwhole_or Z.sub Qreduction.Qminus'.
+Definition Qtimes := Qwhole_or Z.mul Qreduction.Qmult'.
+Lemma Qsteps : forall p q, QArith_base.Qeq (Qadd p q) (QArith_base.Qplus p q) /\
+  QArith_base.Qeq (Qsubtract p q) (QArith_base.Qminus p q) /\
+  QArith_base.Qeq (Qtimes p q) (QArith_base.Qmult p q).
+Proof.
+  intros [n [d | d |]] [m [e | e |]]; repeat split; unfold Qadd, Qsubtract, Qtimes, Qwhole_or; simpl;
+    try apply Qreduction.Qplus'_correct; try apply Qreduction.Qmult'_correct; try apply Qreduction.Qminus'_correct;
+    unfold QArith_base.Qeq; simpl; lia.
+Qed.
 Notation Q_morph zero one plus times minus opp eq value :=
   (ring_morph zero one plus times minus opp eq
     (QArith_base.Qmake 0%Z 1%positive) (QArith_base.Qmake 1%Z 1%positive)
-    Qreduction.Qplus' Qreduction.Qmult' Qreduction.Qminus' QArith_base.Qopp QArith_base.Qeq_bool value).
+    Qadd Qtimes Qsubtract QArith_base.Qopp QArith_base.Qeq_bool value).
 Lemma Qnumbers : Q_morph 0 1 Rplus Rmult Rminus Ropp (@eq R) Qvalue.
 Proof.
   split; intros; rewrite ?Qvalued, <- ?Qreals.Q2R_plus, <- ?Qreals.Q2R_mult, <- ?Qreals.Q2R_minus,
     <- ?Qreals.Q2R_opp.
   1, 2: unfold Q2R; simpl; field.
-  1-3: apply Qreals.Qeq_eqR;
-    first [apply Qreduction.Qplus'_correct | apply Qreduction.Qmult'_correct | apply Qreduction.Qminus'_correct].
+  1-3: apply Qreals.Qeq_eqR, (Qsteps x y).
   - reflexivity.
   - apply Qreals.Qeq_eqR, QArith_base.Qeq_bool_iff; assumption.
 Qed.
@@ -585,38 +602,56 @@ Ltac Czero :=
     [ symmetry; apply Cminus_zero; first [assumption | symmetry; assumption]
     | solve [apply (f_equal RtoC); lra]
     | Ccompared ].
-Lemma Cconj_plus : forall x y : C, Cconj (x + y)%C = (Cconj x + Cconj y)%C.
-Proof. intros; apply injective_projections; simpl; ring. Qed.
-Lemma Cconj_minus : forall x y : C, Cconj (x - y)%C = (Cconj x - Cconj y)%C.
-Proof. intros; apply injective_projections; simpl; ring. Qed.
-Lemma Cconj_opp : forall x : C, Cconj (- x)%C = (- Cconj x)%C.
-Proof. intros; apply injective_projections; simpl; ring. Qed.
-Lemma Cconj_mult : forall x y : C, Cconj (x * y)%C = (Cconj x * Cconj y)%C.
-Proof. intros; apply injective_projections; simpl; ring. Qed.
-Lemma Cconj_inv : forall x : C, Cconj (/ x)%C = (/ Cconj x)%C.
-Proof.
-  intro x; apply injective_projections; simpl; unfold Rdiv;
-    replace (- snd x * (- snd x * 1)) with (snd x * (snd x * 1)) by ring; ring.
-Qed.
 Lemma Cconj_real : forall x : R, Cconj (RtoC x) = RtoC x.
 Proof. intros; apply injective_projections; simpl; ring. Qed.
 Lemma Cconj_i : Cconj Ci = (- Ci)%C.
 Proof. apply injective_projections; simpl; ring. Qed.
-Lemma Cconj_exp : forall z : C, Cconj (Cexp z) = Cexp (Cconj z).
+(* The mirror of a term, made of those of its parts. *)
+Section Mirrors.
+Variables (x y z w : C) (n : nat).
+Hypotheses (X : Cconj x = z) (Y : Cconj y = w).
+Lemma mirror_plus : Cconj (x + y)%C = (z + w)%C.
+Proof. rewrite <- X, <- Y; apply injective_projections; simpl; ring. Qed.
+Lemma mirror_minus : Cconj (x - y)%C = (z - w)%C.
+Proof. rewrite <- X, <- Y; apply injective_projections; simpl; ring. Qed.
+Lemma mirror_mult : Cconj (x * y)%C = (z * w)%C.
+Proof. rewrite <- X, <- Y; apply injective_projections; simpl; ring. Qed.
+Lemma mirror_opp : Cconj (- x)%C = (- z)%C.
+Proof. rewrite <- X; apply injective_projections; simpl; ring. Qed.
+Lemma mirror_inv : Cconj (/ x)%C = (/ z)%C.
 Proof.
-  intro z; unfold Cexp, Cconj, Re, Im; simpl; rewrite cos_neg, sin_neg.
+  rewrite <- X; apply injective_projections; simpl; unfold Rdiv;
+    replace (- snd x * (- snd x * 1)) with (snd x * (snd x * 1)) by ring; ring.
+Qed.
+Lemma mirror_exp : Cconj (Cexp x) = Cexp z.
+Proof.
+  rewrite <- X; unfold Cexp, Cconj, Re, Im; simpl; rewrite cos_neg, sin_neg.
   apply injective_projections; simpl; ring.
 Qed.
-Lemma Cconj_power : forall (z : C) n, Cconj (z ^ n)%C = (Cconj z ^ n)%C.
+End Mirrors.
+Lemma mirror_power : forall (x z : C) n, Cconj x = z -> Cconj (x ^ n)%C = (z ^ n)%C.
 Proof.
-  intros z n; induction n as [| n IH]; simpl; [apply Cconj_real | rewrite Cconj_mult, IH; reflexivity].
+  intros x z n X; induction n as [| n IH]; simpl; [apply Cconj_real | apply mirror_mult; assumption].
 Qed.
+Ltac Cmirror z :=
+  match z with
+  | (?a + ?b)%C => let p := Cmirror a in let q := Cmirror b in constr:(mirror_plus _ _ _ _ p q)
+  | (?a - ?b)%C => let p := Cmirror a in let q := Cmirror b in constr:(mirror_minus _ _ _ _ p q)
+  | (?a * ?b)%C => let p := Cmirror a in let q := Cmirror b in constr:(mirror_mult _ _ _ _ p q)
+  | (- ?a)%C => let p := Cmirror a in constr:(mirror_opp _ _ p)
+  | (/ ?a)%C => let p := Cmirror a in constr:(mirror_inv _ _ p)
+  | (?a ^ ?n)%C => let p := Cmirror a in constr:(mirror_power _ _ n p)
+  | Cexp ?a => let p := Cmirror a in constr:(mirror_exp _ _ p)
+  | RtoC ?x => constr:(Cconj_real x)
+  | Ci => constr:(Cconj_i)
+  | _ => constr:(eq_refl (Cconj z))
+  end.
 Ltac Cconjugated :=
   unfold Cdiv;
-  repeat first
-    [ rewrite Cconj_plus | rewrite Cconj_minus | rewrite Cconj_mult | rewrite Cconj_opp
-    | rewrite Cconj_inv | rewrite Cconj_exp | rewrite Cconj_power | rewrite Cconj_real
-    | rewrite Cconj_i ].
+  repeat match goal with |- context [Cconj ?z] =>
+    let p := Cmirror z in
+    lazymatch type of p with ?l = ?l => fail | _ => rewrite p end
+  end.
 Ltac Cangles :=
   repeat match goal with
   | E : context [Cexp ?a] |- context [Cexp ?b] =>
@@ -635,15 +670,15 @@ Lemma Creal : forall z : C, Cconj z = z -> z = RtoC (Re z).
 Proof.
   intros [x y] E; injection E; intro F; apply injective_projections; simpl; [reflexivity | lra].
 Qed.
+(* Each exponential once: 1, or one that was met before. *)
 Ltac Cexps :=
-  repeat match goal with
-  | |- context [Cexp ?a] =>
-      first
-        [ rewrite (Cexp_nought a) by Cring
-        | match goal with |- context [Cexp ?b] =>
-            tryif constr_eq a b then fail else replace (Cexp a) with (Cexp b) by (f_equal; Cring)
-          end ]
-  end.
+  repeat match goal with |- context [Cexp ?a] =>
+    first
+      [ rewrite (Cexp_nought a) by Cring
+      | match goal with e := Cexp ?b |- _ => replace (Cexp a) with e by (unfold e; f_equal; Cring) end
+      | let e := fresh "e" in set (e := Cexp a) ]
+  end;
+  repeat match goal with e := Cexp _ |- _ => unfold e; clear e end.
 Ltac Cunmoved :=
   Cconjugated;
   Cexps; Csame_turned.
@@ -736,13 +771,12 @@ Ltac Cpowers := Cpushed; Craises; Cexps; Csame_turned.
 (* Functions of arguments that are equal, or known values. *)
 Ltac argument := first [ring | solve [field; nz_quick]].
 Ltac alike f :=
-  repeat match goal with
-  | |- context [f ?a] =>
-      match goal with |- context [f ?b] =>
-        tryif constr_eq a b then fail
-        else replace (f a) with (f b) by (apply (f_equal f); argument)
-      end
-  end.
+  repeat match goal with |- context [f ?a] =>
+    first
+      [ match goal with e := f ?b |- _ => replace (f a) with e by (unfold e; apply (f_equal f); argument) end
+      | let e := fresh "e" in set (e := f a) ]
+  end;
+  repeat match goal with e := f _ |- _ => unfold e; clear e end.
 Ltac valued :=
   repeat match goal with
   | |- context [cos ?a] =>

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.rules import says
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.proof.theorems.kernel import NotShown, Theorem
+from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
-from symhaptic.rocq.leaves import BOXED, LEAVES, SPELLED
+from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
@@ -49,8 +48,7 @@ class File:
 
     def written(self) -> str:
         """The text: byte by byte the same from run to run."""
-        boxes = " Boxes" if any(step.rule in BOXED for step in self.steps) else ""
-        import_ = f"From Symhaptic Require Import Prelude{boxes}."
+        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *self._checkers()])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
@@ -63,6 +61,11 @@ class File:
             ends.append("Print Assumptions all_of_it.")
         return "\n".join([*head, *steps, *ends]) + "\n"
 
+    def _checkers(self) -> list[str]:
+        """The files of the checkers that it uses."""
+        rules = {step.rule for step in self.steps}
+        return [name for name, (some, *_) in CHECKERS.items() if rules & some]
+
     def named_by(self, id: str) -> set[str]:
         """Every name in the lemmas of a statement, and in those that they use."""
         known = {step.name: step for step in self.steps}
@@ -70,6 +73,7 @@ class File:
         while left:
             step = known[left.pop()]
             words = set(re.findall(r"[\w']+", " ".join([step.name, step.statement, *step.lines])))
+            words |= {axiom for some, _, axiom in CHECKERS.values() if step.rule in some and axiom}
             left += (words - found) & set(known)
             found |= words
         return found
@@ -82,7 +86,11 @@ class File:
         for id, why in self.missing.items():
             yield f"{id} is not here: {why}"
         if self.steps:
-            yield HOW
+            yield (
+                HOW
+                + "".join(f"; {CHECKERS[name][1]}, in {name}.v" for name in self._checkers())
+                + "."
+            )
         rules = sorted({step.rule for step in self.steps} - set(AXIOMS))
         for rule in rules:
             yield f"{rule}: {says(rule).partition('. ')[0].removesuffix('.')}."
@@ -98,10 +106,13 @@ HOW = (
     "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
     "classical theorems, and what is known of a device; one that is named open_ is a step which "
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
-    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v; how the pieces of a "
-    "box are checked, in Boxes.v."
-    "box are checked, in Boxes.v."
+    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
 )
+CHECKERS = {
+    "Boxes": (BOXED, "how the pieces of a box are checked", ""),
+    "Zeros": (COUNTED, "how the zeros of a polynomial are counted", "rule_schur"),
+}
+"""Programs that are proved in Rocq, by their files: for which rules, what they do, and by what."""
 
 
 def _paragraph(text: str) -> str:
@@ -132,8 +143,9 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
     named = _named(chapter)
-    roots = [theorem for _, _, theorem in theorems_of(chapter)]
-    for theorem in _spelled(order(roots)):
+    half = {said(t) for _, _, t in theorems_of(chapter) if _half_said(t)}
+    # what would say less is not worth its steps
+    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in half):
         if said(theorem) in known:
             continue
         try:
@@ -150,7 +162,7 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
-            if any(map(half_said, (*theorem.hypotheses, theorem.conclusion))):
+            if said(theorem) in half:
                 file.missing.setdefault(id, "a root of what may be negative, in complex numbers")
             elif said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
@@ -165,13 +177,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     return file
 
 
-def _spelled(theorems: Iterable[Theorem]) -> Iterator[Theorem]:
-    """The theorems, with other steps to those that are printed so."""
-    for theorem in theorems:
-        if theorem.rule in SPELLED:
-            with suppress(NotShown, NotPrinted):
-                yield from order([SPELLED[theorem.rule](theorem)])
-        yield theorem
+def _half_said(theorem: Theorem) -> bool:
+    return any(map(half_said, (*theorem.hypotheses, theorem.conclusion)))
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:

@@ -26,8 +26,8 @@ from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
 from symhaptic.rocq.shared import FOLDER, Seen
 from symhaptic.rocq.steps import is_open
 
-PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes"))
-"""What chapters use; the second uses the first."""
+PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes", "Zeros"))
+"""What chapters use; each uses those before it."""
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
@@ -42,6 +42,7 @@ _PRIMITIVE = (
     "Uint63Axioms.",
     "FloatOps.",
 )
+_OURS = tuple(f"{path.stem}." for path in PRELUDES)
 
 
 class NoRocq(OSError):
@@ -87,6 +88,8 @@ def rule_of(name: str) -> str:
     instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
     if instance and instance[1] in BELIEVED | WRITTEN:
         return instance[1]
+    if name in known_there():
+        return name.removeprefix("rule_")
     return _AXIOMS.get(name, name)
 
 
@@ -149,8 +152,19 @@ def written(path: Path, folder: Path) -> Outcome:
 
 
 def text_mark(text: str) -> str:
-    """What two texts share that Rocq is given alike, with the prelude that they import."""
-    return hashlib.sha256((_preludes() + text).encode()).hexdigest()
+    """What two texts share that Rocq is given alike, with the preludes that they import."""
+    return hashlib.sha256("".join([*_imported(text).values(), text]).encode()).hexdigest()
+
+
+def _imported(text: str) -> dict[str, str]:
+    """The preludes that a text imports, by name, each after those that it imports itself."""
+    known = {path.stem: path for path in PRELUDES}
+    found: dict[str, str] = {}
+    for names in re.findall(r"^From Symhaptic Require \w+ ([\w ]+)\.$", text, re.M):
+        for name in names.split():
+            of_it = known[name].read_text(encoding="utf-8")
+            found |= _imported(of_it) | {name: of_it}
+    return found
 
 
 def judged(path: Path, folder: Path) -> Outcome:
@@ -270,12 +284,12 @@ def _error(said: str) -> str:
     return f"coqc: not within {SECONDS} s"
 
 
-def resting(file: File, said: str, own: Mapping[str, str]) -> dict[str, list[str]]:
+def resting(file: File, said: str, own: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
     """What each statement rests on: what all of them do, but for what only others' lemmas name.
 
     Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
     """
-    found = {own.get(name, name) for name in axioms(said)}
+    found = {here for name in axioms(said) for here in own.get(name, [name])}
     here = {step.name for step in file.steps} | meant() | known_there()
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
@@ -290,6 +304,8 @@ def axioms(said: str) -> set[str]:
 def _short(name: str) -> str:
     if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
         return REALS
+    if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
+        return name.partition(".")[2]
     return INTEGERS if name.startswith(_PRIMITIVE) else name
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -16,16 +15,14 @@ from symhaptic.notation.proposition import Predicate, Relation, term
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, conjoined, part
-from symhaptic.proof.theorems.leaves import number as settled
-from symhaptic.proof.theorems.roots import jury
+from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.identities import Image, polar, same, script
+from symhaptic.rocq.identities import Image, same, script
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.steps import Proof, premises
-from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+from symhaptic.rocq.terms import Names, complex_, real_text
 
-__all__ = ["BOXED", "LEAVES", "SPELLED"]
+__all__ = ["BOXED", "COUNTED", "LEAVES"]
 
 LEAVES: dict[str, Written] = {}
 """How a leaf of each kind is checked."""
@@ -61,75 +58,20 @@ def number(proof: Proof, theorem: Theorem) -> None:
         proof.say("opened; defined; numeric.")
 
 
-@cache
-def by_jury(theorem: Theorem) -> Theorem:
-    """The same of the polynomial in real numbers, by Jury's criterion and signs of numbers."""
-    claim: Any = theorem.conclusion
-    inside = _inside(claim)
-    [polynomial], [variable] = inside.of, inside.over
-    poly = sp.Poly(polynomial, variable)
-    if poly.degree() > _HIGHEST:
-        raise NotPrinted(f"the determinants of a polynomial of degree {poly.degree()}")
-    if polynomial.has(sp.I):
-        polynomial = sp.Add(*(_real_part(c) * variable**n for (n,), c in poly.terms()))
-    judged = jury(polynomial, variable)
-    stable, signs = judged.conclusion.parts
-    if inside is claim:
-        return applied(judged, conjoined(*map(settled, signs.parts)))
-    for wrong in signs.parts:
-        if (found := sign(wrong.terms[1])) in (-1, 0):
-            known = settled(Relation(wrong.terms[1], "<=" if found == 0 else "<", sp.S.Zero))
-            return absurd(part(applied(judged, assume(stable)), wrong), known, stable)
-    raise NotPrinted("a polynomial of which Jury's criterion does not decide")
-
-
-_HIGHEST = 8
-"""The highest degree of which determinants are written out."""
-
-
-def _real_part(number: Expr) -> Expr:
-    """A number that is real, without j."""
-    powers = [p for p in number.atoms(sp.Pow) if p.exp.is_Integer and p.exp < 0 and p.has(sp.I)]
-    number = number.xreplace({p: sp.factor_terms(p.base) ** p.exp for p in powers})
-    turned: dict[Expr, Expr] = {}
-    for p in number.atoms(sp.Pow, sp.exp):
-        if isinstance(p, sp.exp):
-            size, angle = polar(p)
-            turned[p] = sp.exp(size) * (sp.cos(angle) + sp.I * sp.sin(angle))
-        elif p.has(sp.I):
-            conjugate = p.base.xreplace({sp.I: -sp.I})
-            turned[p] = (conjugate / sp.expand(p.base * conjugate)) ** -p.exp
-    return sp.expand(number.xreplace(turned)).as_independent(sp.I, as_Add=True)[0]
-
-
 @shows
 def roots_inside(proof: Proof, theorem: Theorem) -> None:
-    known = by_jury(theorem)
-    claims = [theorem.conclusion, known.conclusion]
-    (polynomial, real), [variable] = (_inside(c).of[0] for c in claims), _inside(claims[0]).over
-    with proof.names.introduced(variable) as [v]:
-        proof.names.as_complex.add(variable)
-        texts = [f"(fun {v} : C => {complex_text(p, proof.names)})%C" for p in (polynomial, real)]
-        lines = same(polynomial, real, proof.names)
-    proof.say(
-        f"assert (Same : {texts[0]} = {texts[1]}).",
-        "{",
-        f"apply functional_extensionality; intro {v}.",
-        *lines,
-        "}",
-        f"rewrite Same; exact {proof.have(known)}.",
-    )
+    """By Schur's reduction in numbers, which a checker that is proved there does."""
+    claim: Any = theorem.conclusion
+    inside = claim if isinstance(claim, Predicate) else claim.of[0]
+    degree = int(sp.degree(inside.of[0], *inside.over))
+    proof.say(f"opened; defined; zeros {_BITS + 2 * degree}%positive.")
 
 
 LEAVES["root_outside"] = roots_inside
-
-
-def _inside(claim: Any) -> Predicate:
-    return claim if isinstance(claim, Predicate) else claim.of[0]
-
-
-SPELLED = {"roots_inside": by_jury, "root_outside": by_jury}
-"""Leaves that are printed as other steps to the same theorem, or to one that is nearer."""
+COUNTED = frozenset({"roots_inside", "root_outside"})
+"""Leaves that are checked by counting zeros."""
+_BITS = 80
+"""Of floats; each step of the reduction costs up to two more."""
 
 Write = Callable[[Expr, Names], str]
 

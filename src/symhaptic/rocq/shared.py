@@ -28,16 +28,19 @@ class Seen:
     def __init__(self, folder: Path, file: File) -> None:
         self.folder, self.marks = folder / FOLDER, _marks(file)
         self.name = f"{file.name}_{uuid4().hex[:12]}"
-        self.own: dict[str, str] = {}
-        """By its full name elsewhere, what a step is called here."""
+        self.own: dict[str, list[str]] = {}
+        """By a full name elsewhere, what is called so here: more than one may say the same."""
         self.there: dict[str, str] = {}
         """Where a step is proved."""
-        known = {mark: name for name, mark in self.marks.items()}
+        known: dict[str, list[str]] = {}
+        for name, mark in self.marks.items():
+            known.setdefault(mark, []).append(name)
         for index in sorted(self.folder.glob("*.json")):
-            for mark, name in json.loads(index.read_text(encoding="utf-8")).items():
+            for name, mark in json.loads(index.read_text(encoding="utf-8")).items():
                 if mark in known:
                     self.own[f"{index.stem}.{name}"] = known[mark]
-                    self.there.setdefault(known[mark], f"{index.stem}.{name}")
+                    for here in known[mark]:
+                        self.there.setdefault(here, f"{index.stem}.{name}")
         self.file = replace(file, steps=[*self._left(file)])
 
     def _left(self, file: File) -> Iterator[Step]:
@@ -61,7 +64,7 @@ class Seen:
     def keep(self) -> None:
         """What was proved here, for others."""
         found = {
-            self.marks[step.name]: step.name
+            step.name: self.marks[step.name]
             for step in self.file.steps
             if step.name in self.marks and step.name not in self.there
         }
