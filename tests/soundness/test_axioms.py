@@ -25,8 +25,7 @@ def true(claim, values):
     """A proposition of relations at numbers, None where it says more than relations do."""
     if isinstance(claim, Relation):
         left, right = (
-            mpmath.mpmathify(function(t, tuple(values))(*values.values()))
-            for t in claim.terms
+            mpmath.mpmathify(function(t, tuple(values))(*values.values())) for t in claim.terms
         )
         close = abs(left - right) < mpmath.mpf(10) ** -30 * (1 + abs(left))
         if claim.sign in ("=", "!="):
