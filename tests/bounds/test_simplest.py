@@ -2,7 +2,6 @@
 
 import math
 from fractions import Fraction
-from functools import cache
 
 import numpy as np
 import oracle
@@ -29,7 +28,6 @@ def holds(ball, value, rel):
     return abs(float(ball.mid()) - value) <= float(ball.rad()) + rel * abs(value)
 
 
-@cache
 def by_search(gamma, delta, delay):
     """The largest stable alpha over all beta; the best is about 0.83/(delay + 1)."""
     low, high = 0.3 / (delay + 1), 1.3 / (delay + 1)
