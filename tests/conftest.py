@@ -37,6 +37,12 @@ def _looks_at_chapters(module):
     return not taken.isdisjoint({"chapters", "oracles.subject"})
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish():
+    """What all tests have left is not looked through once more for cycles before a process ends."""
+    gc.freeze()
+
+
 def pytest_terminal_summary(terminalreporter):
     counts = [
         value

@@ -79,6 +79,10 @@ def test_ends_that_cancel():
     assert not judged(times(times([1, -half], [1, 2]), [1, 0, 1]))
 
 
+def test_no_known_polynomial_is_misjudged():
+    assert misjudged() == 0
+
+
 def misjudged():
     """How many known polynomials the package as it stands gets wrong."""
     return sum(judged(p) != inside for n in (3, 4, 5, 6) for p, inside in corpus(n))
@@ -128,7 +132,6 @@ MUTANTS = {
 @pytest.mark.parametrize("name", MUTANTS)
 def test_a_mutant_misjudges_some_polynomial(monkeypatch, name):
     place, changed = MUTANTS[name]
-    assert misjudged() == 0
     monkeypatch.setattr(jury, place, changed)
     assert misjudged() > 0
 

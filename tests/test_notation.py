@@ -49,14 +49,13 @@ PHYSICAL = {
 PURE = ("d", "z", "alpha", "beta", "gamma", "delta", "c_1", "c_2", "c_3", "y", "omega_hat")
 
 
-@pytest.mark.parametrize("name", SYMBOLS)
-def test_symbol_is_complete(name):
-    entry = SYMBOLS[name]
-    assert entry.name == name
-    assert entry.latex.strip()
-    assert entry.meaning.strip()
-    assert entry.unit in UNITS
-    assert entry.domain in DOMAINS
+def test_symbols_are_complete():
+    for name, entry in SYMBOLS.items():
+        assert entry.name == name
+        assert entry.latex.strip(), name
+        assert entry.meaning.strip(), name
+        assert entry.unit in UNITS, name
+        assert entry.domain in DOMAINS, name
 
 
 def test_no_latex_stands_for_two_symbols():
@@ -64,28 +63,21 @@ def test_no_latex_stands_for_two_symbols():
     assert len(set(spelled)) == len(spelled)
 
 
-@pytest.mark.parametrize(("unit", "exponents"), SI.items())
-def test_unit_has_its_si_dimension(unit, exponents):
-    assert UNITS[unit] == tuple(Fraction(n) for n in exponents)
+def test_units_have_their_si_dimensions():
+    assert {unit: tuple(map(Fraction, exponents)) for unit, exponents in SI.items()} == UNITS
 
 
-def test_all_units_are_checked_above():
-    assert set(UNITS) == set(SI)
+def test_physical_quantities_have_their_units():
+    assert {name: SYMBOLS[name].unit for name in PHYSICAL} == PHYSICAL
 
 
-@pytest.mark.parametrize(("name", "unit"), PHYSICAL.items())
-def test_physical_quantity_has_its_unit(name, unit):
-    assert SYMBOLS[name].unit == unit
+def test_normalised_quantities_are_dimensionless():
+    assert {SYMBOLS[name].unit for name in PURE} == {"1"}
 
 
-@pytest.mark.parametrize("name", PURE)
-def test_normalised_quantity_is_dimensionless(name):
-    assert SYMBOLS[name].unit == "1"
-
-
-@pytest.mark.parametrize("name", [n for n in SYMBOLS if n.isidentifier()])
-def test_symbol_is_the_plain_sympy_symbol(name):
-    assert getattr(notation, name) == sp.Symbol(name)
+def test_symbols_are_plain_sympy_symbols():
+    names = [name for name in SYMBOLS if name.isidentifier()]
+    assert [getattr(notation, name) for name in names] == list(map(sp.Symbol, names))
 
 
 def test_unknown_symbol_is_an_attribute_error():

@@ -161,6 +161,13 @@ def test_beyond_its_end_every_language_gives_nan(language, precision, tmp_path):
     folder = tmp_path / "out"
     request.write(files, folder)
     count = len(built.public[0].results)
+    *compiling, running = ([sys.executable if c[0] == "python" else c[0], *c[1:]]
+                           for c in target.commands("haptic"))  # fmt: skip
+    for program, *_ in (*compiling, running):
+        if not program.startswith("./") and shutil.which(program) is None:
+            pytest.skip(f"no {program} here: the export to {target.title} is not run")
+    for command in compiling:
+        subprocess.run(command, cwd=folder, check=True, capture_output=True)
     for points, missed in ((BEFORE, 0), (BEYOND, count * len(BEYOND))):
         lines = [
             " ".join([form.name, *map(hexadecimal, map(precision.nearest, point)),
@@ -168,13 +175,7 @@ def test_beyond_its_end_every_language_gives_nan(language, precision, tmp_path):
             for point in points
         ]  # fmt: skip
         (folder / "vectors.txt").write_text("\n".join(lines) + "\n")
-        for command in target.commands("haptic"):
-            program = sys.executable if command[0] == "python" else command[0]
-            if not command[0].startswith("./") and shutil.which(program) is None:
-                pytest.skip(f"no {program} here: the export to {target.title} is not run")
-            run = subprocess.run(
-                [program, *command[1:]], cwd=folder, capture_output=True, text=True, check=False
-            )
+        run = subprocess.run(running, cwd=folder, capture_output=True, text=True, check=False)
         said = run.stdout.splitlines()[-1].replace(",", " ").split()
         assert said[0] == str(count * len(points)), run.stderr
         assert said[2] == str(missed), run.stdout

@@ -1,6 +1,7 @@
 """What a docstring, a comment or the manual names is there."""
 
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,16 @@ OWN = {"symhaptic.sty", "symhaptic.xml"}
 """File names that look like modules."""
 
 
+CODE = [*SOURCE.rglob("*.py")]
+MANUALS = [*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]
+
+
+@cache
+def text_of(path):
+    return path.read_text(encoding="utf-8")
+
+
+@cache
 def there(name):
     """Whether a dotted name is a module, or something that a module's text has."""
     parts = name.split(".")
@@ -21,28 +32,22 @@ def there(name):
         path = SOURCE.joinpath(*parts[1:split])
         files = [path.with_suffix(".py"), path / "__init__.py"]
         for file in (f for f in files if f.is_file()):
-            text = file.read_text(encoding="utf-8")
-            return all(re.search(rf"\b{part}\b", text) for part in parts[split:])
+            return all(re.search(rf"\b{part}\b", text_of(file)) for part in parts[split:])
     return False
 
 
-@pytest.mark.parametrize(
-    "path",
-    [*SOURCE.rglob("*.py"), *ROOT.glob("*.md"), *ROOT.glob("docs/*.md")],
-    ids=lambda p: p.name,
-)
-def test_dotted_names_resolve(path):
-    text = path.read_text(encoding="utf-8")
-    named = set(re.findall(r"(?<![\w./])symhaptic(?:\.[A-Za-z]\w*)+", text)) - OWN
-    assert [name for name in named if not there(name)] == []
+def test_dotted_names_resolve():
+    for path in (*CODE, *MANUALS):
+        named = re.findall(r"(?<![\w./])symhaptic(?:\.[A-Za-z]\w*)+", text_of(path))
+        assert [name for name in {*named} - OWN if not there(name)] == [], path
 
 
-@pytest.mark.parametrize("path", [*SOURCE.rglob("*.py")], ids=lambda p: p.name)
-def test_names_in_roles_are_those_of_the_module_or_dotted(path):
-    text = path.read_text(encoding="utf-8")
-    for kind, name in re.findall(r":(class|func|meth|mod|data|attr):`~?\.?(\w+)`", text):
-        builtin = name in dir(__builtins__) or name in __builtins__
-        assert builtin or len(re.findall(rf"\b{name}\b", text)) > 1, (kind, name)
+def test_names_in_roles_are_those_of_the_module_or_dotted():
+    for path in CODE:
+        text = text_of(path)
+        for _, name in re.findall(r":(class|func|meth|mod|data|attr):`~?\.?(\w+)`", text):
+            builtin = name in dir(__builtins__) or name in __builtins__
+            assert builtin or len(re.findall(rf"\b{name}\b", text)) > 1, (path, name)
 
 
 def paths_in(text):
@@ -50,31 +55,30 @@ def paths_in(text):
     return set(re.findall(r"(?<![\w/.<-])(?:[\w*-]+/)+[\w*-]+\.(?:py|md)\b", text))
 
 
-MANUALS = [ROOT / "CONTRIBUTING.md", ROOT / "README.md", *(ROOT / "docs").glob("*.md")]
-CODE = [*SOURCE.rglob("*.py"), *(ROOT / "derivations").glob("*.py")]
+@cache
+def found(name):
+    return [*ROOT.glob(name), *SOURCE.glob(name), *(ROOT / "src").glob(name)]
 
 
 @pytest.mark.skipif(not (ROOT / "derivations").is_dir(), reason="no repository around the package")
-@pytest.mark.parametrize("path", [*MANUALS, *CODE], ids=lambda p: p.name)
-def test_paths_resolve(path):
-    text = path.read_text(encoding="utf-8")
-    for name in paths_in(text):
-        if name.startswith("reports/"):  # made, not committed
-            continue
-        places = [*ROOT.glob(name), *SOURCE.glob(name), *(ROOT / "src").glob(name)]
-        assert places, name
-    for name in re.findall(r"\bs\d[a-e]?_\w+\.py\b", text):
-        assert (ROOT / "derivations" / name).is_file(), name
+def test_paths_resolve():
+    own = [ROOT / "CONTRIBUTING.md", ROOT / "README.md", *(ROOT / "docs").glob("*.md")]
+    for path in (*own, *CODE, *(ROOT / "derivations").glob("*.py")):
+        for name in paths_in(text_of(path)):
+            if not name.startswith("reports/"):  # made, not committed
+                assert found(name), (path, name)
+        for name in re.findall(r"\bs\d[a-e]?_\w+\.py\b", text_of(path)):
+            assert (ROOT / "derivations" / name).is_file(), (path, name)
 
 
 def test_what_the_manual_says_is_in_a_module_is():
     """`name` in, or (after) `folder/module.py`, on one line of CONTRIBUTING."""
-    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    text = text_of(ROOT / "CONTRIBUTING.md")
     pairs = re.findall(r"`@?(\w+)`[^`.;]* in `([\w/]+\.py)`", text)
     pairs += re.findall(r"`@?(\w+)` \w* \(`([\w/]+\.py)`\)", text)
     assert ("_here", "proof/mutants.py") in pairs
     for name, path in pairs:
-        assert re.search(rf"\b{name}\b", (SOURCE / path).read_text(encoding="utf-8")), name
+        assert re.search(rf"\b{name}\b", text_of(SOURCE / path)), name
 
 
 def test_the_help_of_export_names_every_target():

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import cache
 
 import pytest
 
@@ -15,22 +16,26 @@ TITLED = {
 LEANS = re.compile(r"(And|As before|The same|So does|So is|So are)\b")
 
 
-def titles(path):
-    """Titles that a chapter writes out."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if (
-            isinstance(node, ast.Call)
-            and isinstance(node.func, ast.Attribute)
-            and node.func.attr in TITLED
-            and node.args
-            and isinstance(node.args[0], ast.Constant)
-        ):
-            yield node.args[0].value
+@cache
+def calls(path):
+    """What a chapter calls with a text first: the name, and the text."""
+    return [
+        (node.func.attr, node.args[0].value)
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.args
+        and isinstance(node.args[0], ast.Constant)
+    ]
 
 
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
-def test_no_title_leans_on_the_step_before(path):
-    assert [title for title in titles(path) if LEANS.match(str(title))] == []
+def titles():
+    """Titles that a chapter writes out, each with its file."""
+    return [(path, t) for path in shipped() for name, t in calls(path) if name in TITLED]
+
+
+def test_no_title_leans_on_the_step_before():
+    assert [title for title in titles() if LEANS.match(str(title[1]))] == []
 
 
 ENDS_IN = re.compile(
@@ -38,11 +43,10 @@ ENDS_IN = re.compile(
 )
 
 
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
-def test_the_title_of_a_step_says_what_holds(path):
+def test_the_title_of_a_step_says_what_holds():
     """It is no beginning of a sentence that the formula ends, and no bare word."""
-    whole = set(lemmas(path))  # a theorem's title may end so: "if the stiffer one is"
-    assert [t for t in titles(path) if ENDS_IN.match(str(t)) and t not in whole] == []
+    whole = lemmas()  # a theorem's title may end so: "if the stiffer one is"
+    assert [t for t in titles() if ENDS_IN.match(str(t[1])) and t not in whole] == []
 
 
 ALONE = re.compile(
@@ -52,21 +56,13 @@ ALONE = re.compile(
 )
 
 
-def lemmas(path):
-    """Titles of a chapter's theorems, which stand alone in the table of their part."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if (
-            isinstance(node, ast.Call)
-            and isinstance(node.func, ast.Attribute)
-            and node.func.attr == "lemma"
-            and isinstance(node.args[0], ast.Constant)
-        ):
-            yield node.args[0].value
+def lemmas():
+    """Titles of theorems, which stand alone in the table of their part, each with its file."""
+    return [(path, t) for path in shipped() for name, t in calls(path) if name == "lemma"]
 
 
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
-def test_the_title_of_a_theorem_says_what_it_says_without_its_page(path):
-    assert [title for title in lemmas(path) if ALONE.match(title)] == []
+def test_the_title_of_a_theorem_says_what_it_says_without_its_page():
+    assert [title for title in lemmas() if ALONE.match(title[1])] == []
 
 
 STALE = re.compile(
@@ -74,12 +70,12 @@ STALE = re.compile(
 )
 
 
-@pytest.mark.parametrize("path", shipped(), ids=lambda path: path.stem)
-def test_a_chapter_is_referred_to_by_its_name_and_not_by_where_it_stands(path):
-    text = path.read_text(encoding="utf-8")
-    words = re.sub(r'"\s*\n\s*r?"', "", text)  # literals that Python joins
-    assert STALE.findall(words) == []
-    assert set(re.findall(r"\\chapter\{(\w+)\}", words)) <= set(numbers())
+def test_a_chapter_is_referred_to_by_its_name_and_not_by_where_it_stands():
+    for path in shipped():
+        text = path.read_text(encoding="utf-8")
+        words = re.sub(r'"\s*\n\s*r?"', "", text)  # literals that Python joins
+        assert STALE.findall(words) == [], path
+        assert set(re.findall(r"\\chapter\{(\w+)\}", words)) <= set(numbers()), path
 
 
 @pytest.mark.parametrize(

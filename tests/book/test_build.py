@@ -85,6 +85,13 @@ def test_committed_text_is_what_is_derived(chapters):
     assert build.differences(build.text_files(chapters), ROOT / "reports") == ""
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Without the pictures of what was measured, which other tests look at."""
+    monkeypatch.setattr(build, "_measured", lambda folder, say: None)
+
+
+@pytest.mark.usefixtures("undrawn")
 def test_a_stale_report_shows_as_a_diff(some, tmp_path):
     build.write(some, tmp_path, pdf=False, say=lambda _: None)
     assert build.differences(build.text_files(some), tmp_path) == ""
@@ -149,12 +156,6 @@ def test_an_overfull_line_is_an_error(tmp_path):
     )
     with pytest.raises(tex.ReportError, match="Overfull"):
         tex.typeset(tmp_path, say=lambda _: None)
-
-
-@pytest.fixture
-def undrawn(monkeypatch):
-    """Without the pictures of what was measured, which other tests look at."""
-    monkeypatch.setattr(build, "_measured", lambda folder, say: None)
 
 
 @pytest.mark.usefixtures("undrawn")

@@ -62,3 +62,11 @@ def inlined(routine, routines, kept=lambda _: False):
     found = written(routine, routine.arguments)
     names = [name for name, _ in routine.results]
     return replace(routine, steps=tuple(done), results=tuple(zip(names, found, strict=True)))
+
+
+def program(routine, modules):
+    """The list of its results as a function of its arguments, all of its steps in one piece."""
+    results = [expr for _, expr in routine.results]
+    return sp.lambdify(
+        routine.arguments, results, modules, cse=lambda found: (list(routine.steps), found)
+    )

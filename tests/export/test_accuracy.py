@@ -37,7 +37,7 @@ FEW = {"max_stable_stiffness": 200, "passivity_boundary": 500, "passivity_margin
 SLOPES = {DOUBLE: 240, SINGLE: 60}
 """And of those with derivatives."""
 SOME, SOME_SLOPES = 200, 60
-"""So many of the same in `make test`, the hard cases first; `make check` has all."""
+"""So many of the same in `make test`, the hard cases first; `make check` has the others, too."""
 GOALS = {
     "discretize": 2, "discretize_fractional": 4, "characteristic_polynomial": 4, "linear_limit": 4,
     "passivity_margin_at": 4, "passivity_margin": 4, "passivity_boundary": 8,
@@ -46,17 +46,30 @@ GOALS = {
 """What was asked for: 2 for the plant, 4 for passivity, 8 for boundaries and extreme points."""
 
 
-def cases(*tables):
+def cases(*tables, wanted=lambda *_: True):
     return pytest.mark.parametrize(
         ("records", "precision", "name"),
         [(table, precision, name) for table in tables for precision in table
-         for name in table[precision]],
+         for name in table[precision] if wanted(table, precision, name)],
         ids=lambda x: "derivatives" if x is DERIVATIVES else "musl" if x is MEASURED_WITH_MUSL else
             "results" if x is MEASURED else getattr(x, "name", x),
     )  # fmt: skip
 
 
+def counts(records, precision, name):
+    """How many points there are, and how many of these `make test` has."""
+    if records is DERIVATIVES:
+        return SLOPES[precision], SOME_SLOPES
+    return FEW.get(name, COUNT), SOME
+
+
+def has_others(*case):
+    count, some = counts(*case)
+    return count > some
+
+
 every = cases(MEASURED, DERIVATIVES)
+every_other = cases(MEASURED, DERIVATIVES, wanted=has_others)
 AT_HOME = libm.tag() == MEASURED_ON
 """Whether the mathematical library is that of the records; figures may only shrink there."""
 
@@ -109,19 +122,28 @@ def points(form, count, precision):
     return columns(form, np.random.default_rng(2), count, precision)
 
 
-@needs_gcc
-@pytest.mark.parametrize("all_", [False, pytest.param(True, marks=pytest.mark.slow)])
-@every
-def test_no_error_is_larger_than_the_recorded_one(records, precision, name, compiled, all_):
-    """All hard cases and some others; the record is that of 10^5 points, of derivatives 10^4."""
-    slopes = records is DERIVATIVES
-    form, run = compiled(name, precision, slopes)
-    count = SLOPES[precision] if slopes else FEW.get(name, COUNT)
-    arrays = points(form, count, precision)
-    arrays = [a if all_ else a[: SOME_SLOPES if slopes else SOME] for a in arrays]
+def are_within_the_record(records, precision, name, compiled, share):
+    form, run = compiled(name, precision, records is DERIVATIVES)
+    arrays = [a[share] for a in points(form, counts(records, precision, name)[0], precision)]
     for result, (off, point) in error.compare(form, arrays, run(arrays), precision).items():
         table = DERIVATIVES if "_by_" in result else MEASURED
         assert round(off, 2) <= most(table, precision, name), (result, point)
+
+
+@needs_gcc
+@every
+def test_no_error_is_larger_than_the_recorded_one(records, precision, name, compiled):
+    """All hard cases and some others; the record is that of 10^5 points, of derivatives 10^4."""
+    some = slice(counts(records, precision, name)[1])
+    are_within_the_record(records, precision, name, compiled, some)
+
+
+@pytest.mark.slow
+@needs_gcc
+@every_other
+def test_nor_is_one_of_the_others(records, precision, name, compiled):
+    others = slice(counts(records, precision, name)[1], None)
+    are_within_the_record(records, precision, name, compiled, others)
 
 
 @needs_gcc
@@ -150,8 +172,7 @@ def test_with_musl_no_error_is_larger_than_the_recorded_one(records, precision, 
     (form,) = request.chosen([name])
     run = error.compiled(form, tmp_path, precision, exported.MUSL)
     record = records[precision][name]
-    count = FEW.get(name, COUNT)
-    some = [a[:SOME] for a in points(form, count, precision)]
+    some = [a[:SOME] for a in points(form, counts(records, precision, name)[0], precision)]
     for off, point in error.compare(form, some, run(some), precision).values():
         assert round(off, 2) <= record.error, point
     there = [np.array([x], dtype=precision.kind) for x in record.at]

@@ -111,68 +111,65 @@ def rows():
     return covering(FACTORS, allowed)
 
 
+@cache
 def grouped():
-    """Exports: their language, scene and precision, and the rows of functions that they have.
+    """Exports of each language and scene: their precision, and the rows of functions in them.
 
     Of forms for one delay only one is in an export, which has one function of each name.
     """
-    exports = {}
+    exports, apart = {}, {}
     for row in rows():
-        key = row["language"], row["scene"], row["precision"]
+        key = row["language"], row["scene"], row["precision"], row["function"]
         if ALL:
-            key = *key, row["function"], row["by"], row["delay"]
-        exports.setdefault(key, []).append(row)
-    found = []
-    for key, members in exports.items():
-        apart = {}
-        for row in members:
-            level = sum(other["function"] == row["function"] for other in apart.get("seen", []))
-            apart.setdefault("seen", []).append(row)
-            apart.setdefault(level, []).append(row)
-        found += [(*key[:3], chosen) for level, chosen in apart.items() if level != "seen"]
+            key = *key, row["by"], row["delay"]
+        level = apart[key] = apart.get(key, -1) + 1
+        exports.setdefault((*key[:3], key[3:] if ALL else (), level), []).append(row)
+    found = {}
+    for (language, scene, precision, *_), members in exports.items():
+        found.setdefault((language, scene), []).append((precision, members))
     return found
 
 
-EXPORTS = grouped()
+def each_of(languages):
+    """Languages and scenes as parameters of a test; their exports are chosen when it runs."""
+    cases = list(product(languages, FACTORS["scene"]))
+    ids = [f"{language}-{scene or 'everything'}" for language, scene in cases]
+    return pytest.mark.parametrize(("language", "scene"), cases, ids=ids)
 
 
-def named(exports):
-    """The exports as parameters of a test."""
-    names = "language", "scene", "precision", "members"
-    ids = [f"{i}-{e[0]}-{e[1] or 'everything'}-{e[2]}" for i, e in enumerate(exports)]
-    return pytest.mark.parametrize(names, exports, ids=ids)
-
-
-def written(language, scene, precision, members, folder, monkeypatch):
-    """The export of these rows, with fewer vectors, and its target."""
+def written(language, scene, folder, monkeypatch):
+    """The exports of a language and a scene, with fewer vectors: the target and folder of each."""
     monkeypatch.setattr(vectors, "_MOST", 12)
     few = lambda form, p: (*vectors._rows(form, p), *vectors._outside(form, p))  # noqa: E731
     monkeypatch.setattr(vectors, "vectors", few)
-    target = request.target(language, precision)
-    _, files = request.built(target, [asked(row) for row in members])
-    source = (text for name, text in files.items() if name.endswith(SOURCE))
-    assert max(len(line) for text in source for line in text.splitlines()) <= 100
-    request.write(files, folder)
-    return target
+    assert grouped()[language, scene]
+    for place, (precision, members) in enumerate(grouped()[language, scene]):
+        target = request.target(language, precision)
+        _, files = request.built(target, [asked(row) for row in members])
+        source = (text for name, text in files.items() if name.endswith(SOURCE))
+        assert max(len(line) for text in source for line in text.splitlines()) <= 100
+        request.write(files, folder / f"{place}")
+        yield target, folder / f"{place}"
 
 
 @pytest.mark.slow
-@named(EXPORTS)
-def test_the_self_test_passes(language, scene, precision, members, tmp_path, monkeypatch):
-    target = written(language, scene, precision, members, tmp_path / "out", monkeypatch)
-    said = run_all(target, "haptic", tmp_path / "out")
-    assert int(said.split()[0]) > 0
+@each_of(TARGETS)
+def test_the_self_test_passes(language, scene, tmp_path, monkeypatch):
+    for target, folder in written(language, scene, tmp_path, monkeypatch):
+        said = run_all(target, "haptic", folder)
+        assert int(said.split()[0]) > 0
 
 
 @pytest.mark.slow
-@named([export for export in EXPORTS if export[0] in ("c", "cpp", "microcontroller")])
-def test_nothing_is_undefined(language, scene, precision, members, tmp_path, monkeypatch):
+@each_of(["c", "cpp", "microcontroller"])
+def test_nothing_is_undefined(language, scene, tmp_path, monkeypatch):
     """The same in C and C++, compiled with sanitizers."""
-    target = written(language, scene, precision, members, tmp_path / "out", monkeypatch)
-    compile_, run = target.commands("haptic")
-    watched = [*compile_, "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-    monkeypatch.setattr(target, "commands", lambda _: [watched, run])
-    run_all(target, "haptic", tmp_path / "out")
+    watched = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+    for target, folder in written(language, scene, tmp_path, monkeypatch):
+        compile_, run = target.commands("haptic")
+        with monkeypatch.context() as patch:
+            patch.setattr(target, "commands", lambda _, c=compile_, r=run: [[*c, *watched], r])
+            run_all(target, "haptic", folder)
 
 
 def test_every_pair_occurs():

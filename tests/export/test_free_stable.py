@@ -1,9 +1,10 @@
 """Without a spring one quadratic and one angle decide: beside counted roots, and eigenvalues."""
 
+from itertools import product
+
 import numpy as np
 import oracle
 import pytest
-from export.covering import every_value
 from export.test_targets import run_all
 
 from symhaptic.export import request
@@ -72,7 +73,14 @@ def test_it_says_no_of_walls_that_hold_nothing_and_outside_the_domain(wall):
     assert free(0.1, 0.5, 0.3, 1.0)
 
 
-@pytest.mark.parametrize(("language", "precision"), every_value(TARGETS, ["double", "single"]))
+QUICK = [("c", "single"), *product(["numpy", "c", "fortran", "javascript"], ["double"])]
+
+
+@pytest.mark.parametrize(
+    ("language", "precision"),
+    [pytest.param(*case, marks=[] if case in QUICK else pytest.mark.slow)
+     for case in product(TARGETS, ["double", "single"])],
+)  # fmt: skip
 def test_the_self_test_passes(language, precision, tmp_path):
     """With fractions, too, of which roots are counted."""
     try:

@@ -7,8 +7,7 @@ import mpmath
 import numpy as np
 import oracle
 import pytest
-import sympy as sp
-from export.inlining import inlined
+from export.inlining import inlined, program
 from mpmath import mpf
 
 from symhaptic.export import fused, request
@@ -30,26 +29,15 @@ OWN = {"NextWave": ["CosNext", "SinNext"]}
 
 
 @cache
-def program(name):
-    """Arguments, steps and results of a routine, each as a function of the symbols in it."""
-    found = inlined(named(name, ROUTINES), ROUTINES)
+def in_digits(name):
+    """A routine in mpmath, its roundings left out."""
     modules = [{n: partial(alone, n) for n in ROUTINES}, {"TwoProdError": lambda *_: 0}, "mpmath"]
-
-    def function(expr):
-        needs = sorted(sp.sympify(expr).free_symbols, key=str)
-        return needs, sp.lambdify(needs, expr, modules)
-
-    steps = [(symbol, *function(expr)) for symbol, expr in found.steps]
-    return found.arguments, steps, [function(expr) for _, expr in found.results]
+    return program(inlined(named(name, ROUTINES), ROUTINES), modules)
 
 
 def run(name, *values):
     """All results, in as many digits as are asked for."""
-    arguments, steps, results = program(name)
-    known = dict(zip(arguments, values, strict=True))
-    for symbol, needs, step in steps:
-        known[symbol] = step(*(known[s] for s in needs))
-    return [result(*(known[s] for s in needs)) for needs, result in results]
+    return in_digits(name)(*values)
 
 
 def alone(name, *values):

@@ -5,7 +5,7 @@ import shutil
 import tomllib
 
 import pytest
-from export.covering import every_value
+from export.covering import every_value, one_of
 from export.test_languages import LIBM, exported, needs, run
 
 import symhaptic
@@ -74,7 +74,7 @@ def test_pkg_config_finds_it(installed, tmp_path, monkeypatch):
     run(["./user"], tmp_path)
 
 
-@pytest.mark.parametrize("language", USERS)
+@pytest.mark.parametrize("language", one_of(USERS, "c"))
 def test_nothing_is_undefined(language, folders):
     """Neither the self-test nor the controller reads or writes where it must not."""
     needs("gcc", "g++")

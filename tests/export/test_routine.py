@@ -5,7 +5,7 @@ from functools import cache, partial
 import mpmath
 import pytest
 import sympy as sp
-from export.inlining import inlined
+from export.inlining import inlined, program
 from mpmath import mpf
 from sympy import Max, Piecewise
 from sympy.codegen.cfunctions import expm1
@@ -87,24 +87,15 @@ def test_closed_branches_are_the_definition(name):
 
 
 @cache
-def steps(name):
-    """The steps of a routine in mpmath: each one's name, what it is made of, and a function."""
-    routine = inlined(ROUTINES[name], ROUTINES)
+def in_digits(name):
+    """A routine in mpmath, which has nothing to put back then."""
     modules = [{n: partial(run, n) for n in ROUTINES}, {"TwoProdError": lambda *_: 0}, "mpmath"]
-    found = []
-    for symbol, expr in (*routine.steps, (None, routine.results[0][1])):
-        of = sorted(sp.sympify(expr).free_symbols, key=str)
-        found.append((symbol, of, sp.lambdify(of, expr, modules)))
-    return routine.arguments, found
+    return program(inlined(ROUTINES[name], ROUTINES), modules)
 
 
 def run(name, *values):
-    """A routine in as many digits as are asked for, which has nothing to put back then."""
-    arguments, found = steps(name)
-    known = dict(zip(arguments, values, strict=True))
-    for symbol, of, made in found:
-        known[symbol] = made(*(known[s] for s in of))
-    return known[None]
+    """Its result in as many digits as are asked for."""
+    return in_digits(name)(*values)[0]
 
 
 PAIRS = [("0.01", "0.1"), ("3.99", "0.01"), ("3.9", "3.97"), ("4.9", "4.43"), ("3.99", "3"),
@@ -152,13 +143,10 @@ def test_a_long_angle_in_single_precision_is_turned_back(name):
     """Beside the library's sine, in many digits: three floats of pi reach 1e-20 of an angle."""
     routines = known(PRECISIONS["single"])
     single = inlined(routines[name], routines)
-    functions = {"TwoProdError": lambda *_: 0}
+    turned = program(single, [{"TwoProdError": lambda *_: 0}, "mpmath"])
     for steps, angle in [(0, "0.3"), (1, "1.4"), (7, "0.9"), (1000, "2.2"), (10**6, "3.1")]:
         with mpmath.workdps(60):
-            at = dict(zip(single.arguments, (mpf(steps), mpf(angle)), strict=True))
-            for symbol, expr in single.steps:
-                at[symbol] = sp.lambdify(list(at), expr, [functions, "mpmath"])(*at.values())
-            found = sp.lambdify(list(at), single.results[0][1], [functions, "mpmath"])(*at.values())
+            (found,) = turned(mpf(steps), mpf(angle))
             wave = mpmath.cos if name == "CosNext" else mpmath.sin
             assert abs(found - wave((steps + 1) * mpf(angle))) < 1e-14
 

@@ -1,5 +1,7 @@
 """Borders and largest values found by trying: halving and a search, with eigenvalues as judge."""
 
+from functools import cache
+
 import mpmath
 import numpy as np
 import oracle
@@ -14,6 +16,16 @@ def edge(inside, outside, holds, steps=48):
     return inside
 
 
+def first_edge(inside, outside, hold, rounds=12):
+    """Where ``hold``, of many numbers at once, is first false: by sixteenths, as many digits."""
+    for _ in range(rounds):
+        tried = np.linspace(inside, outside, 17)
+        lost = int(np.argmin(np.append(hold(tried[1:-1]), False)))
+        inside, outside = tried[lost : lost + 2]
+    return float(inside)
+
+
+@cache
 def stiffest(gamma, delta, delay, low, high, top=4.0):
     """(alpha, beta) of the largest stable alpha, for low < beta < high.
 
@@ -22,7 +34,10 @@ def stiffest(gamma, delta, delay, low, high, top=4.0):
     """
 
     def most(beta):
-        return edge(1e-7 - gamma, top, lambda x: oracle.stable(x, beta, gamma, delta, delay))
+        def hold(alphas):
+            return oracle.moduli(alphas, beta, gamma, delta, delay).max(axis=-1) < 1
+
+        return first_edge(1e-7 - gamma, top, hold)
 
     found = minimize_scalar(
         lambda beta: -most(beta), bounds=(low, high), method="bounded", options={"xatol": 1e-7}

@@ -134,13 +134,12 @@ def test_without_a_spring_the_verdict_is_that_of_the_eigenvalues():
         beta = rng.uniform(-1, 4) / (d + 1) * (1 + delta)
         loop = Loop(alpha, beta, 0.0, delta)
         plant, top, wall = (abs(part) for part in loop.parts(np.pi))
-        given = {**loop.plant, **loop.wall}
         strong = top * wall >= plant
-        left = [number(shown(FREE, "What the plant has over the wall is a quadratic"), y=y, **given)
-                for y in np.linspace(0.01, 3.99, 25)]  # fmt: skip
         stable = oracle.stable(alpha, beta, 0.0, delta, d)
         if strong:
-            assert max(left) < 0
+            given = {**loop.plant, **loop.wall}
+            quadratic = shown(FREE, "What the plant has over the wall is a quadratic")
+            assert max(number(quadratic, y=y, **given) for y in np.linspace(0.01, 3.99, 25)) < 0
             assert not stable
         else:
             angles = np.linspace(1e-4, np.pi, 4001)

@@ -61,9 +61,8 @@ WRONG_UNITS = {
 SECTIONS = {"1": "I", "2": "II", "3": "III", "4": "IV", "5": "V", "6": "VI"}
 
 
-@pytest.mark.parametrize("id", CONTRACT)
-def test_contract_names_a_statement(id):
-    assert STATEMENTS[id].id == id
+def test_contract_names_statements():
+    assert [STATEMENTS[id].id for id in CONTRACT] == CONTRACT
 
 
 def test_what_is_beyond_the_contract_belongs_to_a_section():
@@ -72,24 +71,22 @@ def test_what_is_beyond_the_contract_belongs_to_a_section():
         assert id[1] in SECTIONS, id
 
 
-@pytest.mark.parametrize("id", STATEMENTS)
-def test_statement_has_a_location_and_says_something(id):
-    statement = STATEMENTS[id]
-    assert statement.location.startswith(("Sec. ", "Table ", "Fig. "))
-    assert statement.says.strip()
-    assert statement.text.strip()
+def test_statements_have_a_location_and_say_something():
+    for id, statement in STATEMENTS.items():
+        assert statement.location.startswith(("Sec. ", "Table ", "Fig. ")), id
+        assert statement.says.strip(), id
+        assert statement.text.strip(), id
 
 
-@pytest.mark.parametrize("id", [i for i in CLAIMS if i in STATEMENTS])
-def test_claim_stands_in_the_section_of_its_id(id):
-    section, part = SECTIONS[id[1]], id[2].upper()
-    place = f"Sec. {section}" + (f"-{part}" if part.isalpha() else "")
-    assert STATEMENTS[id].location == place
+def test_claims_stand_in_the_section_of_their_ids():
+    for id in CLAIMS:
+        section, part = SECTIONS[id[1]], id[2].upper()
+        place = f"Sec. {section}" + (f"-{part}" if part.isalpha() else "")
+        assert STATEMENTS[id].location == place, id
 
 
-@pytest.mark.parametrize("id", EQUATIONS)
-def test_equation_is_printed_and_readable(id):
-    assert STATEMENTS[id].printed
+def test_equations_are_printed_and_readable():
+    assert [id for id in EQUATIONS if not STATEMENTS[id].printed] == []
 
 
 @pytest.mark.parametrize("id", [i for i, s in STATEMENTS.items() if s.latex])

@@ -2,6 +2,7 @@
 
 import ast
 import random
+from functools import cache
 from pathlib import Path
 
 import mpmath
@@ -15,12 +16,16 @@ from symhaptic.proof.theorems.familiar import axiom
 from symhaptic.proof.theorems.kernel import NotShown
 
 
+@cache
+def function(term, symbols):
+    return sp.lambdify(symbols, term, "mpmath")
+
+
 def true(claim, values):
     """A proposition of relations at numbers, None where it says more than relations do."""
     if isinstance(claim, Relation):
         left, right = (
-            mpmath.mpmathify(sp.lambdify(list(values), t, "mpmath")(*values.values()))
-            for t in claim.terms
+            mpmath.mpmathify(function(t, tuple(values))(*values.values())) for t in claim.terms
         )
         close = abs(left - right) < mpmath.mpf(10) ** -30 * (1 + abs(left))
         if claim.sign in ("=", "!="):

@@ -36,20 +36,33 @@ def functions(form: Form) -> Any:
     return type("Terms", (), {k: staticmethod(v) for k, v in space.items() if callable(v)})
 
 
-def exactly(form: Form, point: list[float]) -> list[Any]:
-    """The results of a form, and after them their derivatives if it has any."""
-    return list(_exactly(form, tuple(point), flint.ctx.prec))
+_FEW, _TOLD = 320, 100
+"""Bits that balls are tried with first, and so many of each result they have to tell then."""
 
 
 @lru_cache(maxsize=8192)  # several exports are held against the same points
-def _exactly(form: Form, point: tuple[float, ...], precision: int) -> list[Any]:
+def exactly(form: Form, point: tuple[float, ...]) -> tuple[Any, ...]:
+    """The results of a form, and after them their derivatives if it has any.
+
+    Few bits tell nearly all of them; where the balls are wide or none, as many are taken as the
+    arguments may ask for.
+    """
+    with flint.ctx.workprec(_FEW):
+        found = _in_balls(form, point)
+        if all(x.is_finite() and x.rel_accuracy_bits() >= _TOLD for x in found):
+            return found
+    with flint.ctx.workprec(bits(point)):
+        return _in_balls(form, point)
+
+
+def _in_balls(form: Form, point: tuple[float, ...]) -> tuple[Any, ...]:
     plain = form.plain or form
     found = list(EXACT[plain.name](*point))
     named = {s.name: v for s, v in zip(form.arguments, point, strict=True)}
     names = [name.rpartition("_by_")[2] for name, _ in form.results[len(plain.results) :]]
     for by in dict.fromkeys(names):
         found += slopes(plain.name, named, by)
-    return found
+    return tuple(found)
 
 
 def measure(
@@ -137,7 +150,7 @@ def largest(form: Form, arrays: list[Array]) -> Array:
     return np.array(sizes)
 
 
-def _ends(form: Form, point: list[float], precision: Precision) -> bool:
+def _ends(form: Form, point: tuple[float, ...], precision: Precision) -> bool:
     """Whether the passivity boundary behind a fraction has ended one last place of theta ahead.
 
     There no float tells on which side of its end it is.
@@ -145,7 +158,7 @@ def _ends(form: Form, point: list[float], precision: Precision) -> bool:
     if (form.plain or form).name != "passivity_boundary":
         return False
     theta, *others = point
-    return not exactly(form, [theta + precision.ulp(theta), *others])[0].is_finite()
+    return not exactly(form, (theta + precision.ulp(theta), *others))[0].is_finite()
 
 
 def errors(form: Form, arrays: list[Array], found: Array, precision: Precision = DOUBLE) -> Array:
@@ -153,9 +166,9 @@ def errors(form: Form, arrays: list[Array], found: Array, precision: Precision =
     sizes = largest(form, arrays)
     off = np.zeros(found.shape)
     for k in range(arrays[0].size):
-        point = [float(a[k]) for a in arrays]
-        with flint.ctx.workprec(bits(point)):
-            exact = exactly(form, point)
+        point = tuple(float(a[k]) for a in arrays)
+        exact = exactly(form, point)
+        with flint.ctx.workprec(_FEW):
             for i in range(len(form.results)):
                 size = float(sizes[i][k])
                 beyond = size < precision.tiny or size > precision.huge  # of NaN neither

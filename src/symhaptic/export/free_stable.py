@@ -12,8 +12,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import sympy as sp
-from sympy import And, Expr, Max, atan2, pi, sqrt
+from sympy import And, Basic, Max, atan2, pi, sqrt
 
+from symhaptic.export.once import rewritten
 from symhaptic.export.precision import Precision
 from symhaptic.export.root_count import alpha, apart, at_minus_one, beta, d, loss, n0, n1, together
 from symhaptic.export.routine import Routine, Steps, choose
@@ -26,7 +27,9 @@ ARGUMENTS = alpha, beta, d, n1, n0, at_minus_one, loss, together, apart
 def with_free_verdict(form: Form) -> Form:
     """The form with one call for the verdict on a loop without a spring behind a whole delay."""
 
-    def told(verdict: Expr) -> Expr:
+    def told(verdict: Basic) -> Basic:
+        if not isinstance(verdict, Stable):
+            return verdict
         roots, *_, spring, _ = verdict.args
         if spring != 0 or not isinstance(roots, WholeRoots):
             return verdict
@@ -35,10 +38,7 @@ def with_free_verdict(form: Form) -> Form:
 
     return replace(
         form,
-        results=tuple(
-            (name, expr.replace(lambda e: isinstance(e, Stable), told))
-            for name, expr in form.results
-        ),
+        results=tuple((name, rewritten(expr, told)) for name, expr in form.results),
     )
 
 

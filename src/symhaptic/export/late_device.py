@@ -9,9 +9,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import sympy as sp
-from sympy import Expr
+from sympy import Basic, Expr
 
 from symhaptic.export.fused import LateApart, LateFirst, LateLast, merged
+from symhaptic.export.once import parts, rewritten
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import Routine
 from symhaptic.export.shared import routine
@@ -45,11 +46,11 @@ def late_device() -> Routine:
 
 def with_late_device(form: Form) -> Form:
     """The form with one call for these numbers, where it asks the parts of a period for no more."""
-    gaps = set().union(*(e.atoms(FractionalNumeratorGap) for e in form.expressions))
-    parts = {gap.args[0] for gap in gaps}
-    if len(parts) != 1:
+    gaps = {p for p in parts(form.expressions) if isinstance(p, FractionalNumeratorGap)}
+    fractions = {gap.args[0] for gap in gaps}
+    if len(fractions) != 1:
         return form
-    (part,) = parts
+    (part,) = fractions
     apart, first, last = _numbers(part)
     if apart not in gaps:
         return form
@@ -58,15 +59,17 @@ def with_late_device(form: Form) -> Form:
         frozenset(last.args): LateLast(gamma, delta, part),
     }
 
-    def told(product: Expr) -> Expr:
+    def told(product: Basic) -> Basic:
+        if not product.is_Mul:
+            return product
         for factors, number in ends.items():
             if factors <= set(product.args):
                 return sp.Mul(*set(product.args) - factors, number)
         return product
 
     called = {apart: LateApart(gamma, delta, part)}
-    found = [e.xreplace(called).replace(lambda e: e.is_Mul, told) for e in form.expressions]
-    left = set().union(*(e.atoms(PlantN0, PlantN1) for e in found))
+    found = [rewritten(e.xreplace(called), told) for e in form.expressions]
+    left = (call for call in parts(found) if isinstance(call, PlantN0 | PlantN1))
     if any(call.args != (gamma, delta) for call in left):
         return form
     names = (name for name, _ in form.results)

@@ -168,7 +168,8 @@ def library(
         add(one)
     if merges and target.leaves_zeros_out:
         found, public = without_zeros(ordered, public)
-        ordered = {name: found[name] for name in ordered if name in _reached(found, public)}
+        reached = _reached(found, public)
+        ordered = {name: found[name] for name in ordered if name in reached}
     for one in (*ordered.values(), *public):
         for missing in sorted(operations(one) - set(target.operations)):
             raise Refused(f"{target.name}: has no operation {missing!r}, which {one.name} needs")

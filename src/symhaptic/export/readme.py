@@ -14,6 +14,7 @@ from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.module import Library
+from symhaptic.export.once import parts
 from symhaptic.export.precision import Precision
 from symhaptic.export.rounding import Goal, told
 from symhaptic.export.target import Target, beyond, sizes
@@ -95,8 +96,8 @@ def _contract(library: Library) -> list[str]:
 
 def _meanings(library: Library) -> dict[str, str]:
     """What the formulas are made of, and what that is made of."""
-    atoms = {f for form in library.forms for e in form.expressions for f in e.atoms(sp.Function)}
-    found = {type(f).__name__: f.meaning for f in atoms if hasattr(f, "meaning")}
+    every = parts(e for form in library.forms for e in form.expressions)
+    found = {type(f).__name__: f.meaning for f in every if hasattr(f, "meaning")}
     for name in ("Kick", "Echo", "PlantN0", "PlantN1", "Spread", "Chord", "C", "S"):
         if any(re.search(rf"\b{name}\b", text) for text in found.values()):
             found[name] = ALL[name].meaning

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Piecewise, Symbol
+from sympy import Basic, Expr, Piecewise, Symbol
 from sympy.logic.boolalg import Boolean
 
+from symhaptic.export.once import parts, rewritten
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, Step, choose
 from symhaptic.forms.form import Form
+from symhaptic.forms.implicit import ImplicitFunction
 
 
 @cache
@@ -19,9 +21,10 @@ def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     """A form with its common subexpressions shared, and what its arguments have to be."""
     taken = {s.name for e in form.expressions for s in e.free_symbols}
     fresh = (Symbol(n) for n in (f"t{i}" for i in range(10**6)) if n not in taken)
-    given, together = _apart(form.expressions)
+    numbers = _searched_numbers(form.expressions, fresh)
+    given, together = _apart(tuple(e.xreplace(numbers) for e in form.expressions))
     steps, results = sp.cse(given, symbols=fresh, order="canonical")
-    done: list[Step] = []
+    done: list[Step] = [(name, call) for call, name in numbers.items()]
     inverse: dict[Expr, Expr] = {}
     for name, expr in steps:
         if isinstance(expr, Boolean):  # what is chosen by is asked where it is
@@ -38,6 +41,12 @@ def routine(form: Form, precision: Precision = DOUBLE) -> Routine:
     return Routine(
         form.name, form.title, form.arguments, tuple(done), results, within, form.outside
     )
+
+
+def _searched_numbers(exprs: tuple[Expr, ...], fresh: Iterator[Symbol]) -> dict[Expr, Symbol]:
+    """Names of what is searched for and hangs on nothing: SymPy would look for its value."""
+    calls = {p for p in parts(exprs) if isinstance(p, ImplicitFunction) and not p.free_symbols}
+    return {call: next(fresh) for call in sorted(calls, key=sp.default_sort_key)}
 
 
 def _is_count(expr: Expr) -> bool:
@@ -64,9 +73,11 @@ def _apart(exprs: tuple[Expr, ...]) -> tuple[list[Expr], Callable[[list[Expr]], 
         return [choose(sp.Eq(found[-1], first.rhs), *pair) for pair in pairs]
 
     def side(expr: Expr, k: int) -> Expr:
-        return expr.replace(
-            lambda e: isinstance(e, Piecewise) and e.args[0][1] == first, lambda e: e.args[k][0]
-        )
+        def told(part: Basic) -> Basic:
+            decided = isinstance(part, Piecewise) and part.args[0][1] == first
+            return part.args[k][0] if decided else part
+
+        return rewritten(expr, told)
 
     sides = [side(e, k) for k in (0, 1) for e in exprs]
     return [*sides, first.lhs], together

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.export.once import parts
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Repeat, Routine, Several
 from symhaptic.notation import SYMBOLS
@@ -307,14 +308,15 @@ def sizes(form: Form, precision: Precision) -> str:
 @cache
 def calls(routine: Routine) -> frozenset[str]:
     """Names of the routines that a routine calls."""
-    found = {f.func.__name__ for e in routine.expressions for f in e.atoms(sp.Function)}
+    functions = (f for f in parts(routine.expressions) if isinstance(f, sp.Function))
+    found = {f.func.__name__ for f in functions}
     return frozenset(found - {*OPERATIONS, "Piecewise", "Divisor"})
 
 
 @cache
 def operations(routine: Routine) -> frozenset[str]:
     """The shared operations that a routine needs."""
-    atoms = {a for e in routine.expressions for a in sp.preorder_traversal(e)}
+    atoms = parts(routine.expressions)
     names = {type(a).__name__ for a in atoms}
     roots = any(a.is_Pow and abs(a.args[1]) == sp.S.Half for a in atoms if isinstance(a, Expr))
     return frozenset(names & set(OPERATIONS)) | ({"sqrt"} if roots else set())
