@@ -342,7 +342,7 @@ class Field:
 
     def are_equal(self, left: Expr, right: Expr) -> bool:
         """Whether two of the field's expressions are the same wherever both are defined."""
-        ours, theirs = self.image(left), self.image(right)
+        ours, theirs = (self._ring.shortened(self.image(side)) for side in (left, right))
         return self._is_zero(self._ring.sum(ours, Fractional(-theirs.num, theirs.den)))
 
     def _is_zero(self, image: Fractional) -> bool:

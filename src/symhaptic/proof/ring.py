@@ -146,6 +146,14 @@ class Ring:
                 poly = relation[degree] * lower - parts[top] * rest
         return poly
 
+    def shortened(self, quotient: Fractional) -> Fractional:
+        """An equal quotient, of remainders modulo the monic relations where its divisor has one."""
+        num, den = quotient.num, quotient.den
+        for modulus in reversed(self.moduli.values()):
+            spend(len(num) + len(den))
+            num, den = num % modulus, den % modulus
+        return quotient if den.is_zero() else Fractional(num, den)
+
     def by_power(self, poly: fmpq_mpoly, index: int) -> dict[int, fmpq_mpoly]:
         """The coefficients of the powers of one generator."""
         split: dict[int, dict[tuple[int, ...], fmpq]] = {}
