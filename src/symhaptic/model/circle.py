@@ -56,7 +56,8 @@ def quotient(expr: Expr, by: Expr) -> Expr:
     names = sorted(expr.free_symbols | by.free_symbols, key=str)
     context = fmpq_mpoly_ctx.get([f"g{i}" for i in range(len(names))], "lex")
     known = dict(zip(names, context.gens(), strict=True))
-    found, rest = divmod(*(_polynomial(part, context, known) for part in (expr, by)))
+    whole, share = (_polynomial(part, context, known) for part in (expr, by))
+    found, rest = divmod(whole, share)
     if not rest.is_zero():
         raise ValueError(f"{by} does not divide {expr}")
     return _sum({_monomial(names, exponents): c for exponents, c in found.to_dict().items()})
@@ -74,7 +75,7 @@ def _powers_of_sum(expr: Expr, of: sp.Symbol) -> dict[int, Expr]:
 
 def _terms(expr: Expr) -> dict[Monomial, fmpq]:
     """The terms that a Laurent polynomial is the sum of."""
-    below = [p for p in expr.atoms(sp.Pow) if p.base.is_Symbol and p.exp.is_Integer and p.exp < 0]
+    below = [p for p in expr.atoms(sp.Pow) if p.base.is_Symbol and p.exp.is_Integer and p.exp.p < 0]
     inverse = {p.base: sp.Dummy("1/") for p in below}
     moved = expr.xreplace({p: inverse[p.base] ** -p.exp for p in below})
     names = sorted(moved.free_symbols | inverse.keys() | {z}, key=str)
@@ -121,8 +122,8 @@ def _polynomial(expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpol
     if expr.is_Add or expr.is_Mul:
         parts = (_polynomial(part, context, names) for part in expr.args)
         return reduce(add if expr.is_Add else mul, parts)
-    if expr.is_Pow and expr.exp.is_Integer and expr.exp > 0:
-        return _polynomial(expr.base, context, names) ** int(expr.exp)
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp.p > 0:
+        return _polynomial(expr.base, context, names) ** int(expr.exp.p)
     raise ValueError(f"{expr} is no polynomial with rational coefficients")
 
 

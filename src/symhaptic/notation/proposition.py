@@ -121,7 +121,7 @@ def _may_have_none(part: Expr) -> bool:
     """Whether a power or a function need not have a value where its arguments have."""
     if part.is_Pow:
         exponent = part.exp
-        return not (exponent.is_Rational and exponent >= 0)
+        return not (exponent.is_Rational and exponent.p >= 0)
     return part.func in _PARTIAL
 
 
@@ -264,9 +264,11 @@ def _placed(of: Proposition, places: Places) -> Places:
 
 
 def _equal(one: Expr, other: Expr, here: Places, there: Places) -> bool:
+    if not here:
+        return bool(one == other)
     if one == other and all(here.get(s) is there.get(s) for s in symbols_in(one)):
         return True
-    return bool(here) and one.xreplace(here) == other.xreplace(there)
+    return bool(one.xreplace(here) == other.xreplace(there))
 
 
 def _shared(of: Proposition, bound: frozenset[Symbol]) -> tuple[Any, ...]:

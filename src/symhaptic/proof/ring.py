@@ -105,8 +105,8 @@ class Ring:
                 coefficient *= fmpq(int(part.p), int(part.q))
                 continue
             base, power = part, 1
-            if part.is_Pow and part.args[1].is_Integer and part.args[1] > 0:
-                base, power = part.args[0], int(part.args[1])
+            if part.is_Pow and part.args[1].is_Integer and part.args[1].p > 0:
+                base, power = part.args[0], int(part.args[1].p)
             index = None if base.is_Add or base.is_Mul else self._index.get(base)
             if index is None:
                 others.append(part)

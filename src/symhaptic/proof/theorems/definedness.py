@@ -66,7 +66,7 @@ def _divisors(part: Expr) -> Iterable[tuple[Expr, Expr]]:
 
 
 def _not_negative(power: Expr) -> bool:
-    return bool(power.is_Rational and power >= 0)
+    return bool(power.is_Rational and power.p >= 0)
 
 
 def differs(number: Expr) -> bool:
