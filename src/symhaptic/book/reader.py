@@ -17,6 +17,7 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book import SELDOM
 from symhaptic.book.arrivals import arrived, sent
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
@@ -24,9 +25,6 @@ from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
 PAUSE = 0.5
 """Seconds after which a process that has nothing left to say has to end."""
-
-SELDOM = 200_000
-"""Objects made after which a process looks for cycles of them; SymPy makes few."""
 
 
 def context() -> BaseContext:
