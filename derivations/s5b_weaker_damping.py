@@ -47,8 +47,11 @@ def derive(page):
         "$\\varphi=\\frac12$ and $\\frac32$, as outside the curve is below its value at $1.1$; "
         "and between, $\\alpha/\\delta$ falls at each angle:"
     )
+    by_plant = STIFFNESS.subs(BALLS)
+    slope = dash(by_plant)
     for delay in (1, 2, 4, 8):
-        curve = STIFFNESS.subs(t, tan(phi / (2 * (delay + 1)))).subs(BALLS)
+        turn = {t: tan(phi / (2 * (delay + 1)))}
+        curve, rise = by_plant.xreplace(turn), slope.xreplace(turn)
         below = curve.subs(phi, NEAR) - curve
         for side in ((S.Zero, LOW), (HIGH, Rational(42, 10))):
             fact = box.positive(below, {**RANGES, phi: side}, GIVEN)
@@ -57,7 +60,7 @@ def derive(page):
             facts.append(
                 page.positive(f"For $d={delay}$ the curve is lower there", fact, on, name=name)
             )
-        falls = box.positive(curve - delta * dash(curve), {**RANGES, phi: (LOW, HIGH)}, GIVEN)
+        falls = box.positive(curve - delta * rise, {**RANGES, phi: (LOW, HIGH)}, GIVEN)
         page.positive(
             f"For $d={delay}$ the quotient $\\alpha/\\delta$ falls at each angle",
             falls,

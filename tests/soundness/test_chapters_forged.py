@@ -11,7 +11,7 @@ import pytest
 from sympy import S, Symbol, floor, sin
 from typer.testing import CliRunner
 
-from symhaptic.book.arrivals import arrived, sent
+from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
 from symhaptic.check.plugin import Agreement
@@ -452,9 +452,9 @@ def test_a_theorem_that_is_sent_by_its_place_is_what_stands_there(
 
 def test_a_theorem_by_its_place_means_nothing_to_who_has_none() -> None:
     true = number(proposition(S.Zero < Symbol("x")).at({Symbol("x"): S.One}))
-    (found,) = arrived(sent([true], [true]), Path("a.py"), [true])
+    (found,) = arrived(sent([true], places([true])), Path("a.py"), [true])
     assert found is true
-    assert isinstance(arrived(sent([true], [true]), Path("a.py")), BadChapter)
+    assert isinstance(arrived(sent([true], places([true])), Path("a.py")), BadChapter)
 
 
 def test_a_chapter_does_not_reach_who_waits_for_its_reader(tmp_path: Path) -> None:

@@ -15,11 +15,12 @@ import io
 import pickle
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PosixPath, WindowsPath
-from typing import Any, ClassVar
+from types import MappingProxyType
+from typing import Any, ClassVar, TypeAlias
 
 import sympy as sp
 from sympy import Basic
@@ -39,8 +40,17 @@ _PLAIN = {Counter, Path, PosixPath, WindowsPath, set, frozenset}
 _WRONG = (pickle.UnpicklingError, AttributeError, ImportError, LookupError, TypeError, ValueError)
 
 
-def sent(result: Any, known: Sequence[Theorem] = ()) -> bytes:
-    """A result as it is sent to who has derived these theorems."""
+Places: TypeAlias = Mapping[int, int]
+"""The place of each theorem that is known where a result arrives, by what it is."""
+
+
+def places(known: Sequence[Theorem]) -> Places:
+    """The places of theorems among those that are known, which have to be kept."""
+    return {id(theorem): place for place, theorem in enumerate(known)}
+
+
+def sent(result: Any, known: Places = MappingProxyType({})) -> bytes:
+    """A result as it is sent to who has derived the theorems at these places."""
     stream = io.BytesIO()
     _Writer(stream, known).dump(result)
     return stream.getvalue()
@@ -52,9 +62,9 @@ class _Writer(pickle.Pickler):
     What is wrong with a chapter is written as it is made, however other packages would have it.
     """
 
-    def __init__(self, file: io.BytesIO, known: Sequence[Theorem]) -> None:
+    def __init__(self, file: io.BytesIO, known: Places) -> None:
         super().__init__(file)
-        self.places = {id(theorem): place for place, theorem in enumerate(known)}
+        self.places = known
 
     def reducer_override(self, part: Any) -> Any:
         if type(part) is BadChapter:

@@ -28,12 +28,16 @@ class Beforehand:
 
     def __init__(self, paths: Sequence[Path]) -> None:
         self.lemmas: list[tuple[Lemma, ...]] = [tuple(_lemmas(path)) for path in paths]
+        self._derived: set[Lemma] = set()
 
-    def derive(self, number: int) -> None:
-        """Derive the lemmas of a chapter, as far as they are not derived here."""
-        for lemma in self.lemmas[number]:
+    def derive(self, number: int) -> bool:
+        """Derive the lemmas of a chapter that are not derived here; whether there were any."""
+        new = [lemma for lemma in self.lemmas[number] if lemma not in self._derived]
+        for lemma in new:
             with suppress(ValueError):  # told by the chapter that needs it
                 lemma()
+        self._derived.update(new)
+        return bool(new)
 
     def next(
         self, waiting: Collection[int], here: Collection[Lemma], elsewhere: Collection[Lemma]

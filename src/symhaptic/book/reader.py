@@ -17,16 +17,14 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any
 
-from symhaptic.book.arrivals import arrived, sent
+from symhaptic.book import SELDOM
+from symhaptic.book.arrivals import Places, arrived, places, sent
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
 PAUSE = 0.5
 """Seconds after which a process that has nothing left to say has to end."""
-
-SELDOM = 200_000
-"""Objects made after which a process looks for cycles of them; SymPy makes few."""
 
 
 def context() -> BaseContext:
@@ -61,15 +59,17 @@ def reads(
     how = context()
     if lemmas is None and how.get_start_method() == "fork":
         lemmas = Beforehand(paths)
+    known: Sequence[Theorem] = ()
+    there = places(known)
     while True:
         try:
             number = asked.recv()
         except EOFError:
             return
-        if lemmas is not None:
-            lemmas.derive(number)
-        known = at_hand() if lemmas is not None else []
-        result = _of_chapter(how, work, paths[number], known, asked)
+        if lemmas is not None and lemmas.derive(number):
+            known = at_hand()
+            there = places(known)  # so that the chapter's process need not touch each theorem
+        result = _of_chapter(how, work, paths[number], known, there, asked)
         found = result if isinstance(result, BadChapter) else then(result)
         asked.send_bytes(sent(found))
 
@@ -79,6 +79,7 @@ def _of_chapter(
     work: Callable[[Path], Any],
     path: Path,
     known: Sequence[Theorem],
+    there: Places,
     asked: Connection,
 ) -> Any:
     """What arrives from a chapter that runs in a process of its own, derived anew."""
@@ -86,7 +87,7 @@ def _of_chapter(
     ours, theirs = how.Pipe(duplex=False)
     not_its_own = (ours, asked) if how.get_start_method() == "fork" else ()
     process = how.Process(  # type: ignore[attr-defined]
-        target=_child, args=(work, path, theirs, known, not_its_own), daemon=True
+        target=_child, args=(work, path, theirs, there, not_its_own), daemon=True
     )
     process.start()
     gc.unfreeze()
@@ -109,7 +110,7 @@ def _child(
     work: Callable[[Path], Any],
     path: Path,
     connection: Connection,
-    known: Sequence[Theorem],
+    known: Places,
     not_its_own: Sequence[Connection],
 ) -> None:
     """What the process of a chapter does."""

@@ -49,10 +49,14 @@ class Arc:
 
     def coefficients(self, polynomial: Expr) -> list[arb]:
         """Its coefficients in balls, the lowest first, without those that are zero exactly."""
-        exact = [c.subs(self.exact).subs(self.exact) for c in self.form.coefficients(polynomial)]
+        exact = [self._exactly(c) for c in self.form.coefficients(polynomial)]
         while is_zero(exact[0]):
             exact.pop(0)
         return [ball(c, self.at, BITS).real for c in exact]
+
+    def _exactly(self, part: Expr) -> Expr:
+        """With what is known exactly, some of it by what else is."""
+        return part.xreplace(self.exact).xreplace(self.exact)
 
     def chords(self, polynomial: Expr) -> list[arb]:
         """Its zeros on the arc, in order."""
@@ -62,7 +66,7 @@ class Arc:
         """The point of the arc with this chord."""
         at = {**self.at, linear.CHORD: chord}
         right, up, size = (
-            ball(part.subs(self.exact).subs(self.exact), at, BITS).real
+            ball(self._exactly(part), at, BITS).real
             for part in (self.form.right, self.form.up, self.form.size)
         )
         with ctx.workprec(BITS):

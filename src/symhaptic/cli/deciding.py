@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from enum import StrEnum
 from pathlib import Path
@@ -124,6 +125,9 @@ def verify(
     os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
     from time import perf_counter
 
+    from symhaptic.book import SELDOM
+
+    gc.set_threshold(SELDOM)
     from symhaptic.book import chapters, ledger, listing, parallel
     from symhaptic.cli.foreign import judged, stale
 

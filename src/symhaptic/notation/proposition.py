@@ -42,7 +42,7 @@ def term(of: Any) -> Expr:
     """A term: an exact, commutative expression in plain symbols.  Text is refused."""
     if isinstance(of, (str, float, complex, bool)):
         raise NoTerm(f"{of!r} is no term; an exact SymPy expression is")
-    expr = sp.sympify(of)
+    expr = of if isinstance(of, Expr) else sp.sympify(of)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
     _looked_through(expr)
@@ -102,9 +102,11 @@ def _other(symbol: Symbol) -> Symbol:
     return sp.Dummy(symbol.name)
 
 
-@lru_cache(maxsize=1 << 15)
+@lru_cache(maxsize=1 << 16)
 def symbols_in(expr: Expr) -> frozenset[Symbol]:
     """The free symbols of a term."""
+    if type(expr) in _MADE:
+        return frozenset[Symbol]().union(*map(symbols_in, expr.args))
     return frozenset(expr.free_symbols)
 
 
@@ -119,7 +121,7 @@ def _may_have_none(part: Expr) -> bool:
     """Whether a power or a function need not have a value where its arguments have."""
     if part.is_Pow:
         exponent = part.exp
-        return not (exponent.is_Rational and exponent >= 0)
+        return not (exponent.is_Rational and exponent.p >= 0)
     return part.func in _PARTIAL
 
 
@@ -212,14 +214,13 @@ class Proposition:
         values = {s: v for s, v in values.items() if s in self.free and s != v}
         if not values:
             return self
-        met = frozenset[Symbol]().union(*map(symbols_in, values.values()))
-        fresh = {s: sp.Dummy(s.name) for s in self.bound if s in met}
-        inner = {**values, **fresh}
-        return self.made(
-            tuple(fresh.get(s, s) for s in self.bound),
-            replaced(self.terms, inner),
-            tuple(p.at(inner) for p in self.parts),
-        )
+        inner, bound = dict(values), self.bound
+        if bound:
+            met = frozenset[Symbol]().union(*map(symbols_in, values.values()))
+            inner |= {s: sp.Dummy(s.name) for s in bound if s in met}
+            bound = tuple(inner.get(s, s) for s in bound)
+        terms = replaced(self.terms, inner) if self.terms else ()
+        return self.made(bound, terms, tuple(p.at(inner) for p in self.parts))
 
 
 def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
@@ -263,9 +264,11 @@ def _placed(of: Proposition, places: Places) -> Places:
 
 
 def _equal(one: Expr, other: Expr, here: Places, there: Places) -> bool:
+    if not here:
+        return bool(one == other)
     if one == other and all(here.get(s) is there.get(s) for s in symbols_in(one)):
         return True
-    return bool(here) and one.xreplace(here) == other.xreplace(there)
+    return bool(one.xreplace(here) == other.xreplace(there))
 
 
 def _shared(of: Proposition, bound: frozenset[Symbol]) -> tuple[Any, ...]:

@@ -195,10 +195,12 @@ def _in_balls(expr: Expr, variable: sp.Symbol, at: dict[Expr, Expr | acb | arb])
     return first
 
 
-def _reduced_inside(rising: list[acb]) -> bool:
+def _reduced_inside(rising: list[acb] | list[arb]) -> bool:
     """Schur's reduction in balls, down to a constant, which is not zero: all is a zero of 0."""
+    if all(c.imag.is_zero() for c in rising):
+        rising = [c.real for c in rising]
     while len(rising) > 1:
-        mirrored = [c.conjugate() for c in reversed(rising)]
+        mirrored = [c.conjugate() if isinstance(c, acb) else c for c in reversed(rising)]
         share = rising[0] / mirrored[0]
         if not abs(share) < 1:
             return False

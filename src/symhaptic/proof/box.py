@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from heapq import heappop, heappush
 
 import sympy as sp
@@ -224,10 +224,9 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     if complex_parts and not is_real(expr):
         raise NotShown(f"{expr} is not shown to be real")
 
-    size = sum(1 for _ in sp.preorder_traversal(expr))
-    others = sorted(unbound, key=str)
+    size, symbols = _size(expr), sorted(symbols_in(expr), key=str)
     try:
-        run = program(expr, [*box, *others])
+        run = program(expr, symbols)
     except Uncheckable as wrong:
         raise Unsupported(str(wrong)) from None
 
@@ -238,12 +237,19 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
         if not further.keys().isdisjoint(values):
             raise NotShown("a symbol of the box is given a meaning as well")
         if not further.keys() >= unbound:
-            raise Unsupported(f"no ball for {', '.join(map(str, others))}")
-        found = run(*values.values(), *(acb(further[s]) for s in others))
+            raise Unsupported(f"no ball for {', '.join(sorted(map(str, unbound)))}")
+        values.update(further)
+        found = run(*(acb(values[s]) for s in symbols))
         real = found.imag.contains(0) if complex_parts else found.imag.is_zero()
         return found.real if real and found.is_finite() else arb("nan")
 
     return value
+
+
+@lru_cache(maxsize=1 << 14)
+def _size(expr: Expr) -> int:
+    """So many operations and numbers it is made of."""
+    return 1 + sum(map(_size, expr.args))
 
 
 def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[[], list[Value]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr
@@ -139,8 +140,12 @@ def _proportional(field: Field, ours: Expr, theirs: Expr, signed: bool) -> bool:
 
 def field_name(field: Field) -> str:
     """A field by its generators, as LaTeX."""
-    generators = [g for g in field.generators() if not g.has(sp.Dummy)]
-    inner = ",".join(latex(g) for g in generators)
+    return _named_field(tuple(g for g in field.generators() if not g.has(sp.Dummy)))
+
+
+@lru_cache(maxsize=1 << 8)
+def _named_field(generators: tuple[Expr, ...]) -> str:
+    inner = ",".join(map(latex, generators))
     return rf"$\mathbb{{Q}}({inner})$" if inner else r"$\mathbb{Q}$"
 
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from math import lcm
 
 import sympy as sp
@@ -342,7 +343,7 @@ class Field:
 
     def are_equal(self, left: Expr, right: Expr) -> bool:
         """Whether two of the field's expressions are the same wherever both are defined."""
-        ours, theirs = self.image(left), self.image(right)
+        ours, theirs = (self._ring.shortened(self.image(side)) for side in (left, right))
         return self._is_zero(self._ring.sum(ours, Fractional(-theirs.num, theirs.den)))
 
     def _is_zero(self, image: Fractional) -> bool:
@@ -410,17 +411,21 @@ class Field:
         logs = {log: base for base, log in self._logs.items()}
         shown: list[Expr] = list(self._outside)
         for i in self._generator:
-            exponent = self._basis[i][0] / self._denominators[i]
-            if not exponent.is_polynomial():
-                exponent = sp.cancel(exponent)
-            exponent = sp.expand(exponent)
-            if exponent.could_extract_minus_sign():
-                exponent = -exponent
+            exponent = _tidied(self._basis[i][0] / self._denominators[i])
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
         roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
+
+
+@lru_cache(maxsize=1 << 8)
+def _tidied(exponent: Expr) -> Expr:
+    """An exponent as it is shown, expanded and without a sign in front."""
+    if not exponent.is_polynomial():
+        exponent = sp.cancel(exponent)
+    exponent = sp.expand(exponent)
+    return -exponent if exponent.could_extract_minus_sign() else exponent
 
 
 def _check_commutes(expr: Expr) -> None:

@@ -80,22 +80,31 @@ def with_slopes(g: arb, dl: arb, by: tuple[sp.Symbol, ...]) -> tuple[tuple[arb, 
     )
 
 
+_ENTRIES = (gamma, -gamma, delta, -delta)
+
+
 @cache
-def _motion(by: tuple[sp.Symbol, ...]) -> list[list[Expr]]:
-    """exp([[X, X', ...], [0, X, 0], ...]) has exp(X) and its slopes in its first rows."""
+def _motion(by: tuple[sp.Symbol, ...]) -> list[list[int | arb]]:
+    """exp([[X, X', ...], [0, X, 0], ...]) has exp(X) and its slopes in its first rows.
+
+    An entry is a number, or a place in gamma, -gamma, delta, -delta.
+    """
     device = plant.normalised(FULL)
     whole = sp.zeros(3, 3)
     whole[:2, :2], whole[:2, 2] = device.state_matrix, device.input_matrix
     large = sp.diag(*[whole] * (len(by) + 1))
     for i, symbol in enumerate(by, 1):
         large[:3, 3 * i : 3 * i + 3] = whole.diff(symbol)
-    return [list(large.row(i)) for i in range(large.rows)]
+    return [
+        [_ENTRIES.index(x) if x.free_symbols else arb(int(x)) for x in large.row(i)]
+        for i in range(large.rows)
+    ]
 
 
 def _held(g: arb, dl: arb, by: tuple[sp.Symbol, ...]) -> tuple[arb, ...]:
     """Position after a period of unit force, and its derivatives."""
-    known = {gamma: g, -gamma: -g, delta: dl, -delta: -dl}
-    rows = [[known[x] if x in known else arb(int(x)) for x in row] for row in _motion(by)]
+    entries = (g, -g, dl, -dl)
+    rows = [[entries[x] if isinstance(x, int) else x for x in row] for row in _motion(by)]
     grown = arb_mat(rows).exp()
     return tuple(grown[0, 3 * i + 2] for i in range(len(by) + 1))
 

@@ -105,8 +105,8 @@ class Ring:
                 coefficient *= fmpq(int(part.p), int(part.q))
                 continue
             base, power = part, 1
-            if part.is_Pow and part.args[1].is_Integer and part.args[1] > 0:
-                base, power = part.args[0], int(part.args[1])
+            if part.is_Pow and part.args[1].is_Integer and part.args[1].p > 0:
+                base, power = part.args[0], int(part.args[1].p)
             index = None if base.is_Add or base.is_Mul else self._index.get(base)
             if index is None:
                 others.append(part)
@@ -145,6 +145,14 @@ class Ring:
                 lower = poly - parts[top] * main**top
                 poly = relation[degree] * lower - parts[top] * rest
         return poly
+
+    def shortened(self, quotient: Fractional) -> Fractional:
+        """An equal quotient, of remainders modulo the monic relations where its divisor has one."""
+        num, den = quotient.num, quotient.den
+        for modulus in reversed(self.moduli.values()):
+            spend(len(num) + len(den))
+            num, den = num % modulus, den % modulus
+        return quotient if den.is_zero() else Fractional(num, den)
 
     def by_power(self, poly: fmpq_mpoly, index: int) -> dict[int, fmpq_mpoly]:
         """The coefficients of the powers of one generator."""

@@ -35,9 +35,8 @@ def _nonzero(coefficient: Expr) -> bool:
     return False
 
 
-@lru_cache(maxsize=1 << 10)
 def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[int, Expr]:
-    """Exponent n and coefficient C of the leading term C (variable - at)^n.
+    """Exponent n and coefficient C of the leading term C (variable - at)^n, cancelled.
 
     Raises :class:`Unsupported` where it cannot be found exactly.
 
@@ -45,18 +44,25 @@ def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[
     >>> lowest_term((x - sp.sin(x))/x**2, x)
     (1, 1/6)
     """
+    order, coefficient = _lowest_term(expr, variable, at)
+    return order, sp.cancel(coefficient)
+
+
+@lru_cache(maxsize=1 << 10)
+def _lowest_term(expr: Expr, variable: sp.Symbol, at: Expr) -> tuple[int, Expr]:
+    """The same with a coefficient as it is found, a quotient."""
     eps = variable if at == 0 else sp.Dummy("eps")
     moved = as_exponentials(sp.sympify(expr, strict=True))
     moved = moved if at == 0 else moved.xreplace({variable: at + eps})
     for order in ORDERS:
         found = Field([moved, eps], Small(eps, order)).lowest(moved, _nonzero)
         if found is not None:
-            return found[0], sp.cancel(found[1])
+            return found
     raise Unsupported(f"no leading term up to order {ORDERS[-1]} in {variable}")
 
 
 def limit(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> Expr:
-    """The limit of ``expr`` as ``variable`` tends to ``at``, from its leading term.
+    """The limit of ``expr`` as ``variable`` tends to ``at``, a quotient that is not cancelled.
 
     Raises :class:`Unsupported` where the expression has a pole there.
 
@@ -64,7 +70,7 @@ def limit(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> Expr:
     >>> limit(sp.sin(d*x)/sp.sin(x), x)
     d
     """
-    order, coefficient = lowest_term(expr, variable, at)
+    order, coefficient = _lowest_term(expr, variable, at)
     if order < 0:
         raise Unsupported(f"pole of order {-order} at {variable} = {at}")
     return coefficient if order == 0 else sp.S.Zero

@@ -85,7 +85,7 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
     best, _, wall = passive_walls(late, ELEVEN)
     best = placed(best, {delta: damper})
     best = closed(best, *(fact(p) for p in best.hypotheses if not p.free))
-    values: Any = tuple(v.subs(delta, damper) for v in wall)
+    values: Any = tuple(v.xreplace({delta: damper}) for v in wall)
     softest = least(late * int(times), later[1])
 
     def below(wanted: Any) -> Theorem:

@@ -57,8 +57,8 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     here = {gamma: STIFF, delta: damper}
     ranges = {s: (v, v) for s, v in here.items()}
     angle = angle_of(damper, delay, level)
-    size, half = SQUARE.subs(theta, angle), cos(angle / 2)
-    along, across = (f(S(delay)).subs(theta, angle) for f in (stiffness, damping))
+    size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
+    along, across = (f(S(delay)).xreplace({theta: angle}) for f in (stiffness, damping))
     wall = {
         theta: angle,
         BESIDE[0]: along / (half * size),
@@ -79,8 +79,8 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     for shown, meant in zip(there[3:], symbolic, strict=True):
         # homogeneous of degree one in the wall and what is divided out
         difference = meant.right - meant.left
-        rest = difference.subs(dict.fromkeys(BESIDE, S.Zero))
-        scaled = (difference - rest).expand().subs(top) + rest * below
+        rest = difference.xreplace(dict.fromkeys(BESIDE, S.Zero))
+        scaled = (difference - rest).expand().xreplace(top) + rest * below
         parts.append(positive(shown, [on_curve(scaled), share]))
     found = witnessed(conjoined(*parts), some, wall)
     apart = not_zero(bottom), not_zero(on_curve(size))

@@ -14,6 +14,7 @@ from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_b
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
 from symhaptic.notation import delta, gamma, theta
+from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
@@ -57,12 +58,12 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
         found = placed(at_point(expr, ranges), here)
         return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
 
-    size, half = SQUARE.subs(theta, angle), cos(angle / 2)
-    height = stiffness(S(delay)).subs(theta, angle)
+    size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
+    height = stiffness(S(delay)).xreplace({theta: angle})
     curve = {
         theta: angle,
         tip_.over[1]: height / (half * size),
-        tip_.over[2]: damping(S(delay)).subs(theta, angle) / (sin(angle) * size),
+        tip_.over[2]: damping(S(delay)).xreplace({theta: angle}) / (sin(angle) * size),
     }
     apart = [not_zero(on_curve(size))]
     there = tip_.body.at(curve)
@@ -73,14 +74,14 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     most, near = there.of[3:]
     bottom = on_curve(half * size)
     more = over(
-        (1 + FINE) * curve[tip_.over[1]] - limit > 0,
+        Relation(S.Zero, "<", (1 + FINE) * curve[tip_.over[1]] - limit),
         on_curve((1 + FINE) * height - limit * half * size),
         bottom,
     )
     wanted = most.body.of[1]
     parts.append(for_all(WALL, [most.body.of[0]], positive(wanted, [bounded], [more])))
     less = over(
-        wall[0] - (1 - FINE) * curve[tip_.over[1]] > 0,
+        Relation(S.Zero, "<", wall[0] - (1 - FINE) * curve[tip_.over[1]]),
         on_curve(wall[0] * half * size - (1 - FINE) * height),
         bottom,
     )

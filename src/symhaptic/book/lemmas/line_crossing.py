@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Rational, S, Symbol, div, expand, pi
+from sympy import Add, Expr, Ne, Rational, S, Symbol, div, pi
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
@@ -70,7 +70,7 @@ def slow() -> Theorem:
 
 def start(value: Expr) -> Theorem:
     """0 <= f(-gamma), from the gap where it counts and from balls where it does not."""
-    resting = expand(value.subs(a, AT_REST))
+    resting = expanded(value.xreplace({a: AT_REST}))
     share, rest = div(resting, ROOM, e)
     moved = divided(value, a, AT_REST)
     turn = combined(Relation(a, "=", AT_REST), [device_static(assume(DEVICE)), -1])
@@ -103,14 +103,15 @@ def bent(value: Expr) -> Expr:
 def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
     """0 < f(x) from 0 < f(alpha), -gamma < x and x <= alpha."""
     above, more = positive(x + gamma > 0, -gamma < x), positive(alpha - x >= 0, x <= alpha)
+    first = start(expanded(value.xreplace({alpha: -gamma})))
     length = positive(alpha + gamma > 0, [above], [more])
-    rows: list[list[Any]] = [[above, there], [more, start(expand(value.subs(alpha, -gamma)))]]
+    rows: list[list[Any]] = [[above, there], [more, first]]
     curve = bent(value)
     if curve != 0:
         wide = (-STIFF, TOP[delay])
         down = on_box(-curve, {**RANGES, alpha: wide, x: wide})
         rows.append([more, above, length, down])
-    here = value.subs(alpha, x)
+    here = value.xreplace({alpha: x})
     apart = positive(Ne(alpha + gamma, 0), [length])
     return closed(over(here > 0, positive((alpha + gamma) * here > 0, *rows), length), apart)
 
@@ -123,7 +124,7 @@ def stays_stable(delay: int) -> Theorem:
     known = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
     parts = []
     for claim in conjuncts(known.conclusion):
-        value = expand(claim.right)  # type: ignore[attr-defined]
+        value = expanded(claim.right)  # type: ignore[attr-defined]
         there = combined(Relation(S.Zero, "<", value), [part(known, claim)])
         parts.append(softer(value, there, delay))
     goals = conjuncts(wanted.conclusion.of[1])  # type: ignore[attr-defined]
@@ -160,7 +161,7 @@ DAMPING = -Rational(22, 1000), Rational(2, 5)
 def in_the_triangle(delay: int) -> Theorem:
     """A wall above the line, -gamma < alpha, with at most the damping of a stable wall x on it."""
     share = delay + S.Half
-    there = expand((beta + delta) / share)
+    there = expanded((beta + delta) / share)
     [line] = (r.subs(d, delay) for r in transcribed("eq25"))
     less = positive(there - alpha > 0, [1 / share, line])
     above = positive(alpha + gamma > 0, -gamma < alpha)
@@ -183,7 +184,7 @@ def in_the_triangle(delay: int) -> Theorem:
             parts.append(combined(claim, [on_box(value, wide)]))
         else:
             higher = combined(
-                Relation(S.Zero, "<", expand(value.subs(alpha, there))),
+                Relation(S.Zero, "<", expanded(value.xreplace({alpha: there}))),
                 [part(known, _like(claim, known, there))],
             )
             fall = -divided(value, alpha, y)

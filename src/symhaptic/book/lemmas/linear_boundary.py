@@ -194,7 +194,7 @@ def level(delay: int) -> Theorem:
     boundary, value = assume(here(delay)), minor(delay)
     left, unstable, every = (part(boundary, claim) for claim in conjuncts(here(delay)))
     before = closed(placed(inequalities(delay)[-1], {alpha: x}), _at(every, x))
-    end = tends(value.subs(alpha, x), x, alpha, value)
+    end = tends(value.xreplace({alpha: x}), x, alpha, value)
     above = closed(in_the_limit(before, x, -gamma, alpha, end), left)
     stable = closed(enough(delay), left, *_inside(delay))
     contrary = absurd(stable, unstable)
@@ -217,7 +217,9 @@ def reached(delay: int) -> Theorem:
     known = closed(inequalities(delay)[-1], assume(wall))
     unstable = absurd(known, zero, wall)
     less = assume(x < alpha)
-    more = positive(value.subs(alpha, x) > 0, [less, falls(delay)], [zero, -1])
+    more = positive(
+        Relation(S.Zero, "<", value.xreplace({alpha: x})), [less, falls(delay)], [zero, -1]
+    )
     stable = placed(enough(delay), {alpha: x})
     ends = (
         positive(x <= TOP[delay], [less], alpha <= TOP[delay]),

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Ne, Rational, S, expand
+from sympy import Ne, Rational, S
 
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
@@ -18,6 +18,7 @@ from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import apart_of
+from symhaptic.model.circle import expanded
 from symhaptic.model.linear import CHORD
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import Exists, Relation, both
@@ -55,7 +56,7 @@ def wall(delay: int) -> Theorem:
         return combined(claim, [quotient(top, size)], [stiff, share_])
 
     left = by_stiffness(-gamma < alpha, positive(CHORD * right > 0, [chord, wide]))
-    soft = on_box(expand(TOP[delay] * area - CHORD * right + gamma * area), RANGE)
+    soft = on_box(expanded(TOP[delay] * area - CHORD * right + gamma * area), RANGE)
     low = combined(beta > LOW, [quotient(on_box(up - LOW * area, RANGE), size)], [damped, -1])
     slim = positive(CHORD * (10 * area - right) > 0, [chord, on_box(10 * area - right, RANGE)])
     near = combined(
@@ -95,11 +96,13 @@ def _away(delay: int) -> Theorem:
     """0 < -(error + 0.02) times its denominator: the gap is more than y takes away."""
     right, up, area = arc(delay)
     above = up + delta * area - share(delay) * (CHORD * right - gamma * area)
-    value = expand(-above - LEVEL * share(delay) * CHORD * right)
-    rate = expand((value - value.subs(CHORD, 0)) / CHORD)
-    room = on_box(expand(TOTAL**2 / TIMES + rate), RANGE)
+    value = expanded(-above - LEVEL * share(delay) * CHORD * right)
+    rate = expanded((value - value.xreplace({CHORD: S.Zero})) / CHORD)
+    room = on_box(expanded(TOTAL**2 / TIMES + rate), RANGE)
     return combined(
-        value > 0, [Rational(1, TIMES), together(), assume(BY_GAP)], [assume(CHORD > 0), room]
+        Relation(S.Zero, "<", value),
+        [Rational(1, TIMES), together(), assume(BY_GAP)],
+        [assume(CHORD > 0), room],
     )
 
 
@@ -108,8 +111,8 @@ def in_the_corner() -> Theorem:
     """What the claim ``corner`` concludes, under its hypotheses."""
     chord = TIMES * ROOM / TOTAL
     wide = together()
-    heavy = on_box(expand(TOTAL - 100 * TIMES * MOST / delta), RANGES)
-    small = on_box(expand(TINY * TOTAL - TIMES * MOST), RANGES)
+    heavy = on_box(expanded(TOTAL - 100 * TIMES * MOST / delta), RANGES)
+    small = on_box(expanded(TINY * TOTAL - TIMES * MOST), RANGES)
     least = combined(chord > 0, [TIMES, gap(strict=True)])
     first = positive(
         delta * TOTAL - 100 * TIMES * ROOM >= 0, [100 * TIMES, narrow()], [delta > 0, heavy]

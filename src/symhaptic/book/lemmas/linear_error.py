@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from sympy import Rational, expand
+from sympy import Rational, S
 
 from symhaptic.book.lemmas.linear_boundary import (
     HIGH,
@@ -32,8 +32,9 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import apart_of
+from symhaptic.model.circle import expanded
 from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
@@ -128,13 +129,14 @@ def below_the_ray(delay: int) -> Theorem:
     contrary = assume(steep * A <= b)
     lift = placed(on(delay, slope(delay, b, b_1)), {b: steep * A, b_1: b})
     damped = delta + share(delay) * gamma
-    on_ray = value.subs(b, steep * A)
-    rate = expand((on_ray - on_ray.subs(A, 0)) / A) - BEND[delay] * (damped - steep * A)
+    on_ray = value.xreplace({b: steep * A})
+    along = expanded((on_ray - on_ray.xreplace({A: S.Zero})) / A)
+    rate = along - BEND[delay] * (damped - steep * A)
     high = box(delay)[b][1]
     narrow = on_box(rate, {**RANGES, A: (0, high / steep)})
     least = positive(damped - steep * A >= 0, [contrary], b <= damped)
     gain = positive(
-        value > 0,
+        Relation(S.Zero, "<", value),
         [contrary, lift],
         [at_start(delay)],
         [A > 0, narrow],

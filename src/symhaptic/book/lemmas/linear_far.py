@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from sympy import Expr, Ne, S, Symbol, cancel, expand
+from sympy import Expr, Ne, S, Symbol
 
-from symhaptic.book.lemmas.arm_numbers import NUMBERS, TOTAL, together
+from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached, turn
 from symhaptic.book.lemmas.linear_rays import (
@@ -20,7 +20,9 @@ from symhaptic.book.lemmas.linear_rays import (
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import apart_of
 from symhaptic.model import linear
-from symhaptic.notation import a, alpha, beta, d, delta, gamma
+from symhaptic.model.circle import expanded
+from symhaptic.model.plant import Sampled
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0
 from symhaptic.notation.proposition import Exists, Relation, both
 from symhaptic.paper.propositions.linear_error import (
     LEVEL,
@@ -42,20 +44,25 @@ from symhaptic.proof.theorems.tactics import closed, over, positive
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 
+_TOTAL = Symbol("t")
+"""A name for n_1 + n_0, by which polynomials are divided."""
+
 
 @cache
 def arc(delay: int) -> tuple[Expr, Expr, Expr]:
     """(alpha + gamma)/y, beta and |nu + (1 - nu) z|^2, times that and (n_1 + n_0)^2."""
-    form = linear.arc(delay)
-    found = (expand(cancel(expand(f.subs(NUMBERS) * TOTAL**2))) for f in form[:2] + form[3:])
-    right, up, area = found
-    return expand(right / linear.CHORD), up, area
+    form, numbers = linear.arc(delay), linear.numbers(Sampled(_TOTAL - n_0, n_0, a, e))
+    right, up, area = (
+        expanded(expanded(f.xreplace(numbers) * _TOTAL**2).xreplace({_TOTAL: TOTAL}))
+        for f in form[:2] + form[3:]
+    )
+    return expanded(right / linear.CHORD), up, area
 
 
 def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     """The claim ``far`` for the arms of a box, by the wall with y = spring gamma + more."""
     chord = spring * gamma + more
-    right, up, area = (expand(f.subs(linear.CHORD, chord)) for f in arc(delay))
+    right, up, area = (expanded(f.xreplace({linear.CHORD: chord})) for f in arc(delay))
     there = {alpha: chord * right / area - gamma, beta: up / area}
     stiff, damped = (assume(Relation(s, "=", w)) for s, w in there.items())
     known = {f: on_box(f, ranges) for f in (right, area, spring * right - area)}
@@ -71,7 +78,7 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     left = by_stiffness(-gamma < alpha, positive(chord * right > 0, [least, known[right]]))
     pulled = [[gamma >= 0, known[spring * right - area]], *([[more, known[right]]] if more else [])]
     push = by_stiffness(alpha >= 0, positive(chord * right - gamma * area >= 0, *pulled))
-    room_ = on_box(expand(TOP[delay] * area - chord * right + gamma * area), ranges)
+    room_ = on_box(expanded(TOP[delay] * area - chord * right + gamma * area), ranges)
     less = by_damping(beta < 0, on_box(-up, ranges), 1)
     ends = (
         positive(alpha <= TOP[delay], [by_stiffness(alpha < TOP[delay], room_, 1)]),
@@ -111,7 +118,7 @@ def quotient(top: Theorem, bottom: Theorem) -> Theorem:
 def on_the_circle(delay: int, stiff: Theorem, damped: Theorem) -> Theorem:
     """The minor of this wall is zero."""
     value = minor(delay)
-    bare = value.subs(a, AT_REST)
+    bare = value.xreplace({a: AT_REST})
     w, v = (relation(t).right for t in (stiff, damped))
     found = identity(bare.xreplace({alpha: w, beta: v}), S.Zero)
     for place, line, known in ((alpha, stiff, {beta: v}), (beta, damped, {})):
@@ -126,11 +133,11 @@ def _away(delay: int, chord: Expr, ranges: Ranges, least: Theorem) -> Theorem:
     right, up, area = arc(delay)
     place = linear.CHORD
     above = up + delta * area - share(delay) * (place * right - gamma * area)
-    value = expand(-above - LEVEL * share(delay) * place * right)
-    first = value.subs(place, 0)
-    rest = expand((value - first) / place).subs(place, chord)
+    value = expanded(-above - LEVEL * share(delay) * place * right)
+    first = value.xreplace({place: S.Zero})
+    rest = expanded((value - first) / place).xreplace({place: chord})
     return combined(
-        value.subs(place, chord) > 0,
+        Relation(S.Zero, "<", value.xreplace({place: chord})),
         [room(), together()],
-        [least, on_box(expand(rest), ranges)],
+        [least, on_box(expanded(rest), ranges)],
     )

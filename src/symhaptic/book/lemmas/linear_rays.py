@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Ne, Rational, S, Symbol, div, symbols
+from sympy import Add, Expr, Ne, Rational, S, Symbol, symbols
 
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
@@ -21,8 +21,8 @@ from symhaptic.book.lemmas.linear_boundary import (
     turn,
 )
 from symhaptic.book.lemmas.stiffest_stable import on_box
-from symhaptic.model.circle import expanded, powers
-from symhaptic.notation import a, alpha, beta, delta, e, gamma
+from symhaptic.model.circle import expanded, powers, quotient
+from symhaptic.notation import a, alpha, beta, delta, gamma
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.theorems.familiar import ordered, square
@@ -55,7 +55,7 @@ def coordinates(delay: int) -> dict[Symbol, Expr]:
 def minor_at(delay: int) -> Expr:
     """The minor as a function of A and b, without a."""
     wall = {alpha: A - gamma, beta: b - delta - share(delay) * gamma}
-    return expanded(minor(delay).subs(a, AT_REST).subs(wall, simultaneous=True))
+    return expanded(minor(delay).xreplace({a: AT_REST}).xreplace(wall))
 
 
 def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
@@ -86,7 +86,7 @@ def zero(delay: int) -> Theorem:
 def stiffer(delay: int) -> Theorem:
     """A < A_1 for b < b_1, of two walls with a minor of zero."""
     value = minor_at(delay)
-    there = value.subs({A: A_1, b: b_1}, simultaneous=True)
+    there = value.xreplace({A: A_1, b: b_1})
     up = on(delay, slope(delay, b, b_1))
     down = on(delay, -slope(delay, A, A_1))
     later = placed(up, {A: A_1})
@@ -104,7 +104,7 @@ def zero_of(value: Expr) -> Theorem:
 
 def bent(delay: int) -> Expr:
     """-f[0, y, 1] of the minor f along the ray to (A_1, b_1)."""
-    way = minor_at(delay).subs({A: y * A_1, b: y * b_1}, simultaneous=True)
+    way = minor_at(delay).xreplace({A: y * A_1, b: y * b_1})
     rising = powers(way, y)
     return expanded(-Add(*(c * y**i for k, c in rising.items() for i in range(k - 1))))
 
@@ -147,9 +147,9 @@ def wedge(delay: int) -> Theorem:
 def _above_the_ray(delay: int) -> Theorem:
     """Falsehood, from b_1 A <= b A_1: the wall would lie above the ray to the other one."""
     value = minor_at(delay)
-    there = value.subs({A: A_1, b: b_1}, simultaneous=True)
+    there = value.xreplace({A: A_1, b: b_1})
     lift = placed(on(delay, slope(delay, b, b_1)), {A: y * A_1, b: y * b_1, b_1: b})
-    here = value.subs(A, y * A_1)
+    here = value.xreplace({A: y * A_1})
     more = assume(y * b_1 <= b)
     rest, part_way = positive(1 - y > 0, y < 1), positive(y > 0, y > 0)
     first = at_start(delay)
@@ -189,13 +189,11 @@ def _above_the_ray(delay: int) -> Theorem:
 @cache
 def start_by_gap(delay: int) -> Expr:
     """How often the gap is in the minor at the start of the line."""
-    share_, rest = div(minor_at(delay).subs({A: 0, b: 0}), ROOM, e)
-    assert rest == 0
-    return expanded(share_)
+    return quotient(minor_at(delay).xreplace({A: S.Zero, b: S.Zero}), ROOM)
 
 
 @cache
 def at_start(delay: int) -> Theorem:
     """The minor is not negative at the start of the line."""
-    first = minor_at(delay).subs({A: 0, b: 0})
+    first = minor_at(delay).xreplace({A: S.Zero, b: S.Zero})
     return combined(Relation(S.Zero, "<=", first), [room(), on_box(start_by_gap(delay), RANGES)])

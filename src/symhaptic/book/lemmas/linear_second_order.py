@@ -93,12 +93,12 @@ def _tangent() -> Theorem:
     fall = closed(rising(exp, -_BEFORE, S.Zero), positive(-_BEFORE < 0, _BEFORE > 0))
     slope_ = positive(diff(rest, _BEFORE) > 0, [fall])
     found = grows(rest, _BEFORE, S.Zero, _PLACE, slope_)
-    return positive(rest.subs(_BEFORE, _PLACE) > 0, [found])
+    return positive(rest.xreplace({_BEFORE: _PLACE}) > 0, [found])
 
 
 def on_line(delay: int) -> Expr:
     """The minor on the line, as a function of A."""
-    return expanded(minor_at(delay).subs(b, share(delay) * A))
+    return expanded(minor_at(delay).xreplace({b: share(delay) * A}))
 
 
 @cache
@@ -116,11 +116,11 @@ def curvature(delay: int) -> Expr:
 def rates(delay: int) -> dict[Symbol, Expr]:
     """How the slope of the minor at the start of the line is made of what is small."""
     loss = 1 + gamma * n_0 - (delta + gamma / 2) * TOTAL - GAP
-    slope_ = along(delay)[1].subs(e, loss).subs(n_1, n_0 + UNEVEN)
+    slope_ = along(delay)[1].xreplace({e: loss}).xreplace({n_1: n_0 + UNEVEN})
     rest, found = expanded(slope_), {}
     for small in (UNEVEN, delta, gamma, GAP):
         found[small] = divided(rest, small, S.Zero).xreplace(MEANT)
-        rest = rest.subs(small, 0)
+        rest = rest.xreplace({small: S.Zero})
     assert rest == 0
     return found
 
@@ -128,7 +128,7 @@ def rates(delay: int) -> dict[Symbol, Expr]:
 def curved(delay: int, bow: Expr) -> Expr:
     """(f(A, line + bow) - f(A, line))/bow of the minor f."""
     ends = {b: share(delay) * A, b_1: share(delay) * A + bow}
-    return slope(delay, b, b_1).subs(ends, simultaneous=True)
+    return slope(delay, b, b_1).xreplace(ends)
 
 
 ABOVE = CONSTANT * A**2
@@ -140,7 +140,7 @@ BELOW = -CONSTANT * (delta + gamma) * (A + gamma)
 def positive_above(delay: int) -> Theorem:
     """The minor is positive at the surplus 3 A^2."""
     rate = rates(delay)
-    value = minor_at(delay).subs(b, share(delay) * A + ABOVE)
+    value = minor_at(delay).xreplace({b: share(delay) * A + ABOVE})
     bent = CONSTANT * curved(delay, ABOVE) + curvature(delay)
     width, less = assume(A > 0), pushed()[2]
     return combined(
@@ -158,7 +158,7 @@ def positive_above(delay: int) -> Theorem:
 def negative_below(delay: int) -> Theorem:
     """The minor is not positive at the surplus -3 (delta + gamma) (A + gamma)."""
     rate, weight = rates(delay), start_by_gap(delay)
-    value = minor_at(delay).subs(b, share(delay) * A + BELOW)
+    value = minor_at(delay).xreplace({b: share(delay) * A + BELOW})
     push = CONSTANT * curved(delay, BELOW)
     width, spring, loss = assume(A > 0), assume(gamma >= 0), assume(delta >= 0)
     by_loss = push - rate[delta] - rate[UNEVEN] / 6
@@ -206,7 +206,7 @@ def not_below(delay: int) -> Theorem:
     value, bow = minor_at(delay), share(delay) * A + BELOW
     contrary, width = assume(b < bow), assume(A > 0)
     lift = placed(_between(delay, b_1, b), {b: bow, b_1: b})
-    there = value.subs(b, bow)
+    there = value.xreplace({b: bow})
     gain = combined(Relation(S.Zero, "<", there), [contrary, lift], [zero_of(value), -S.One])
     less = positive(share(delay) * A - bow >= 0, *_products(width))
     top = share(delay) * BOX[A][1]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
-import sympy as sp
 from sympy import Expr, Ne, S, Symbol, cos, sin
 
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.model.circle import expanded
 from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, s_1, s_2, theta
 from symhaptic.notation.proposition import And, Predicate, Proposition, Relation, Terms
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
@@ -85,7 +85,10 @@ def apart(arm: Terms) -> tuple[Theorem, ...]:
     """What limits divide by is not zero: of n_1 + n_0 and, without a given arm, the gap."""
     total = placed(together(), dict(arm)) if arm else together()
     powers = [(n, k) for k in (1, 2, 3) for n in (1, 2, 12)]
-    found = [positive(Ne(sp.expand(n * TOTAL**k), 0), [n, *[total] * k]) for n, k in powers]
+    found = [
+        positive(Relation(expanded(n * TOTAL**k), "!=", S.Zero), [n, *[total] * k])
+        for n, k in powers
+    ]
     return (*found, *(() if arm else divisors()))
 
 
@@ -110,8 +113,8 @@ def divisors() -> tuple[Theorem, ...]:
     below = closed(positive(start < 0, [2, above, total]), apart)
     return (
         apart,
-        positive(Ne(sp.expand(TOTAL**2), 0), [total, total]),
-        positive(Ne(sp.expand(2 * TOTAL**2), 0), [2, total, total]),
+        positive(Relation(expanded(TOTAL**2), "!=", S.Zero), [total, total]),
+        positive(Relation(expanded(2 * TOTAL**2), "!=", S.Zero), [2, total, total]),
         positive(Ne(d + HALF, 0), [d >= 0], [HALF]),
         positive(Ne(start, 0), [below]),
     )

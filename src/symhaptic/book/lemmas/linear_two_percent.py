@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from sympy import Expr, Rational, S, Symbol, expand
+from sympy import Expr, Rational, S, Symbol
 
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW
@@ -35,6 +35,7 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import apart_of
+from symhaptic.model.circle import expanded
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import Or, Proposition, Relation, negated
 from symhaptic.paper.propositions.linear_error import (
@@ -98,18 +99,19 @@ def within(delay: int, most: Expr) -> Theorem:
 def _above_the_ray(delay: int, most: Expr) -> Theorem:
     """0.98 (d + 1/2) A <= b of a wall with a minor of zero and gamma <= A."""
     steep, value = STEEP * share(delay), minor_at(delay)
-    on_ray = value.subs(b, steep * A)
+    on_ray = value.xreplace({b: steep * A})
     top, high = (box(delay)[s][1] for s in (A, b))
     wide = {**RANGES, A: (0, top), b: (LOW, high), b_1: (LOW, steep * top)}
     lift = placed(on_box(slope(delay, b, b_1), wide), {b_1: steep * A})
     contrary = assume(b < steep * A)
-    gain = combined(on_ray > 0, [contrary, lift], [zero_of(value), -S.One])
-    way = on_ray.subs(A, y * A)
+    above = Relation(S.Zero, "<", on_ray)
+    gain = combined(above, [contrary, lift], [zero_of(value), -S.One])
+    way = on_ray.xreplace({A: y * A})
     along, rest = assume(y > 0), assume(y <= 1)
     bent_ = placed(bent_downwards(delay), {A_1: A, b_1: steep * A})
     less = combined(
         Relation(y * on_ray, "<=", S.Zero),
-        [assume(way < 0)],
+        [assume(Relation(way, "<", S.Zero))],
         [rest, at_start(delay)],
         [along, rest, bent_],
     )
@@ -139,13 +141,13 @@ def _above_the_ray(delay: int, most: Expr) -> Theorem:
 def _below_at_gamma(delay: int, most: Expr) -> Theorem:
     """The minor is negative on the ray at A = gamma: by its rate, and as the gap is narrow."""
     steep, value = STEEP * share(delay), minor_at(delay)
-    on_ray = value.subs(b, steep * A)
+    on_ray = value.xreplace({b: steep * A})
     part_ = start_by_gap(delay)
-    rate = expand((on_ray - on_ray.subs(A, 0)) / A).subs(A, gamma)
+    rate = expanded((on_ray - on_ray.xreplace({A: S.Zero})) / A).xreplace({A: gamma})
     arms = {gamma: (STIFF, STIFF), delta: (0, most)}
-    falls = on_box(expand(-rate - part_ * MOST / gamma), arms)
+    falls = on_box(expanded(-rate - part_ * MOST / gamma), arms)
     heavy = on_box(part_, RANGES)
-    claim = on_ray.subs(A, gamma) < 0
+    claim = Relation(on_ray.xreplace({A: gamma}), "<", S.Zero)
     return combined(claim, [positive(gamma > 0, gamma >= STIFF, [STIFF]), falls], [heavy, narrow()])
 
 

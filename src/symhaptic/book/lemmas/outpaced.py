@@ -15,10 +15,11 @@ from sympy import Expr, S, cos
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
+from symhaptic.model.circle import powers
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta
 from symhaptic.notation.proposition import Relation, whole
 from symhaptic.proof import box
-from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
+from symhaptic.proof.plants import BALLS, LATE, named
 from symhaptic.proof.theorems.familiar import loop_of_device, ordered, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -69,11 +70,11 @@ def room() -> Theorem:
 def beyond() -> dict[str, Expr]:
     """-ROOM at alpha + u and beta: its coefficients of powers of u, and of v for beta."""
     plain = {c: sp.Dummy() for c in ROOM.atoms(cos)}
-    form = sp.Poly(-ROOM.xreplace(plain), alpha, beta)
+    form = powers(-ROOM.xreplace(plain), alpha)
     back = {c: f for f, c in plain.items()}
     one, u, v, uu, uv, vv = (
-        form.coeff_monomial(m).xreplace(back)
-        for m in (1, alpha, beta, alpha**2, alpha * beta, beta**2)
+        powers(form[i], beta).get(j, S.Zero).xreplace(back)
+        for i, j in ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
     )
     raised = {"": one + u * alpha + uu * alpha**2, "u": u + 2 * uu * alpha, "v": v + uv * alpha}
     return {**raised, "uu": uu, "uv": uv, "vv": vv}
@@ -81,10 +82,9 @@ def beyond() -> dict[str, Expr]:
 
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a small box, by balls."""
-    names = {s: s for s in (LOSS, TOGETHER, LATE, AT_ONE)}
-    found = box.positive(sp.sympify(expr).xreplace(BALLS), ranges, named(names))
+    found = box.positive(sp.sympify(expr), ranges, named({**BALLS, n_0: LATE}))
     certificate: Any = found.certificates[0]
-    return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
+    return on_plants(certificate)
 
 
 def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem:

@@ -88,7 +88,7 @@ def answer(late: bool = False) -> Theorem:
     given = applied(held, applied(units, assume(claim)))
     alive, apart, equation = (part(given, p) for p in given.conclusion.of)  # type: ignore[attr-defined]
     below = denominator()
-    kept = combined(Ne(below, 0), [apart])
+    kept = combined(Relation(below, "!=", sp.S.Zero), [apart])
     pushed = Relation(2 * SPLIT * SPRING * m / T**2 * found * below, "=", numerator() * z**-delay)
     solved = combined(pushed, [equation, 2 * SPLIT * SPRING])
     mass, period = positive(Ne(m, 0), m > 0), positive(Ne(T, 0), T > 0)
@@ -170,11 +170,11 @@ def loop_as(form: Expr, bottom: Expr, wall: Expr, late: bool = True) -> Theorem:
     alive, _, delayed = (part(second, p) for p in second.conclusion.of)  # type: ignore[attr-defined]
     steps = d + 1 if late else sp.S.One
     gain, unit = 1 + X_d * wall, 2 * SPLIT * SPRING * m / T**2
-    loop = assume(Ne(gain, 0))
+    loop = assume(Relation(gain, "!=", sp.S.Zero))
     power = closed(factor(z**steps, fact(Relation(sp.S.One, "!=", sp.S.Zero)), -(z**-steps)), alive)
     factors = [loop, apart, assume(Ne(SPLIT, 0)), assume(Ne(SPRING, 0)), power, 2]
     cofactor = -(z**steps) * wall * T**2 / m
-    kept = combined(Ne(bottom, 0), factors, [delayed, cofactor])
+    kept = combined(Relation(bottom, "!=", sp.S.Zero), factors, [delayed, cofactor])
     both = unit * denominator() * gain
     found = combined(
         Relation(X / gain, "=", form),

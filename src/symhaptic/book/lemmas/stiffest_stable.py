@@ -50,6 +50,7 @@ P, M = sp.symbols("P M")
 SMALL = {LOSS: LOSS, P: 1 - TOGETHER, M: S.Half - LATE, AT_ONE: AT_ONE}
 """The plant's numbers as what they differ by from those of a free mass, so that balls are small."""
 FREE = {TOGETHER: 1 - P, LATE: S.Half - M}
+NEAR_FREE = {name: value.xreplace(FREE) for name, value in {**BALLS, n_0: LATE}.items()}
 
 
 def on_box(expr: Expr, ranges: Ranges) -> Theorem:
@@ -60,7 +61,7 @@ def on_box(expr: Expr, ranges: Ranges) -> Theorem:
 @cache
 def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Theorem:
     ranges = dict(sides)
-    small = circle.expanded(expr.xreplace(BALLS).xreplace(FREE))
+    small = circle.expanded(expr.xreplace(NEAR_FREE))
     found = box.positive(small, ranges, named(SMALL))
     certificate: Any = found.certificates[0]
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
@@ -127,9 +128,10 @@ def no_stiffer(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
     if delay == 0:
         falls = [[stiff, weight, towards(planes, minor, inside, wide)]]
     else:
-        slope = -sp.diff(value, alpha).subs(alpha, limit)
+        slope = -sp.diff(value, alpha).xreplace({alpha: limit})
         falls = [[stiff, on_box(slope, wide)], [stiff, stiff, weight, weight]]
-    contrary = absurd(minor, combined(value <= 0, [fails(value, wall, wide)], *falls))
+    falling = combined(Relation(value, "<=", S.Zero), [fails(value, wall, wide)], *falls)
+    contrary = absurd(minor, falling)
     wanted = Relation(alpha, "<", limit)
     found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
     return of_every_plant(closed(found, low, high))
@@ -139,26 +141,27 @@ def fails(minor: Expr, wall: tuple[Expr, Expr], wide: Ranges) -> Theorem:
     """0 < -minor at the stiffness of the wall, for every beta: by its square in beta."""
     stiffness, near = wall
     off = sp.Symbol("u")
-    there = sp.Poly(sp.expand(minor.subs({alpha: stiffness, beta: near + off})), off)
-    height, tilt, bend, *more = there.all_coeffs()[::-1]
+    there = circle.powers(minor.xreplace({alpha: stiffness, beta: near + off}), off)
+    height, tilt, bend, *more = (there.get(n, S.Zero) for n in range(max(there) + 1))
     rest = -(bend + PART) - sum(more) * (beta - near)
     least = on_box(-4 * PART * height - tilt**2, {s: wide[s] for s in (gamma, delta)})
     bent = [square(beta - near), on_box(rest, wide)]
     middle = square(2 * PART * (beta - near) - tilt)
     share = 1 / (4 * PART)
-    return combined(-minor.subs(alpha, stiffness) > 0, [share, middle], [share, least], bent)
+    below = -minor.xreplace({alpha: stiffness})
+    return combined(Relation(S.Zero, "<", below), [share, middle], [share, least], bent)
 
 
 def towards(planes: Any, minor: Theorem, inside: Theorem, wide: Ranges) -> Theorem:
     """0 < 1 + n_1 beta of a wall that is stable without delay."""
     at_one, second, third = planes
     one, two, three = (t.conclusion.right for t in planes)
-    between = sp.expand(8 - one - two - three)
-    product = combined(two * between > 0, [at_one, third], [8, minor])
-    middle = over(between > 0, product, second)
+    between = circle.expanded(8 - one - two - three)
+    product = combined(Relation(S.Zero, "<", two * between), [at_one, third], [8, minor])
+    middle = over(Relation(S.Zero, "<", between), product, second)
     value: Expr = minor.conclusion.right  # type: ignore[attr-defined]
     toward = 1 + n_1 * beta
-    rest = sp.cancel(-((n_1 + n_0) * value - n_0 * toward * between) / (1 - n_0 * beta))
+    rest = circle.quotient(n_0 * toward * between - (n_1 + n_0) * value, 1 - n_0 * beta)
     heavy = on_box(n_1 + n_0, wide)
     weight = on_box(n_0, wide)
     back = assume(Relation(toward, "<=", S.Zero))
@@ -167,7 +170,8 @@ def towards(planes: Any, minor: Theorem, inside: Theorem, wide: Ranges) -> Theor
         [weight, back, middle],
         [inside, on_box(rest, wide)],
     )
-    contrary = absurd(positive(value * (n_1 + n_0) > 0, [minor, heavy]), down)
+    above = Relation(S.Zero, "<", value * (n_1 + n_0))
+    contrary = absurd(positive(above, [minor, heavy]), down)
     wanted = Relation(S.Zero, "<", toward)
     found = by_cases(ordered(S.Zero, toward), assume(wanted), anything(contrary, wanted))
-    return closed(found, positive(sp.Ne(two, 0), [second]))
+    return closed(found, positive(Relation(two, "!=", S.Zero), [second]))

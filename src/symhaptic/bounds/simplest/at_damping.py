@@ -35,6 +35,7 @@ from symhaptic.bounds.simplest.plants import (
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, TOGETHER
 
 _PIECES = 600
@@ -148,7 +149,7 @@ def _shape() -> tuple[Callable[..., list[arb]], Callable[..., list[arb]]]:
     """Balls of what the boundary is made of, and of its slopes by the plant's numbers."""
     shape = {s: x.subs(BALLS) for s, x in linear.numbers(Sampled(n_1, n_0, a, e)).items()}
     meant = (shape[nu], shape[s_1], 1 / TOGETHER, gamma, delta)
-    return compiled(meant), compiled([sp.diff(x, name) for x in meant for name in NAMES])
+    return compiled(meant), compiled([derivative(x, name) for x in meant for name in NAMES])
 
 
 def _arc(delay: int) -> Callable[[Box], _Arc]:
@@ -160,7 +161,7 @@ def _arc(delay: int) -> Callable[[Box], _Arc]:
     ends = list(pairwise(accumulate(map(len, coefficients), initial=0)))
     flat = [c for part in coefficients for c in part]
     values = compiled(flat, SHAPE)
-    partial = compiled([sp.diff(c, name) for c in flat for name in SHAPE], SHAPE)
+    partial = compiled([derivative(c, name) for c in flat for name in SHAPE], SHAPE)
     named, named_by = _shape()
 
     def arc(box: Box) -> _Arc:

@@ -32,6 +32,7 @@ from symhaptic.bounds.walls import DEVICE, STIFFNESS
 from symhaptic.model import boundary, jury
 from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, phi, t
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, BALLS, TOGETHER
 
 _SOFT = 9
@@ -53,7 +54,7 @@ def stiffest(delay: int) -> Limit:
 def _undelayed() -> Limit:
     largest = boundary.largest_undelayed(DEVICE).subs(gamma, AT_ONE / TOGETHER).subs(BALLS)
     value = compiled([largest])
-    parts = compiled([sp.diff(largest, name) for name in NAMES])
+    parts = compiled([derivative(largest, name) for name in NAMES])
     holds = compiled(_needs_undelayed())
 
     def limit(box: Box, hint: object = None) -> Found:

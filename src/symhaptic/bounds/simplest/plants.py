@@ -18,6 +18,7 @@ from sympy import Expr
 from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.notation import delta, gamma
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER, with_slopes
 
 BITS = 96
@@ -153,7 +154,7 @@ def compiled(exprs: Sequence[Expr], given: Sequence[sp.Symbol] = NAMES) -> Calla
             raise ValueError(f"{x} is no formula in {given}")
     printer = _Printer({"fully_qualified_modules": False, "user_functions": {}})
     made: Callable[..., list[arb]] = sp.lambdify(
-        given, exact, modules=[_FUNCTIONS], printer=printer, cse=True
+        given, exact, modules=[_FUNCTIONS], printer=printer, cse=True, docstring_limit=0
     )
     return made
 
@@ -167,7 +168,7 @@ class Formula:
 
     @cached_property
     def _slope(self) -> Expr:
-        return sp.diff(self.expr, self.variable)
+        return derivative(self.expr, self.variable)
 
     @cached_property
     def _values(self) -> Callable[..., list[arb]]:
@@ -179,11 +180,11 @@ class Formula:
 
     @cached_property
     def _bends(self) -> Callable[..., list[arb]]:
-        return compiled([sp.diff(self._slope, self.variable)], (self.variable, *NAMES))
+        return compiled([derivative(self._slope, self.variable)], (self.variable, *NAMES))
 
     @cached_property
     def _parts(self) -> Callable[..., list[arb]]:
-        return compiled([sp.diff(self.expr, name) for name in NAMES], (self.variable, *NAMES))
+        return compiled([derivative(self.expr, name) for name in NAMES], (self.variable, *NAMES))
 
     def value(self, at: arb, x: Numbers) -> arb:
         """The expression."""

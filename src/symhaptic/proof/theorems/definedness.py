@@ -6,7 +6,7 @@ become hypotheses of a theorem until they are shown.  Roots and powers are princ
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 import sympy as sp
@@ -34,43 +34,39 @@ def conditions(
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
     True
     """
-    if at:
-        return frozenset(c for expr in exprs for c in _conditions(expr, at))
-    return frozenset(c for expr in exprs for c in _anywhere(expr) if but not in c.free)
+    return frozenset(
+        condition
+        for expr in exprs
+        for condition, power in _conditions(expr)
+        if but not in condition.free and not (at and _not_negative(power.xreplace(dict(at))))
+    )
 
 
-@lru_cache(maxsize=1 << 14)
-def _anywhere(expr: Expr) -> frozenset[Proposition]:
-    """The conditions where nothing is known of the symbols."""
-    return frozenset(_conditions(expr, {}))
+@lru_cache(maxsize=1 << 16)
+def _conditions(expr: Expr) -> frozenset[tuple[Relation, Expr]]:
+    """A condition for each divisor that is not shown to differ from zero, and its power."""
+    own = frozenset(
+        (Relation(divisor, "!=", sp.S.Zero), power)
+        for divisor, power in _divisors(expr)
+        if not differs(divisor)
+    )
+    return own.union(*map(_conditions, expr.args))
 
 
-def _conditions(expr: Expr, at: Mapping[Symbol, Expr]) -> Iterator[Proposition]:
-    """A condition for each divisor that is not shown to differ from zero."""
-    left, seen = [expr], set[int]()
-    while left:
-        part = left.pop()
-        if not part.args or id(part) in seen:
-            continue
-        seen.add(id(part))
-        left += part.args
-        if not (part.is_Add or part.is_Mul):
-            for divisor in _divisors(part, at):
-                if not differs(divisor):
-                    yield Relation(divisor, "!=", sp.S.Zero)
-
-
-def _divisors(part: Expr, at: Mapping[Symbol, Expr]) -> Iterable[Expr]:
+def _divisors(part: Expr) -> Iterable[tuple[Expr, Expr]]:
     if part.is_Pow:
-        power = part.exp.xreplace(dict(at)) if at else part.exp
-        if not (power.is_Rational and power >= 0):
-            yield part.base
+        if not _not_negative(part.exp):
+            yield part.base, part.exp
     elif part.func in _DIVISORS:
-        yield _DIVISORS[part.func](part.args[0])
+        yield _DIVISORS[part.func](part.args[0]), sp.S.NegativeOne
     elif isinstance(part, sp.log):
-        yield part.args[0]
+        yield part.args[0], sp.S.NegativeOne
     elif isinstance(part, sp.atan) and not real(part.args[0]):
-        yield 1 + part.args[0] ** 2
+        yield 1 + part.args[0] ** 2, sp.S.NegativeOne
+
+
+def _not_negative(power: Expr) -> bool:
+    return bool(power.is_Rational and power.p >= 0)
 
 
 def differs(number: Expr) -> bool:
@@ -92,7 +88,7 @@ def real(expr: Expr) -> bool:
     >>> real(sp.sin(x)/x), real(sp.sqrt(x)), real(z**2)
     (True, False, False)
     """
-    if expr.is_Rational or expr in (sp.pi, sp.E):
+    if expr.is_Rational or expr is sp.pi or expr is sp.E:
         return True
     if expr.is_Symbol:
         return not is_complex(expr)
@@ -100,7 +96,7 @@ def real(expr: Expr) -> bool:
         return True
     if not mirrors(expr):
         return False
-    if not expr.has(sp.I):
+    if not _holds_j(expr):
         return True
     try:
         return is_zero(expr - expr.xreplace({sp.I: -sp.I}))
@@ -108,9 +104,15 @@ def real(expr: Expr) -> bool:
         return False
 
 
+@lru_cache(maxsize=1 << 16)
+def _holds_j(expr: Expr) -> bool:
+    return expr is sp.I or any(map(_holds_j, expr.args))
+
+
+@lru_cache(maxsize=1 << 16)
 def mirrors(expr: Expr) -> bool:
     """Whether the conjugate of an expression is found by exchanging j and -j."""
-    if expr.is_Rational or expr in (sp.pi, sp.E, sp.I):
+    if expr.is_Rational or expr is sp.pi or expr is sp.E or expr is sp.I:
         return True
     if expr.is_Symbol:
         return not is_complex(expr)
@@ -122,7 +124,7 @@ def mirrors(expr: Expr) -> bool:
     if isinstance(expr, sp.atan):
         return real(expr.args[0])  # elsewhere it has cuts
     if expr.is_Add or expr.is_Mul or isinstance(expr, _REAL):
-        return all(mirrors(a) for a in expr.args)
-    if not expr.has(sp.I):
+        return all(map(mirrors, expr.args))
+    if not _holds_j(expr):
         return isinstance(expr, _ALWAYS_REAL)
     return isinstance(expr, (sp.Abs, sp.re)) and mirrors(expr.args[0])

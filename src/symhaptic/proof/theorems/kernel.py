@@ -161,7 +161,7 @@ def _exactly(part: Any) -> Any:
     that cannot be told apart so."""
     if isinstance(part, (tuple, list)):
         parts = tuple(map(_exactly, part))
-        return None if None in parts else parts
+        return None if any(found is None for found in parts) else parts
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
@@ -404,15 +404,14 @@ def placed(theorem: Theorem, values: Terms) -> Judgement:
     Where SymPy cancels a divisor of a hypothesis on the way, that it is not zero becomes a
     hypothesis of its own: a hypothesis must not become weaker.
     """
-    extra = _allowed(values, theorem.conclusion)
-    for claim in theorem.hypotheses:
-        extra |= _allowed(values, claim)
+    extra = _allowed(values, theorem.conclusion, *theorem.hypotheses)
     return {p.at(values) for p in theorem.hypotheses} | extra, theorem.conclusion.at(values)
 
 
-def _allowed(values: Terms, claim: Proposition) -> set[Proposition]:
-    """What has to hold so that a claim at these terms is the claim at their values."""
-    return _real(values) | set(conditions(*map(term, values.values()))) | lost(values, claim)
+def _allowed(values: Terms, *claims: Proposition) -> set[Proposition]:
+    """What has to hold so that claims at these terms are the claims at their values."""
+    defined = conditions(*map(term, values.values()))
+    return _real(values).union(defined, *(lost(values, claim) for claim in claims))
 
 
 def _real(values: Terms) -> set[Proposition]:
@@ -431,6 +430,8 @@ def lost(values: Terms, claim: Proposition) -> set[Proposition]:
         current, inside = stack.pop()
         bound = set(inside) | set(current.bound)
         here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
+        if not here:
+            continue  # it stays as it is, and so do its parts
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not symbols_in(new) and without_value(new):
                 continue  # the relation is false there, whatever it divides by

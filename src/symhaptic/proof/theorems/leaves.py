@@ -248,7 +248,7 @@ def on_plants(certificate: Positive) -> Judgement:
     meanings = {s: term(m).xreplace(plant) for s, m in given.meanings.items()}
     if set(certificate.box) & (numbers - {gamma, delta} | set(meanings)):
         raise NotShown("a number of the plant is no side of the box")
-    expr = term(certificate.expr).xreplace(meanings)
+    expr = term(certificate.expr).xreplace({s: m for s, m in meanings.items() if s != m})
     allowed = set(certificate.box) | numbers
     if not {gamma, delta} <= set(certificate.box) or not symbols_in(expr) <= allowed:
         raise NotShown(f"{expr} is not made of the plant's numbers and the sides of the box")
@@ -310,6 +310,8 @@ def tends(expr: Any, variable: Symbol, at: Any, value: Any) -> Judgement:
         found = limit(expr, variable, at)
         if not is_zero(found - value):
             raise NotShown(f"the limit is {found}")
+        # what it has a value under is read from its lowest terms
+        found = sp.cancel(found) if conditions(found) else found
         near = set(conditions(found, value, at))
         for condition in conditions(expr):
             assert isinstance(condition, Relation)
