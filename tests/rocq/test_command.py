@@ -55,6 +55,12 @@ def test_the_record_is_asked_for_as_json_and_never_as_junit(tmp_path):
     assert "--format junit" in refused.stderr
 
 
+def test_as_recorded_is_for_a_folder():
+    run = symhaptic("verify", "--as-recorded")
+    assert run.returncode == 2
+    assert run.stderr == "symhaptic: error: --as-recorded: is for --rocq DIR; give both\n"
+
+
 def test_what_took_long_is_begun_first(tmp_path):
     """And what was never compiled before that; else the order is that of the book."""
     paths = [tmp_path / f"{name}.py" for name in ("short", "new", "long", "newer")]

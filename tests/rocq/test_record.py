@@ -12,7 +12,7 @@ from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import compiled
-from symhaptic.rocq.chapter import MEANING, PROVED, File, printed
+from symhaptic.rocq.chapter import ALONE, MEANING, PROVED, File, printed
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
 
@@ -23,7 +23,11 @@ WRITTEN = Path(__file__).parents[2] / ".rocq"
 """Where `make rocq` compiles."""
 
 
-@pytest.mark.parametrize("name", CHAPTERS)
+LEAVES = [name for name, found in RECORD["chapters"].items() if found["leaves"]]
+"""Chapters that take long, of which Rocq was asked the leaves alone."""
+
+
+@pytest.mark.parametrize("name", [name for name in CHAPTERS if name not in LEAVES])
 def test_the_record_is_of_the_text_that_is_written(name):
     """Where it is not, and Rocq is there, it is asked what has become of the chapter."""
     if name not in RECORD["chapters"]:
@@ -69,6 +73,16 @@ def test_what_is_whole_is_found_whole_again(name, empty):
     for id, one in found.items():
         if RECORD["statements"][id]["checked"] == foreign.WHOLE:
             assert one["checked"] == foreign.WHOLE, (id, one["why"])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", LEAVES)
+def test_leaves_are_found_again(name, empty):
+    """To the step: which are not checked, and of which text; and no statement is whole by them."""
+    found = compiled.asked(chapter(name), empty, leaves=True)
+    known = RECORD["chapters"][name]
+    assert (found.text, found.open) == (known["text"], known["open"])
+    assert foreign.WHOLE not in found.statements.values()
 
 
 def in_kernel(judged):
@@ -122,6 +136,17 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
     told = compiled.told(file, rests)
     assert told[id] == "it rests on proof_irrelevance, which nobody named"
     assert compiled.told(file, {id: [foreign.REALS]})[id] == "whole"
+
+
+def test_leaves_leave_open_what_is_made_of_them():
+    whole = printed(chapter("s3b_rise"))
+    alone = whole.leaves()
+    assert {step.rule for step in alone.steps} < ALONE
+    assert len(alone.steps) < len(whole.steps)
+    assert "Print Assumptions" not in alone.written()
+    left = {id: int(said.split()[0]) for id, said in compiled._unasked(whole).items()}
+    assert left.keys() == whole.statements.keys()
+    assert all(0 < n <= len(whole.steps) - len(alone.steps) for n in left.values())
 
 
 def test_a_statement_rests_on_what_its_own_lemmas_name():

@@ -116,6 +116,13 @@ def verify(
             "--rocq", metavar="DIR", help="Write theorems for Rocq there; have it check them."
         ),
     ] = None,
+    as_recorded: Annotated[
+        bool,
+        typer.Option(
+            "--as-recorded",
+            help="With --rocq: whole what the record has whole, and ID; leaves alone of the rest.",
+        ),
+    ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
 
@@ -129,7 +136,7 @@ def verify(
 
     gc.set_threshold(SELDOM)
     from symhaptic.book import chapters, ledger, listing, parallel
-    from symhaptic.cli.foreign import judged, stale
+    from symhaptic.cli.foreign import judged, stale, whole
 
     writable(output)
     if source is not None and (derivation or listed):
@@ -149,14 +156,19 @@ def verify(
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
     if source is None:
         given = {path.resolve() for path in own}
-        needed = listing.needed(wanted, chapters.shipped())
+        asked = wanted + whole() if as_recorded else wanted
+        needed = listing.needed(asked, chapters.shipped())
         shipped = [p for p in needed if p.resolve() not in given]
+    if as_recorded and rocq is None:
+        refuse("--as-recorded: is for --rocq DIR; give both")
     if rocq is not None:
         if format is ListFormat.junit:
             refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
         folder_allowed(rocq, "--rocq")
         as_json = format is ListFormat.json
-        raise typer.Exit(judged(own + shipped, wanted, rocq, workers, output, as_json))
+        rest = [p for p in chapters.shipped() if as_recorded and p not in shipped]
+        paths = own + [p for p in chapters.shipped() if p in shipped or p in rest]
+        raise typer.Exit(judged(paths, wanted, rocq, workers, output, as_json, rest))
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -24,8 +24,11 @@ def judged(
     workers: int | None,
     output: Path | None,
     as_json: bool,
+    leaves: Container[Path],
 ) -> int:
     """Write the chapters for Rocq, compile them where it is there, and tell what was checked.
+
+    Of some chapters the leaves alone are.
 
     The exit status: 0, 1 where a statement is not checked as the record says, 2 where a chapter
     cannot be run.
@@ -37,19 +40,19 @@ def judged(
     from symhaptic.rocq import compiled, record
 
     compiled.prepared(folder)
-    work: Callable[..., Outcome] = compiled.judged
+    work: Callable[[Path], Outcome] = partial(compiled.judged, folder=folder, leaves=leaves)
     version = None
     try:
         compiled.prelude_compiled(folder)
         version = compiled.version()
     except compiled.NoRocq as missing:
         typer.echo(f"symhaptic: {missing}; the files are written, and nothing is checked", err=True)
-        work = compiled.written
+        work = partial(compiled.written, folder=folder)
     done: dict[Path, Outcome] = {}
     ordered = compiled.longest_first(paths, folder)  # so that all workers end together
     status = 0
     with progress(len(paths)) as told:
-        for i, one in each(partial(work, folder=folder), ordered, workers or 2, told):
+        for i, one in each(work, ordered, workers or 2, told):
             if isinstance(one, BadChapter):
                 typer.echo(f"symhaptic: error: {one}", err=True)
                 status = 2
@@ -71,6 +74,15 @@ def judged(
             typer.echo(f"DIFFERS  {line}", err=as_json or output is not None)
             status = 1
     return status
+
+
+def whole() -> list[str]:
+    """The statements of which the record says that Rocq has checked them whole."""
+    from symhaptic.book.chapters import expected_rocq
+    from symhaptic.book.foreign import WHOLE, recorded
+
+    known = recorded(expected_rocq())["statements"]
+    return [id for id, one in known.items() if one["checked"] == WHOLE]
 
 
 def told_of(outcomes: list[Outcome], wanted: list[str]) -> str:

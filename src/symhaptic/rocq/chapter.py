@@ -61,6 +61,11 @@ class File:
             ends.append("Print Assumptions all_of_it.")
         return "\n".join([*head, *steps, *ends]) + "\n"
 
+    def leaves(self) -> File:
+        """The leaves that use no other lemma, without what is made of them."""
+        steps = [step for step in self.steps if step.rule in ALONE]
+        return replace(self, name=f"{self.name}_leaves", steps=steps, statements={}, missing={})
+
     def _checkers(self) -> list[str]:
         """The files of the checkers that it uses."""
         rules = {step.rule for step in self.steps}
@@ -108,6 +113,8 @@ HOW = (
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
     "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
 )
+ALONE = frozenset({"identity", "number", "broken", "tends"})
+"""Leaves that use no other lemma."""
 CHECKERS = {
     "Boxes": (BOXED, "how the pieces of a box are checked", ""),
     "Zeros": (COUNTED, "how the zeros of a polynomial are counted", "rule_schur"),

@@ -13,7 +13,7 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from pathlib import Path
@@ -22,7 +22,7 @@ from typing import Any
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
 from symhaptic.proof.theorems.axioms import AXIOMS
-from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, printed, slug
+from symhaptic.rocq.chapter import ALONE, BELIEVED, WRITTEN, File, printed, slug
 from symhaptic.rocq.shared import FOLDER, Seen
 from symhaptic.rocq.steps import is_open
 
@@ -65,6 +65,8 @@ class Outcome:
     """Of all boxes, how many pieces were checked and how many there are."""
     open: dict[str, str] = field(default_factory=dict)
     """The leaves that are not checked, and why."""
+    leaves: bool = False
+    """Whether its leaves alone were asked, and not how they are joined."""
     seconds: float = 0.0
     kept: bool = False
     """Whether it was known from before."""
@@ -167,15 +169,16 @@ def _imported(text: str) -> dict[str, str]:
     return found
 
 
-def judged(path: Path, folder: Path) -> Outcome:
+def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome:
     """A derivation's file, written, compiled and read back; known where the text is known."""
-    return asked(run(path), folder)
+    return asked(run(path), folder, path in leaves)
 
 
-def asked(chapter: Chapter, folder: Path) -> Outcome:
-    """The same of a chapter that has been run."""
+def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
+    """The same of a chapter that has been run, or of its leaves alone."""
     begin = time.perf_counter()
-    file = printed(chapter)
+    whole = printed(chapter)
+    file = whole.leaves() if leaves else whole
     text = file.written()
     of, before = text_mark(text), _before(file.name, folder)
     if before.get("text") == of:
@@ -183,21 +186,23 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     place = folder / f"{file.name}.v"
     place.write_text(text, encoding="utf-8")
     if not file.steps:
-        return _marked(_outcome(file, chapter, {}, {}), chapter, of)
+        return _marked(_outcome(whole, chapter, _unasked(whole), {}, leaves), chapter, of)
     seen, done = _asked(file, folder)
     if done.returncode:
-        file = printed(chapter, failing(folder, seen.text))
+        whole = printed(chapter, failing(folder, seen.text))
+        file = whole.leaves() if leaves else whole
         place.write_text(file.written(), encoding="utf-8")
         seen, done = _asked(file, folder)
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
-        outcome = _outcome(file, chapter, dict.fromkeys(file.statements, why), {})
+        outcome = _outcome(whole, chapter, dict.fromkeys(whole.statements, why), {}, leaves)
         outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
         outcome.pieces[0], outcome.open = 0, {"the file": why}
         return _marked(outcome, chapter, of)
     seen.keep()
     rests = resting(file, done.stdout, seen.own)
-    outcome = _outcome(file, chapter, told(file, rests), rests)
+    said = _unasked(whole) if leaves else told(file, rests)
+    outcome = _outcome(whole, chapter, said, rests, leaves)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
         # what took too long may be quicker the next time
@@ -206,11 +211,19 @@ def asked(chapter: Chapter, folder: Path) -> Outcome:
     return _marked(outcome, chapter, of)
 
 
+def _unasked(file: File) -> dict[str, str]:
+    """What is said of statements where leaves alone were asked: how much is left of each."""
+    others = {step.name for step in file.steps if step.rule not in ALONE or is_open(step.name)}
+    left = {id: len(file.named_by(id) & others) for id in file.statements}
+    return {id: f"{n} steps open: its chapter's leaves alone were asked" for id, n in left.items()}
+
+
 def longest_first(paths: Sequence[Path], folder: Path) -> list[Path]:
     """Derivations in the order of how long each took the last time, those that are new first."""
 
     def seconds(path: Path) -> float:
-        return float(_before(path.stem, folder).get("outcome", {}).get("seconds", math.inf))
+        before = _before(path.stem, folder) or _before(f"{path.stem}_leaves", folder)
+        return float(before.get("outcome", {}).get("seconds", math.inf))
 
     return sorted(paths, key=seconds, reverse=True)
 
@@ -343,15 +356,21 @@ def _preludes() -> str:
 
 
 def _outcome(
-    file: File, chapter: Chapter, said: dict[str, str], rests: dict[str, list[str]]
+    file: File,
+    chapter: Chapter,
+    said: dict[str, str],
+    rests: dict[str, list[str]],
+    leaves: bool = False,
 ) -> Outcome:
     steps: dict[str, list[int]] = {}
     for step in file.steps:
         if not step.name.startswith(("rule_", "axiom_")):
             count = steps.setdefault(step.rule, [0, 0])
-            count[0] += not is_open(step.name)
+            count[0] += not is_open(step.name) and (step.rule in ALONE or not leaves)
             count[1] += 1
-    boxes = [(0 if is_open(step.name) else step.pieces, step.pieces) for step in file.steps]
+    boxes = [
+        (0 if leaves or is_open(step.name) else step.pieces, step.pieces) for step in file.steps
+    ]
     pieces = [sum(counts) for counts in zip(*boxes, strict=True)] or [0, 0]
     statements = {}
     for id, one in chapter.page.settled.items():
@@ -362,4 +381,5 @@ def _outcome(
         else:
             statements[id] = said[id]
     open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
-    return Outcome(file.name, statements, rests, dict(sorted(steps.items())), pieces, open_)
+    steps = dict(sorted(steps.items()))
+    return Outcome(file.name, statements, rests, steps, pieces, open_, leaves)

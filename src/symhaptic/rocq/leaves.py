@@ -54,8 +54,16 @@ def number(proof: Proof, theorem: Theorem) -> None:
         if claim.sign == "<=":
             proof.say("apply Req_le.")
         proof.say(*same(claim.left, claim.right, proof.names))
+    elif any(_nested(t) for t in claim.terms):
+        proof.say("repeat split; numeric.")
     else:
         proof.say("opened; defined; numeric.")
+
+
+def _nested(number: Expr) -> bool:
+    """Whether it has a root of what is not rational: that this is not negative is said, too."""
+    roots = (p for p in number.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer)
+    return any(not p.base.is_Rational for p in roots)
 
 
 @shows

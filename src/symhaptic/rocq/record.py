@@ -38,7 +38,8 @@ def why(said: str) -> str | None:
 
 
 KINDS = {
-    "identities and sums of products": ("identity", "combined", "factor"),
+    "identities": ("identity",),
+    "sums of products": ("combined", "factor"),
     "scalar enclosures": ("number", "broken"),
     "limits": ("tends",),
 }
@@ -50,8 +51,8 @@ def leaves(outcomes: Iterable[Outcome]) -> dict[str, list[int]]:
 
     >>> from symhaptic.rocq.compiled import Outcome
     >>> one = Outcome("mine", steps={"identity": [1, 2], "combined": [5, 5]}, pieces=[7, 9])
-    >>> leaves([one, one])["identities and sums of products"], leaves([one])["pieces of boxes"]
-    ([12, 14], [7, 9])
+    >>> leaves([one, one])["identities"], leaves([one])["pieces of boxes"]
+    ([2, 4], [7, 9])
     """
     outcomes = list(outcomes)
     counts = {
@@ -85,7 +86,10 @@ def record(outcomes: Iterable[Outcome], rocq: str | None) -> dict[str, Any]:
         },
         "steps": {rule: [checked[rule], total[rule]] for rule in sorted(total)},
         "leaves": leaves(outcomes),
-        "chapters": {one.chapter: {"text": one.text, "open": one.open} for one in outcomes},
+        "chapters": {
+            one.chapter: {"text": one.text, "leaves": one.leaves, "open": one.open}
+            for one in outcomes
+        },
     }
 
 

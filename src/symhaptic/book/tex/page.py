@@ -143,7 +143,8 @@ def _foreign(item: Settled) -> str:
     if found.extent == NOT:
         return ""
     rules = [f"\\byrule{{{anchor(rule)}}}{{{prose(called(rule))}}}" for rule in found.rules]
-    return f"Rocq: {found.in_short}, by {', '.join([*rules, *found.others])}"
+    by = ", ".join([*rules, *found.others])
+    return f"Rocq: {found.in_short}{', by ' if by else ''}{by}"
 
 
 def _by(lead: str, theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
