@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -59,6 +60,11 @@ class Checked:
         meanings = [name.replace("_", " ") for name in self.rests if name not in known]
         counted = ["Schur's criterion"] if SCHUR in self.rests else []
         return ([f"the meaning of {listed(meanings)}"] if meanings else []) + counted + library
+
+    @property
+    def reason(self) -> str:
+        """Why it is not checked whole, without how many of its steps are open."""
+        return re.sub(r"^\d+ steps? open: ", "", self.why or "")
 
     @property
     def in_short(self) -> str:

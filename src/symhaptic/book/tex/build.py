@@ -169,9 +169,8 @@ def _foreign(entries: list[Entry]) -> dict[str, Any]:
     """What Rocq has checked in all, and why it has not checked the others."""
     found: dict[str, list[str]] = {}
     for entry in entries:
-        why = entry.rocq.why
-        if why:
-            found.setdefault(_literally(why), []).append(entry.statement.id)
+        if entry.rocq.reason:
+            found.setdefault(_literally(entry.rocq.reason), []).append(entry.statement.id)
     return {
         "rocq": asked(),
         "checked": foreign.counted(entry.rocq for entry in entries),
