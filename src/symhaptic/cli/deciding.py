@@ -154,21 +154,21 @@ def verify(
     for id in wanted if not own else []:
         if known is not None and id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
+    others = list[Path]()
     if source is None:
         given = {path.resolve() for path in own}
-        asked = wanted + whole() if as_recorded else wanted
-        needed = listing.needed(asked, chapters.shipped())
-        shipped = [p for p in needed if p.resolve() not in given]
-    if as_recorded and rocq is None:
-        refuse("--as-recorded: is for --rocq DIR; give both")
+        others = [p for p in chapters.shipped() if p.resolve() not in given]
+        shipped = listing.needed(wanted + whole() if as_recorded else wanted, others)
+    if as_recorded and (rocq is None or source is not None):
+        refuse("--as-recorded: is for the paper's statements and --rocq DIR; give that alone")
     if rocq is not None:
         if format is ListFormat.junit:
             refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
         folder_allowed(rocq, "--rocq")
         as_json = format is ListFormat.json
-        rest = [p for p in chapters.shipped() if as_recorded and p not in shipped]
-        paths = own + [p for p in chapters.shipped() if p in shipped or p in rest]
-        raise typer.Exit(judged(paths, wanted, rocq, workers, output, as_json, rest))
+        paths = own + (others if as_recorded else shipped)
+        leaves = frozenset(others) - frozenset(shipped)
+        raise typer.Exit(judged(paths, wanted, rocq, workers, output, as_json, leaves))
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)

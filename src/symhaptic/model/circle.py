@@ -106,8 +106,8 @@ def _sum(terms: Mapping[Monomial, fmpq]) -> Expr:
         factors = sorted((known[factor] for factor in monomial), key=_ORDER)
         if c != 1 or not factors:
             factors.insert(0, sp.Rational(int(c.p), int(c.q)))
-        found.append(sp.Mul._from_args(factors))
-    return sp.Add._from_args(sorted(found, key=_ORDER))
+        found.append(sp.Mul(*factors, evaluate=False))
+    return sp.Add(*sorted(found, key=_ORDER), evaluate=False)
 
 
 _ORDER = cmp_to_key(Basic.compare)

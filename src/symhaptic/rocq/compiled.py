@@ -213,6 +213,8 @@ def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
 
 def _unasked(file: File) -> dict[str, str]:
     """What is said of statements where leaves alone were asked: how much is left of each."""
+    if not any(step.rule in ALONE for step in file.steps):
+        return dict.fromkeys(file.statements, "not asked: each step of its chapter uses others")
     others = {step.name for step in file.steps if step.rule not in ALONE or is_open(step.name)}
     left = {id: len(file.named_by(id) & others) for id in file.statements}
     return {id: f"{n} steps open: its chapter's leaves alone were asked" for id, n in left.items()}
