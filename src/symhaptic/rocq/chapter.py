@@ -113,7 +113,7 @@ HOW = (
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
     "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
 )
-ALONE = frozenset({"identity", "number", "broken", "tends"})
+ALONE = frozenset({"identity", "number", "broken", "tends"}) | BOXED
 """Leaves that use no other lemma."""
 CHECKERS = {
     "Boxes": (BOXED, "how the pieces of a box are checked", ""),

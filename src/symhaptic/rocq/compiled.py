@@ -370,9 +370,7 @@ def _outcome(
             count = steps.setdefault(step.rule, [0, 0])
             count[0] += not is_open(step.name) and (step.rule in ALONE or not leaves)
             count[1] += 1
-    boxes = [
-        (0 if leaves or is_open(step.name) else step.pieces, step.pieces) for step in file.steps
-    ]
+    boxes = [(0 if is_open(step.name) else step.pieces, step.pieces) for step in file.steps]
     pieces = [sum(counts) for counts in zip(*boxes, strict=True)] or [0, 0]
     statements = {}
     for id, one in chapter.page.settled.items():

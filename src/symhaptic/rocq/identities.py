@@ -84,7 +84,7 @@ class _Parts:
             return self.image(sp.exp(size)) * turn
         if expr is sp.E or isinstance(expr, sp.exp):
             found = sp.S.One
-            for unit, count in _counted(expr.args[0] if expr.args else sp.S.One, self.exponents):
+            for unit, count in _counted(_exponent(expr), self.exponents):
                 found *= self.variable(sp.exp(unit)) ** count
             return found
         if expr.is_Add or expr.is_Mul:
@@ -95,6 +95,11 @@ class _Parts:
             self.image(expr.base)
             return self.variable(sp.sqrt(expr.base)) ** expr.exp.p
         return self.variable(expr)
+
+
+def _exponent(function: Expr) -> Expr:
+    """What a function is of; SymPy has e for exp(1)."""
+    return sp.S.One if function is sp.E else function.args[0]
 
 
 def polar(exponential: Expr) -> tuple[Expr, Expr]:
@@ -219,12 +224,12 @@ def _expansions(parts: _Parts, names: Names) -> list[str]:
     """Each function of a sum written in those of its parts."""
     lines = []
     for function, image in parts.made.items():
-        if not isinstance(function, (sp.sin, sp.cos, sp.exp)) or complex_(function):
+        if not (isinstance(function, (sp.sin, sp.cos, sp.exp)) or function is sp.E):
             continue
-        if image == parts.values.get(function):
+        if complex_(function) or image == parts.values.get(function):
             continue
-        turning = not isinstance(function, sp.exp)
-        argument = function.args[0]
+        turning = isinstance(function, (sp.sin, sp.cos))
+        argument = _exponent(function)
         pieces = [
             f"{'(- ' if count < 0 else ''}({real_text(unit, names)}){')' if count < 0 else ''}"
             for unit, count in _counted(argument, parts.angles if turning else parts.exponents)
