@@ -278,17 +278,26 @@ Proof. intros l r t z H Z N E; apply N; lra. Qed.
 Lemma by_sum_ne' : forall l r t z : R, l - r = t + z -> z = 0 -> t <> 0 -> l <> r.
 Proof. intros l r t z H Z N E; apply N; lra. Qed.
 
+Lemma difference_positive : forall l r : R, l < r -> 0 < r - l.
+Proof. intros; lra. Qed.
+Lemma difference_not_negative : forall l r : R, l <= r -> 0 <= r - l.
+Proof. intros; lra. Qed.
+
+(* A sum of products: what is known is taken as it stands, so that no tactic multiplies it out. *)
 Ltac signed :=
   first
-    [ lra
-    | lazymatch goal with
+    [ lazymatch goal with
+      | H : ?l < ?r |- 0 < ?r - ?l => exact (difference_positive l r H)
+      | H : ?l <= ?r |- 0 <= ?r - ?l => exact (difference_not_negative l r H)
+      | |- 0 < _ * _ => solve [apply Rmult_lt_0_compat; signed]
+      | |- 0 <= _ * _ => solve [apply Rmult_le_pos; signed]
       | |- 0 < _ + _ =>
-          first [ solve [apply Rplus_lt_le_0_compat; signed]
-                | solve [apply Rplus_le_lt_0_compat; signed] ]
-      | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; signed
-      | |- 0 < _ * _ => apply Rmult_lt_0_compat; signed
-      | |- 0 <= _ * _ => apply Rmult_le_pos; signed
-      end ].
+          first
+            [ solve [apply Rplus_lt_le_0_compat; signed]
+            | solve [apply Rplus_le_lt_0_compat; signed] ]
+      | |- 0 <= _ + _ => solve [apply Rplus_le_le_0_compat; signed]
+      end
+    | lra ].
 
 Ltac apart :=
   opened;
@@ -915,6 +924,10 @@ Ltac tidied :=
 Tactic Notation "tidied" "in" hyp(P) :=
   rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rmult_1_r, ?Rmult_1_l, ?Ropp_0, ?Rminus_0_r, ?Rplus_0_r, ?Rplus_0_l in P.
 
+(* What is said of other things by the same predicate, or by the same connective. *)
+Ltac head_of t := lazymatch t with ?f _ => head_of f | _ => t end.
+Ltac said_alike P Q := let p := head_of P in let q := head_of Q in constr_eq p q.
+
 (* A relation from one that is known, by a tactic for the equality of their sides. *)
 Ltac from_known tac :=
   match goal with
@@ -922,7 +935,8 @@ Ltac from_known tac :=
   | H : ?a <= ?b |- ?l <= ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
   | H : ?a = ?b |- ?l = ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
   | H : ?a <> ?b |- ?l <> ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
-  | H : ?P |- ?Q => 
+  | H : ?P |- ?Q =>
+      said_alike P Q;
       solve
         [let E := fresh in
          assert (E : P = Q) by (f_equal; tac tt);
@@ -935,14 +949,22 @@ Ltac by_ring _ := first [reflexivity | ring].
 Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
 Ltac by_same _ := same.
 
+Ltac unrelated Q :=
+  lazymatch Q with
+  | _ < _ => fail | _ <= _ => fail | _ = _ => fail | _ <> _ => fail
+  | _ => idtac
+  end.
+
 Ltac atom :=
   opened;
   first
     [ assumption
     | lazymatch goal with
       | |- _ <> 0 => nz
-      | |- _ => 
-          first [from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same]
+      | |- ?Q =>
+          first
+            [ unrelated Q; from_known by_same
+            | from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same ]
       end
     | from_known by_same
     | Cmixed
@@ -967,6 +989,19 @@ Ltac beside H :=
         (lazymatch goal with |- _ /\ _ => split end;
          [first [assumption | lazymatch goal with |- _ <> _ => nz_quick end] |]);
       direct H
+  end.
+
+(* Relations joined by "and", each from the one in its place. *)
+Ltac paired H :=
+  lazymatch type of H with
+  | _ /\ _ =>
+      lazymatch goal with
+      | |- _ /\ _ =>
+          let A := fresh in
+          let B := fresh in
+          destruct H as [A B]; split; [paired A | paired B]
+      end
+  | ?P => first [exact H | unrelated P; from_known by_same | clear - H; from_known by_ring]
   end.
 
 Ltac conv H :=
@@ -1006,7 +1041,8 @@ Ltac conv H :=
           destruct H as [A | A]; [left; conv A | right; conv A]
       | |- _ /\ _ =>
           first
-            [ solve [let H' := fresh in pose proof H as H'; opened; repeat split;
+            [ solve [let H' := fresh in pose proof H as H'; paired H']
+            | solve [let H' := fresh in pose proof H as H'; opened; repeat split;
                 first [assumption | from_known by_ring]]
             | conv_parts H
             | solve [let H' := fresh in pose proof H as H'; opened; repeat split; atom] ]
