@@ -964,7 +964,7 @@ Ltac atom :=
       | |- ?Q =>
           first
             [ unrelated Q; from_known by_same
-            | from_known by_ring | lra | by_quick tt | from_known by_quick | from_known by_same ]
+            | lra | from_known by_ring | by_quick tt | from_known by_quick | from_known by_same ]
       end
     | from_known by_same
     | Cmixed
@@ -1001,7 +1001,7 @@ Ltac paired H :=
           let B := fresh in
           destruct H as [A B]; split; [paired A | paired B]
       end
-  | ?P => first [exact H | unrelated P; from_known by_same | clear - H; from_known by_ring]
+  | ?P => first [exact H | unrelated P; from_known by_same | clear - H; first [from_known by_ring | lra]]
   end.
 
 Ltac conv H :=

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import os
 import re
 import shutil
 import subprocess
@@ -31,6 +32,8 @@ PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
+_ROOM = {"OCAMLRUNPARAM": "s=32M,o=1000"}
+"""Memory that is collected seldom: terms are large, and Rocq ends soon; some 1.4 GB at most."""
 
 _STANDARD = ("ClassicalDedekindReals.", "FunctionalExtensionality.", "Classical_Prop.")
 _PRIMITIVE = (
@@ -142,7 +145,9 @@ def version() -> str:
 def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     limit = f"Default Timeout={SECONDS}"
     command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    return subprocess.run(
+        command, cwd=folder, env=_ROOM | os.environ, capture_output=True, text=True, check=False
+    )
 
 
 def written(path: Path, folder: Path) -> Outcome:
@@ -276,6 +281,7 @@ def failing(folder: Path, text: str) -> dict[str, str]:
         ["coqtop", "-q", "-Q", ".", "Symhaptic"],
         input=f"Set Default Timeout {SECONDS}.\n{source}",
         cwd=folder,
+        env=_ROOM | os.environ,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
