@@ -29,7 +29,9 @@ def recorded(tmp_path, monkeypatch):
         **whole, "checked": "leaves", "why": "2 steps open: coqc: x_1 & {y}^2 ~ \\z",
         "says": mark(settled[OTHER].settlement.judged),
     }  # fmt: skip
-    path.write_text(json.dumps({"rocq": "8.16.1", "statements": {ID: whole, OTHER: leaves}}))
+    counts = {"identities": [3, 4], "limits": [2, 2]}
+    known = {"rocq": "8.16.1", "statements": {ID: whole, OTHER: leaves}, "leaves": counts}
+    path.write_text(json.dumps(known))
     monkeypatch.setattr(foreign, "expected_rocq", lambda: path)
     return path
 
@@ -58,6 +60,7 @@ def test_the_site_says_it_too_with_the_reason(recorded):
     assert "*Rocq:* in part (2 steps open" in text
     entries = ledger.of_chapter(chapter(NAME))
     page = tables.ledger(entries, {})
+    assert "leaves in all chapters it has checked 3 of 4 identities and all 2 limits." in page
     assert "Rocq 8.16.1, a second judge" in page
     assert "1 whole, 1 with steps open, 0 not" in page
 

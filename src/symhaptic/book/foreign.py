@@ -120,3 +120,18 @@ def counted(found: Iterable[Checked]) -> str:
     extents = [one.extent for one in found]
     whole, leaves, rest = (extents.count(kind) for kind in (WHOLE, LEAVES, NOT))
     return f"{whole} whole, {leaves} with steps open, {rest} not"
+
+
+def leaves(path: Path | None = None) -> str:
+    """How many of the deciders' leaves are checked, by their kinds, over all chapters."""
+    counts = recorded(path or expected_rocq()).get("leaves", {})
+    return listed([_of(kind, *count) for kind, count in counts.items()]) if counts else ""
+
+
+def _of(kind: str, checked: int, total: int) -> str:
+    """How many of a kind.
+
+    >>> _of("limits", 3, 4), _of("limits", 4, 4)
+    ('3 of 4 limits', 'all 4 limits')
+    """
+    return f"all {total} {kind}" if checked == total else f"{checked} of {total} {kind}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from symhaptic.book.foreign import asked, counted
+from symhaptic.book.foreign import asked, counted, leaves
 from symhaptic.book.ledger import Entry
 from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
@@ -134,6 +134,8 @@ def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
             "has checked *whole* rests on classical rules alone; *leaves* have steps open.",
             "",
         ]
+        if leaves():
+            out += [f"Of the deciders' leaves in all chapters it has checked {leaves()}.", ""]
     return "\n".join([*out, *table("ledger", rows)]) + "\n"
 
 

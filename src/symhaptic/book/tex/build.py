@@ -174,6 +174,7 @@ def _foreign(entries: list[Entry]) -> dict[str, Any]:
     return {
         "rocq": asked(),
         "checked": foreign.counted(entry.rocq for entry in entries),
+        "leaves": foreign.leaves(),
         "unchecked": [
             (why, ", ".join(id.replace("-", "-\\allowbreak ") for id in ids))
             for why, ids in sorted(found.items(), key=lambda item: (-len(item[1]), item[0]))
