@@ -6,7 +6,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from sympy import I, Lt, Rational, S, atan, cos, exp, pi, sin, sqrt, symbols, tan
+from sympy import E, I, Lt, Rational, S, atan, cos, exp, pi, sin, sqrt, symbols, tan
 
 from symhaptic.book import foreign
 from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
@@ -142,6 +142,10 @@ ATTACKS = {
     "an exponential": (
         lambda: identity((exp(x) + exp(-x)) ** 2, exp(2 * x) + 2 + exp(-2 * x)),
         [("^2", "^3"), ("exp(-2*x)", "exp(2*x)"), ("2 +", "3 +")],
+    ),
+    "powers of e": (
+        lambda: number(Relation((E - 1) / (exp(S.Half) - 1), "=", exp(S.Half) + 1)),
+        [("(-1 + exp(1))", "(-2 + exp(1))"), ("= 1 +", "= 2 +"), ("exp(1))/", "exp(2))/")],
     ),
     "a root": (
         lambda: combined(
