@@ -79,10 +79,10 @@ def test_the_same_from_run_to_run(some):
     assert build.text_files(again) == build.text_files(some)
 
 
-def test_committed_text_is_what_is_derived(chapters):
+def test_committed_text_is_what_is_derived(files):
     if not (ROOT / "reports" / "book.tex").is_file():
         pytest.skip("no committed report beside the package")
-    assert build.differences(build.text_files(chapters), ROOT / "reports") == ""
+    assert build.differences(files, ROOT / "reports") == ""
 
 
 @pytest.fixture

@@ -56,6 +56,14 @@ def test_a_theorem_of_another_claim() -> None:
             Judged(PRODUCT, EXAMPLE, UNLESS).decide(other)
 
 
+def test_both_are_told_where_a_theorem_says_something_else() -> None:
+    claim = proposition(y > 0)
+    with pytest.raises(Unfounded) as wrong:
+        Judged(PRODUCT, EXAMPLE, UNLESS).decide(claim)
+    assert str(wrong.value).startswith(r"the theorem says \forall\,x,y")
+    assert str(wrong.value).endswith("the statement y>0")
+
+
 def test_what_is_proved_has_no_counterexample() -> None:
     square = for_all((x,), [x > 0], positive(x**2 > 0, [x > 0, x > 0]))
     claim, at = ForAll((x,), implied([x > 0], x**2 > 0)), example({x: S.One}, [x > 0])

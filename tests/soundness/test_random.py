@@ -30,8 +30,7 @@ def shares(total: int):
 
 def unknown_of(dice):
     """A function of complex values, of which nothing special is true."""
-    a, b, c = (sp.Rational(dice.randint(-9, 9), 7) + sp.I * dice.randint(1, 5) for _ in range(3))
-    a, b, c = (complex(x) for x in (a, b, c))
+    a, b, c = (complex(dice.randint(-9, 9) / 7, dice.randint(1, 5)) for _ in range(3))
     return lambda name, args: a + sum(b * x + c * x * x for x in args)
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import sympy as sp
 from sympy import Expr, Symbol, sin
@@ -183,6 +183,21 @@ def _held(expr: Expr, by: _By) -> Expr:
     )
 
 
+@lru_cache(maxsize=256)  # asked for once to see whether there are any, and again to be written
+def _slopes(form: Form, by: Symbol) -> tuple[tuple[str, Expr], ...] | str:
+    """The derivatives of its results by one argument, named; or what is lacking."""
+    own = _By(by)
+    names = [name for name, _ in form.results]
+    try:
+        return tuple(
+            (f"{name}_by_{by.name}", _held(expr, own) if form.held else own(expr))
+            for name, expr in zip(names, form.differentiated, strict=True)
+            if not form.held or name in form.held
+        )
+    except NoForm as lacking:
+        return str(lacking)
+
+
 def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
     """The form with, beside each result r, its derivative r_by_x for every argument x asked for.
 
@@ -196,20 +211,12 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
             raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
     if counts(form):
         raise NoForm(f"{form.name}: has no derivative, since it counts roots")
-    names = [name for name, _ in form.results]
-    given = zip(names, form.differentiated, strict=True)
-    results = [r for r in given if not form.held or r[0] in form.held]
-    slopes = []
+    slopes: list[tuple[str, Expr]] = []
     for name in by:
-        own = _By(symbols[name])
-        for result, expr in results:
-            try:
-                found = _held(expr, own) if form.held else own(expr)
-            except NoForm as lacking:
-                raise NoForm(
-                    f"{form.name}: has no derivative with respect to {name}, since {lacking}"
-                ) from None
-            slopes.append((f"{result}_by_{name}", found))
+        found = _slopes(form, symbols[name])
+        if isinstance(found, str):
+            raise NoForm(f"{form.name}: has no derivative with respect to {name}, since {found}")
+        slopes += found
     return replace(
         form,
         name=f"{form.name}_and_derivatives",

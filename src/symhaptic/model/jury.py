@@ -234,19 +234,27 @@ def _integers(coefficients: Sequence[Expr]) -> tuple[tuple[Symbol, ...], list[fm
     free = {s for c in given for s in c.free_symbols}
     symbols = tuple(sorted(free, key=lambda s: (s not in (alpha, beta), str(s))))
     names = symbols or (sp.Dummy(),)
-    polynomials = []
-    for c in given:
-        if not c.is_polynomial(*names):
-            raise ValueError(f"coefficients: {c} is no polynomial; put its number in afterwards")
-        polynomials.append(sp.Poly(c, *names))
-        if not polynomials[-1].domain.is_QQ and not polynomials[-1].domain.is_ZZ:
-            raise ValueError(f"coefficients: {c} has a number that is not rational")
-    common = lcm(*(int(n.q) for p in polynomials for n in p.coeffs()))
+    polynomials = [_terms(c, names) for c in given]
+    common = lcm(*(int(n.q) for p in polynomials for n in p.values()))
     ring = fmpz_mpoly_ctx.get([f"g{i}" for i in range(len(names))], "lex")
     rising = [
-        ring.from_dict({m: int(n * common) for m, n in p.terms() if n}) for p in polynomials[::-1]
+        ring.from_dict({m: int(n * common) for m, n in p.items() if n}) for p in polynomials[::-1]
     ]
     return symbols, rising
+
+
+def _terms(coefficient: Expr, names: tuple[Symbol, ...]) -> dict[tuple[int, ...], Expr]:
+    """The number of each monomial."""
+    if coefficient.is_Rational:
+        return {(0,) * len(names): coefficient}
+    if not coefficient.is_polynomial(*names):
+        raise ValueError(
+            f"coefficients: {coefficient} is no polynomial; put its number in afterwards"
+        )
+    polynomial = sp.Poly(coefficient, *names)
+    if not polynomial.domain.is_QQ and not polynomial.domain.is_ZZ:
+        raise ValueError(f"coefficients: {coefficient} has a number that is not rational")
+    return dict(polynomial.terms())
 
 
 def _minors(rows: list[list[fmpz_mpoly]]) -> list[fmpz_mpoly]:

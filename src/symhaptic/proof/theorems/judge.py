@@ -182,6 +182,17 @@ def taken_apart(
     return symbols, (), claim
 
 
+class SaysElse(Unfounded):
+    """A theorem says something else than the statement; both are written when that is read."""
+
+    def __init__(self, shown: Proposition, claim: Proposition) -> None:
+        super().__init__(shown, claim)
+        self.shown, self.claim = shown, claim
+
+    def __str__(self) -> str:
+        return f"the theorem says {written(self.shown)}, the statement {written(self.claim)}"
+
+
 def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
     """The hypotheses that what was shown has beside those of the claim."""
     if claim == shown:
@@ -189,7 +200,7 @@ def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
     symbols, given, then = taken_apart(claim)
     others, more, same = taken_apart(shown)
     if symbols != others or then != same or not set(given) <= set(more):
-        raise Unfounded(f"the theorem says {written(shown)}, the statement {written(claim)}")
+        raise SaysElse(shown, claim)
     extra = tuple(p for p in more if p not in given)
     if set(conjuncts(then)) & set(extra):
         raise Unfounded("the condition is what is claimed")
