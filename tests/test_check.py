@@ -342,3 +342,9 @@ def nothing(b, T, d):
         assert len(done.stderr.splitlines()) == 1
     with pytest.raises(ValueError, match="ulp: inf is not allowed"):
         Agreement("eq11").agrees(lambda b, T, d: math.nan, ulp=math.inf, points=50)
+
+
+def test_who_gives_too_many_numbers_is_said():
+    """Before: `gives 3 numbers; K, B are`, with nobody named."""
+    with pytest.raises(ValueError, match=r"^the function gives 3 numbers; K, B are allowed$"):
+        compared(CHECKED["eq11"], lambda some: [(1.0, 2.0, 3.0)] * len(some), 4, 10)

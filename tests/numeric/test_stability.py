@@ -1,12 +1,13 @@
 """Root counts where they are hard: weak walls, double roots, the principal sheet, the boundary."""
 
 from fractions import Fraction
+from inspect import signature
 
 import numpy as np
 import pytest
 from oracle import certified, principal
 
-from symhaptic import is_stable, stability_boundary, unstable_roots
+from symhaptic import delay_margin, is_stable, lambdify, stability_boundary, unstable_roots
 
 
 @pytest.mark.parametrize("delta", [0.0, 1e-10, 1e-6, 1e-3])
@@ -101,3 +102,45 @@ def test_points_of_the_boundary_themselves(delay):
     ]
     assert np.all(here >= np.min(sides, axis=0))
     assert np.all(here <= np.max(sides, axis=0))
+
+
+FAINT = [  # double precision, then single: the square of each is 0
+    (float, 1e-170),
+    (float, 1e-300),
+    (np.float32, 1e-24),
+    (np.float32, 1e-36),
+]
+
+
+@pytest.mark.parametrize(("kind", "size"), FAINT)
+@pytest.mark.parametrize("delay", [4, 4.5])
+@pytest.mark.parametrize("sheet", ["exact", "principal"])
+def test_a_wall_whose_squares_vanish_is_not_called_stable(kind, size, delay, sheet):
+    """A slow loop needs alpha (d + 1/2) < delta + beta; these have ten times as much, or pull.
+
+    Before: stable, with no root outside.
+    """
+    for alpha, beta, gamma, delta in [(10, 0, 0, 1), (10, 0, 0.04, 1), (0, -10, 0.04, 0)]:
+        wall = np.array([alpha, beta, delta], dtype=kind) * kind(size)
+        loop = wall[:1], wall[1:2], kind(gamma), wall[2:], kind(delay)
+        assert not is_stable(*loop, sheet=sheet).any()
+        assert unstable_roots(*loop, sheet=sheet).tolist() in ([-1], [2])  # not known, or right
+
+
+def test_such_a_wall_has_no_margin():
+    """Before: infinite without a spring, and with one the search did not end."""
+    assert delay_margin(1e-170, 0.0, [0.0, 0.04], 4.5e-170).tolist() == [0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    "scene",
+    ["", "no-stiffness", "no-delay", "no-damping", "no-virtual-damping", "no-stiffness,no-delay"],
+)  # fmt: skip
+def test_no_scene_calls_it_stable(scene):
+    stable = lambdify("is_stable", scene=scene or None)
+    wall = {"alpha": 1e-169, "beta": -1e-168, "gamma": 0.04, "delta": 1e-170, "d": 4.0}
+    assert not stable(*(wall[name] for name in signature(stable).parameters))
+
+
+def test_a_device_alone_is_stable_however_little_it_is_damped():
+    assert is_stable(0.0, 0.0, 0.04, 1e-300, [0, 4, 4.5]).all()

@@ -26,6 +26,7 @@ A, B = symbols("A B", commutative=False)
         f(x),
         sp.Symbol("w", complex=True),
         sp.Symbol("w", imaginary=True) * x,
+        sp.Symbol("w", antihermitian=True),  # the same, or 0
         sqrt(x),
         (-2) ** x,
         x**y,

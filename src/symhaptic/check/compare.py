@@ -74,9 +74,13 @@ def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
     got, many = call(some), len(checked.results)
     given, most_given = min(map(len, got)), max(map(len, got))
     if given != most_given:
-        raise ValueError(f"gives {given} numbers at one point and {most_given} at another")
+        raise ValueError(
+            f"the function gives {given} numbers at one point and {most_given} at another; "
+            "as many everywhere are allowed"
+        )
     if not given or given > many:
-        raise ValueError(f"gives {given} numbers; {', '.join(checked.results)} are")
+        names = ", ".join(checked.results)
+        raise ValueError(f"the function gives {given} numbers; {names} are allowed")
     checked = replace(checked, results=checked.results[:given])
     got = [g[:given] for g in got]
     places = _looked(checked, some, got)

@@ -8,14 +8,14 @@ piece Newton's method goes to the root from the end from which it never overshoo
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import And, Expr, Max, Min, Or, sqrt
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.root_count import _Wall, turns
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.root_count import _Wall, faint, turns
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.forms.root_count import FRACTIONAL_ARGUMENTS
 
@@ -91,9 +91,10 @@ def _leads(k: Terms) -> Boolean:
     return leads
 
 
-def fractional_roots() -> Routine:
-    """The number of roots outside the unit circle."""
+def fractional_roots(precision: Precision = DOUBLE) -> Routine:
+    """The number of roots outside the unit circle, -1 where floats do not tell it."""
     do = Steps()
+    weak = faint(do, precision)
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
     across = do("across", m2 - m0)
@@ -116,8 +117,10 @@ def fractional_roots() -> Routine:
     end = choose(v.far > 0, side, 0) - (d + 3)
     end = do("end", end + choose(apart > 0, choose(across >= 0, 1, -1), 0))
     total = do("total", found + choose(_leads(near), begin, 0))
-    return do.routine("FractionalRoots", "roots outside the unit circle, behind a fractional delay",
-                      FRACTIONAL_ARGUMENTS, total - choose(_leads(far_), end, 0))  # fmt: skip
+    total = do("total", total - choose(_leads(far_), end, 0))
+    return do.routine("FractionalRoots", "roots outside the unit circle behind a fractional delay, "
+                      "-1 where that is not known", FRACTIONAL_ARGUMENTS,
+                      choose(weak, -1, total))  # fmt: skip
 
 
 def _inside(do: Steps, top: Expr, bottom: Expr) -> Expr:
@@ -196,5 +199,5 @@ def cubic_root() -> Routine:
                       (*TERMS, low, high, rise), y)  # fmt: skip
 
 
-ROUTINES = (fractional_roots, zone_turns, piece_turns, cubic_root)
-PRECISE: tuple[Callable[[], Routine], ...] = ()
+ROUTINES = (zone_turns, piece_turns, cubic_root)
+PRECISE = (fractional_roots,)

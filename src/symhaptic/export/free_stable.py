@@ -15,8 +15,19 @@ import sympy as sp
 from sympy import And, Basic, Max, atan2, pi, sqrt
 
 from symhaptic.export.once import rewritten
-from symhaptic.export.precision import Precision
-from symhaptic.export.root_count import alpha, apart, at_minus_one, beta, d, loss, n0, n1, together
+from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.root_count import (
+    alpha,
+    apart,
+    at_minus_one,
+    beta,
+    d,
+    faint,
+    loss,
+    n0,
+    n1,
+    together,
+)
 from symhaptic.export.routine import Routine, Steps, choose
 from symhaptic.forms.form import Form
 from symhaptic.forms.root_count import Stable, WholeRoots
@@ -42,7 +53,7 @@ def with_free_verdict(form: Form) -> Form:
     )
 
 
-def free_stable() -> Routine:
+def free_stable(precision: Precision = DOUBLE) -> Routine:
     """Of small angles, and beyond y = 2 of what is left to half turns, so that nothing cancels."""
     do = Steps()
     slope, far = do("slope", alpha + beta), do("wall_far", alpha + 2 * beta)
@@ -63,10 +74,10 @@ def free_stable() -> Routine:
     turns = do("turns", d + choose(slope < 0, 2, 0))
     early = do("early", moved + pushed + choose(late, pi * turns - lost, lost) - delayed)
     early = do("early", choose(early * side > 0, 1, 0))
-    weak = And(alpha > 0, sp.Abs(pull) < at_minus_one)
+    weak = And(alpha > 0, sp.Abs(pull) < at_minus_one, sp.Not(faint(do, precision)))
     return do.routine("FreeStable", "1 where a loop without a spring is stable, else 0",
                       ARGUMENTS, choose(weak, early, 0))  # fmt: skip
 
 
-ROUTINES = (free_stable,)
-PRECISE: tuple[Callable[[Precision], Routine], ...] = ()
+ROUTINES: tuple[Callable[[], Routine], ...] = ()
+PRECISE = (free_stable,)

@@ -181,9 +181,16 @@ def _leads(k: _Quadratic) -> Expr:
     return Or(k.c < 0, And(zero, Or(k.b < 0, And(sp.Eq(k.b, 0), k.a < 0))))
 
 
-def whole_roots() -> Routine:
-    """The number of roots outside the unit circle."""
+def faint(do: Steps, precision: Precision) -> sp.Basic:
+    """Whether the squares of wall and damping vanish together: then neither is seen to lead."""
+    strength = do("strength", sp.Abs(alpha) + sp.Abs(beta))
+    return And(strength > 0, strength + loss < precision.vanishing)
+
+
+def whole_roots(precision: Precision = DOUBLE) -> Routine:
+    """The number of roots outside the unit circle, -1 where floats do not tell it."""
     do = Steps()
+    weak = faint(do, precision)
     e = do("e", 1 - loss)
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
@@ -204,8 +211,9 @@ def whole_roots() -> Routine:
         "end", choose(v.far > 0, side, 0) - (d + 3) + choose(apart > 0, choose(n1 >= 0, 1, -1), 0)
     )
     total = do("total", total + choose(_leads(near), begin, 0))
-    return do.routine("WholeRoots", "roots outside the unit circle", ARGUMENTS,
-                      total - choose(_leads(far), end, 0))  # fmt: skip
+    total = do("total", total - choose(_leads(far), end, 0))
+    return do.routine("WholeRoots", "roots outside the unit circle, -1 where that is not known",
+                      ARGUMENTS, choose(weak, -1, total))  # fmt: skip
 
 
 def stable(precision: Precision = DOUBLE) -> Routine:
@@ -220,5 +228,5 @@ def stable(precision: Precision = DOUBLE) -> Routine:
                       (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
 
 
-ROUTINES = (quadratic_roots, turn_angle, phase_turns, crossing_turns, whole_roots)
-PRECISE = (stable,)
+ROUTINES = (quadratic_roots, turn_angle, phase_turns, crossing_turns)
+PRECISE = (whole_roots, stable)

@@ -200,13 +200,15 @@ def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
 
 
 def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic) -> Form:
-    symbols = present(parts, alpha, beta, gamma, delta, d)
+    symbols, faint = present(parts, alpha, beta, gamma, delta, d), (alpha, beta, delta)
     found = [pair[which] for pair in _counted(parts)]
     result = either(*found) if parts.delay else found[0]
 
     def equal() -> Pairs:
         return (*same_device(parts), *(fractional_delay.derived(parts) if parts.delay else ()))
 
+    sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
+    seen = f"no wall with {sizes} < 2^-400 (2^-40 in single precision)"
     hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(
         name,
@@ -214,7 +216,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
         symbols,
         (("roots" if which == 0 else "stable", result),),
         equal,
-        domain(symbols, *hidden * (parts.stiffness and parts.damping)),
+        domain(symbols, *hidden * (parts.stiffness and parts.damping), seen),
         outside=outside,
     )
 

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "bc1cf60a13f54950"
+STAMP = "801887af0be0d2b4"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -602,9 +602,11 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
 }
 
-// roots outside the unit circle, behind a fractional delay
+// roots outside the unit circle behind a fractional delay, -1 where that is not known
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
+    const double strength = fabs(alpha) + fabs(beta);
+    if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
     const double across = -m0 + m2, lost = (loss*loss), square = m0*m2;
     const double size = (across*across), even = together*(m0 + m2);
@@ -722,9 +724,11 @@ static inline Roots quadratic_roots(double c, double b, double a, double root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle
+// roots outside the unit circle, -1 where that is not known
 static inline double whole_roots(double alpha, double beta, double d, double n1, double n0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
+    const double strength = fabs(alpha) + fabs(beta);
+    if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
     const double force = beta*slope, cross = n0*n1, lost = (loss*loss);
     const double square = cross*force + e, push = alpha*together, pull = apart*wall_far;

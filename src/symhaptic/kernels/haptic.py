@@ -1179,65 +1179,72 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
 
 
 def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart):
-    """roots outside the unit circle, behind a fractional delay"""
-    slope = alpha + beta
-    wall_far = alpha + 2.0*beta
-    force = beta*slope
-    across = m2 - m0
-    lost = (loss*loss)
-    square = m0*m2
-    size = (across*across)
-    even = together*(m0 + m2)
-    linear = size - even
-    pushed_ = alpha*together
-    near0 = (at_one - pushed_)*(at_one + pushed_)
-    near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
-    near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
-    near3 = -force*square
-    even = apart*(m0 + m2)
-    linear = size - even
-    pushed_ = apart*wall_far
-    far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
-    far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
-    far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
-    far3 = force*square
-    middle = 2.0*at_one/(2.0 - loss)
-    rest = 2.0*at_minus_one/(2.0 - loss)
-    sine = 0.25*middle*rest
-    tilt = 0.25*rest - 0.25*middle
-    real = 0.25*rest*together - 0.25*apart*middle
-    one = (real*real) + sine*size
-    two = size*tilt - real*(m0 + m2)
-    wave = 0.25*alpha*rest - 0.25*middle*wall_far
-    wall = sine*(slope*slope) + (wave*wave)
-    own0 = lost*sine - one*wall
-    own1 = lost*tilt - force*one - two*wall
-    own2 = 1.0 - force*two - loss - square*wall
-    own3 = -force*square
-    one = 0.5*middle
-    two = 0.5*rest
-    before = own0 - one*(own1 - one*(own2 - one*own3))
-    after = own0 + two*(own1 + two*(own2 + own3*two))
-    side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = (
-        xp.where(wall_far > 0.0, side, 0.0) - d +
-        xp.where(apart > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0), 0.0) -
-        3.0
-    )
-    total = (
-        xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
-        (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
-        0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
-        after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together,
-        apart, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
-        xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha, slope,
-        wall_far, across, loss, together, apart, middle, rest, d) +
-        zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
-        xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together, apart,
-        middle, rest, d)
-    )
-    return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) & (far1 == 0.0)) |
-        (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+    """roots outside the unit circle behind a fractional delay, -1 where that is not known"""
+    number = 9.094947017729282e-13 if alpha.dtype == xp.float32 else 3.8725919148493183e-121
+    strength = xp.abs(alpha) + xp.abs(beta)
+
+    def no(alpha, apart, at_minus_one, at_one, beta, d, loss, m0, m2, together):
+        slope = alpha + beta
+        wall_far = alpha + 2.0*beta
+        force = beta*slope
+        across = m2 - m0
+        lost = (loss*loss)
+        square = m0*m2
+        size = (across*across)
+        even = together*(m0 + m2)
+        linear = size - even
+        pushed_ = alpha*together
+        near0 = (at_one - pushed_)*(at_one + pushed_)
+        near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
+        near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
+        near3 = -force*square
+        even = apart*(m0 + m2)
+        linear = size - even
+        pushed_ = apart*wall_far
+        far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
+        far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
+        far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
+        far3 = force*square
+        middle = 2.0*at_one/(2.0 - loss)
+        rest = 2.0*at_minus_one/(2.0 - loss)
+        sine = 0.25*middle*rest
+        tilt = 0.25*rest - 0.25*middle
+        real = 0.25*rest*together - 0.25*apart*middle
+        one = (real*real) + sine*size
+        two = size*tilt - real*(m0 + m2)
+        wave = 0.25*alpha*rest - 0.25*middle*wall_far
+        wall = sine*(slope*slope) + (wave*wave)
+        own0 = lost*sine - one*wall
+        own1 = lost*tilt - force*one - two*wall
+        own2 = 1.0 - force*two - loss - square*wall
+        own3 = -force*square
+        one = 0.5*middle
+        two = 0.5*rest
+        before = own0 - one*(own1 - one*(own2 - one*own3))
+        after = own0 + two*(own1 + two*(own2 + own3*two))
+        side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
+        end = (
+            xp.where(wall_far > 0.0, side, 0.0) - d +
+            xp.where(apart > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0),
+            0.0) - 3.0
+        )
+        total = (
+            xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
+            (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
+            0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
+            after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together,
+            apart, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
+            xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha,
+            slope, wall_far, across, loss, together, apart, middle, rest, d) +
+            zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
+            xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together, apart,
+            middle, rest, d)
+        )
+        return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) &
+            (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+    return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
+        no, (alpha, apart, at_minus_one, at_one, beta, d, loss, m0, m2, together))
 
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
@@ -1343,73 +1350,83 @@ def quadratic_roots(xp, c, b, a, root):
 
 
 def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart):
-    """roots outside the unit circle"""
-    e = 1.0 - loss
-    slope = alpha + beta
-    wall_far = alpha + 2.0*beta
-    force = beta*slope
-    cross = n0*n1
-    lost = (loss*loss)
-    square = cross*force + e
-    push = alpha*together
-    pull = apart*wall_far
-    near0 = (at_one - push)*(at_one + push)
-    near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost
-    far0 = (at_minus_one - pull)*(at_minus_one + pull)
-    far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
-    center = 2.0*at_one/(e + 1.0)
-    beyond = 2.0*at_minus_one/(e + 1.0)
-    sine = 0.25*beyond*center
-    tilt = 0.25*beyond - 0.25*center
-    real = 0.25*beyond*together - 0.25*apart*center
-    m0 = (n1*n1)*sine + (real*real)
-    m1 = (n1*n1)*tilt - n1*real
-    wave = 0.25*alpha*beyond - 0.25*center*wall_far
-    wall = sine*(slope*slope) + (wave*wave)
-    own0 = lost*sine - m0*wall
-    own1 = lost*tilt - force*m0 - m1*wall
-    own2 = e - force*m1
-    square2 = (near1*near1)
-    product = 4.0*near0*square
-    size = square2 + xp.abs(product)
-    square3 = (own1*own1)
-    product2 = 4.0*own0*own2
-    size2 = square3 + xp.abs(product2)
-    square4 = (far1*far1)
-    product3 = 4.0*far0*square
-    size3 = square4 + xp.abs(product3)
-    side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-    end = (
-        xp.where(wall_far > 0.0, side, 0.0) - d +
-        xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
-    )
+    """roots outside the unit circle, -1 where that is not known"""
+    number = 9.094947017729282e-13 if alpha.dtype == xp.float32 else 3.8725919148493183e-121
+    strength = xp.abs(alpha) + xp.abs(beta)
 
-    def no(product, product3, size, size2, size3, square2, square4):
-        return select(xp, (size > size3) & (size2 > size3), lambda product3, square4: square4 -
-            product3, (product3, square4), lambda product, square2: square2 - product,
-            (product, square2))
+    def no(alpha, apart, at_minus_one, at_one, beta, d, loss, n0, n1, together):
+        e = 1.0 - loss
+        slope = alpha + beta
+        wall_far = alpha + 2.0*beta
+        force = beta*slope
+        cross = n0*n1
+        lost = (loss*loss)
+        square = cross*force + e
+        push = alpha*together
+        pull = apart*wall_far
+        near0 = (at_one - push)*(at_one + push)
+        near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost
+        far0 = (at_minus_one - pull)*(at_minus_one + pull)
+        far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
+        center = 2.0*at_one/(e + 1.0)
+        beyond = 2.0*at_minus_one/(e + 1.0)
+        sine = 0.25*beyond*center
+        tilt = 0.25*beyond - 0.25*center
+        real = 0.25*beyond*together - 0.25*apart*center
+        m0 = (n1*n1)*sine + (real*real)
+        m1 = (n1*n1)*tilt - n1*real
+        wave = 0.25*alpha*beyond - 0.25*center*wall_far
+        wall = sine*(slope*slope) + (wave*wave)
+        own0 = lost*sine - m0*wall
+        own1 = lost*tilt - force*m0 - m1*wall
+        own2 = e - force*m1
+        square2 = (near1*near1)
+        product = 4.0*near0*square
+        size = square2 + xp.abs(product)
+        square3 = (own1*own1)
+        product2 = 4.0*own0*own2
+        size2 = square3 + xp.abs(product2)
+        square4 = (far1*far1)
+        product3 = 4.0*far0*square
+        size3 = square4 + xp.abs(product3)
+        side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
+        end = (
+            xp.where(wall_far > 0.0, side, 0.0) - d +
+            xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
+        )
 
-    disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product2, square3: square3 -
-        product2, (product2, square3), no, (product, product3, size, size2, size3, square2,
-        square4))
+        def no(product, product3, size, size2, size3, square2, square4):
+            return select(xp, (size > size3) & (size2 > size3), lambda product3, square4: square4 -
+                product3, (product3, square4), lambda product, square2: square2 - product,
+                (product, square2))
 
-    def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0, own1,
-        own2, slope, square, together, wall_far):
-        root = square_root(xp, disc4)
-        low, high = quadratic_roots(xp, near0, near1, square, root)
-        low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
-        low3, high3 = quadratic_roots(xp, far0, far1, square, root)
-        return 2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
-            n1, loss, together, apart) - 2.0*crossing_turns(xp, high, low3, high2, center, beyond,
-            alpha, slope, wall_far, d, n1, loss, together, apart)
+        disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product2, square3: square3 -
+            product2, (product2, square3), no, (product, product3, size, size2, size3, square2,
+            square4))
 
-    total = select(xp, disc4 >= 0.0, yes, (alpha, apart, beyond, center, d, disc4, far0, far1,
-        loss, n1, near0, near1, own0, own1, own2, slope, square, together, wall_far),
-        lambda disc4: 0.0, (disc4,))
-    total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
-        (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-    return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) |
-        (far0 < 0.0), end, 0.0)
+        def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
+            own1, own2, slope, square, together, wall_far):
+            root = square_root(xp, disc4)
+            low, high = quadratic_roots(xp, near0, near1, square, root)
+            low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
+            low3, high3 = quadratic_roots(xp, far0, far1, square, root)
+            return (
+                2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
+                n1, loss, together, apart) - 2.0*
+                crossing_turns(xp, high, low3, high2, center, beyond, alpha, slope, wall_far,
+                d, n1, loss, together, apart)
+            )
+
+        total = select(xp, disc4 >= 0.0, yes,
+            (alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
+            own1, own2, slope, square, together, wall_far), lambda disc4: 0.0, (disc4,))
+        total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+            (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+        return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+            (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+
+    return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
+        no, (alpha, apart, at_minus_one, at_one, beta, d, loss, n0, n1, together))
 
 
 def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across):
@@ -2150,7 +2167,8 @@ def is_stable(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded.
+    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
+    precision).
     False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
@@ -2172,7 +2190,8 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded.
+    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
+    precision).
     -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)

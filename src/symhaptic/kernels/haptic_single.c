@@ -597,9 +597,11 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
 }
 
-// roots outside the unit circle, behind a fractional delay
+// roots outside the unit circle behind a fractional delay, -1 where that is not known
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
     float at_one, float at_minus_one, float loss, float together, float apart) {
+    const float strength = fabsf(alpha) + fabsf(beta);
+    if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
     const float across = -m0 + m2, lost = (loss*loss), square = m0*m2;
     const float size = (across*across), even = together*(m0 + m2);
@@ -718,9 +720,11 @@ static inline Roots quadratic_roots(float c, float b, float a, float root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle
+// roots outside the unit circle, -1 where that is not known
 static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
     float at_minus_one, float loss, float together, float apart) {
+    const float strength = fabsf(alpha) + fabsf(beta);
+    if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
     const float force = beta*slope, cross = n0*n1, lost = (loss*loss);
     const float square = cross*force + e, push = alpha*together, pull = apart*wall_far;

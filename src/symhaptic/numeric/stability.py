@@ -30,6 +30,10 @@ from symhaptic.numeric.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
 
+_FAINT = 2.0**-400
+"""Squares of such numbers are floats with all of their digits; of a wall and a damping that are
+smaller together, none is seen to lead."""
+
 
 def _leads(terms: Terms) -> NDArray[np.bool_]:
     """Whether g leads next to the end of the half circle: the first nonzero coefficient < 0."""
@@ -109,6 +113,8 @@ def count(
 ) -> Array:
     """Number of roots outside the unit circle, as floats; ``steps`` is the whole delay.
 
+    -1 where that is not known: of a wall whose squares vanish together with those of the damping.
+
     With ``on_circle``, the angle of a root on the circle, this root and its conjugate are left
     out: the phase there is an odd multiple of pi, rounded to the side that has them inside.
     """
@@ -138,7 +144,10 @@ def count(
         end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
     total += np.where(_leads(terms.near), begin, 0.0)
     total -= np.where(_leads(terms.far), end, 0.0)
-    return total
+    if on_circle is not None:
+        return total
+    size = np.abs(v.alpha) + np.abs(v.beta)
+    return np.where((size > 0) & (size + x.loss < _FAINT), -1.0, total)
 
 
 def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
@@ -175,7 +184,8 @@ def unstable_roots(
     Dimensionless wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
-    within rounding of the circle may be counted on either side.  NaN gives -1.
+    within rounding of the circle may be counted on either side.  -1 is the answer to NaN, and to a
+    wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single precision): their squares vanish.
 
     Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.
@@ -233,7 +243,8 @@ def is_stable(
 
     On the line alpha = -gamma a root lies at 1, an undamped device without a wall keeps on
     swinging, and one that makes whole half swings in a period does so with every wall: none of
-    them is stable, and NaN is not either.
+    them is stable, and neither is what is not known: NaN, and a wall so faint that its roots are
+    not counted.
 
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]

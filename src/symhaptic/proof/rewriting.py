@@ -78,7 +78,9 @@ def is_complex(symbol: Expr) -> bool:
     entry = SYMBOLS.get(symbol.name)
     if symbol.is_real is not None:
         return not symbol.is_real
-    return symbol.is_complex is not None or (entry is not None and entry.domain == "complex")
+    if symbol.is_complex is not None or symbol.is_antihermitian:
+        return True
+    return entry is not None and entry.domain == "complex"
 
 
 _REWRITTEN = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.re, sp.im)
