@@ -144,7 +144,7 @@ def zone_turns() -> Routine:
     last = do("last", Max(middle, more))
     middle = do("middle", Min(middle, more))
     cuts = [low, first, middle, last, high]
-    values = [at_low, *(do("height", _value(TERMS, c)) for c in cuts[1:-1]), at_high]
+    values = [at_low, *(do("p", _value(TERMS, c)) for c in cuts[1:-1]), at_high]
     piece = sp.Function("PieceTurns")
     found: Expr = sp.S.Zero
     for i in range(4):

@@ -208,7 +208,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
         return (*same_device(parts), *(fractional_delay.derived(parts) if parts.delay else ()))
 
     sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
-    seen = f"no wall with {sizes} < 2^-400 (2^-40 in single precision)"
+    seen = f"no wall with {sizes} < 2^-400 (single: 2^-40)"
     hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
     return Form(
         name,

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "801887af0be0d2b4"
+STAMP = "f709656b79e222b8"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -93,7 +93,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single precision).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
@@ -104,7 +104,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single precision).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "-1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
@@ -197,7 +197,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "801887af0be0d2b4")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "f709656b79e222b8")) return -1;
     return filled(module);
 }
 

@@ -591,15 +591,13 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double less = fmin(cut2, cut3), more = fmax(cut2, cut3);
     const double first = fmin(cut, less), middle = fmax(cut, less);
     const double last = fmax(middle, more), middle2 = fmin(middle, more);
-    const double height = first*(first*(first*k3 + k2) + k1) + k0;
-    const double height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
-    const double height3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const double found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, height, zone);
-    const double found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, height,
-        height2, zone);
-    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, height2,
-        height3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
+    const double p = first*(first*(first*k3 + k2) + k1) + k0;
+    const double p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
+    const double p3 = k0 + last*(k1 + last*(k2 + k3*last));
+    const double found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const double found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
 // roots outside the unit circle behind a fractional delay, -1 where that is not known

@@ -38,8 +38,7 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
- * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
- * precision).
+ * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
  * False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
  */
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d);
@@ -52,8 +51,7 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
- * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
- * precision).
+ * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
  * -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
  */
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d);

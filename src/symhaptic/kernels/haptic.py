@@ -1165,17 +1165,17 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     middle = xp.where(cut > less, cut, less)
     last = xp.where(middle > more, middle, more)
     middle = xp.where(middle < more, middle, more)
-    height = first*(first*(first*k3 + k2) + k1) + k0
-    height2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
-    height3 = k0 + last*(k1 + last*(k2 + k3*last))
-    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, height, zone, alpha, slope, far,
+    p = first*(first*(first*k3 + k2) + k1) + k0
+    p2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
+    p3 = k0 + last*(k1 + last*(k2 + k3*last))
+    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, p, zone, alpha, slope, far, n1,
+        loss, together, apart, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, p, p2, zone, alpha, slope, far,
         n1, loss, together, apart, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, height, height2, zone, alpha,
-        slope, far, n1, loss, together, apart, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, height2, height3, zone, alpha,
-        slope, far, n1, loss, together, apart, center, beyond, d)
-    return found + piece_turns(xp, k0, k1, k2, k3, last, high, height3, at_high, zone, alpha,
-        slope, far, n1, loss, together, apart, center, beyond, d)
+    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, p2, p3, zone, alpha, slope, far,
+        n1, loss, together, apart, center, beyond, d)
+    return found + piece_turns(xp, k0, k1, k2, k3, last, high, p3, at_high, zone, alpha, slope,
+        far, n1, loss, together, apart, center, beyond, d)
 
 
 def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart):
@@ -2167,8 +2167,7 @@ def is_stable(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
-    precision).
+    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
@@ -2190,8 +2189,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (2^-40 in single
-    precision).
+    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)

@@ -586,15 +586,13 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3);
     const float first = fminf(cut, less), middle = fmaxf(cut, less);
     const float last = fmaxf(middle, more), middle2 = fminf(middle, more);
-    const float height = first*(first*(first*k3 + k2) + k1) + k0;
-    const float height2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
-    const float height3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, height, zone);
-    const float found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, height, height2,
-        zone);
-    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, height2,
-        height3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, height3, at_high, zone);
+    const float p = first*(first*(first*k3 + k2) + k1) + k0;
+    const float p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
+    const float p3 = k0 + last*(k1 + last*(k2 + k3*last));
+    const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const float found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
 // roots outside the unit circle behind a fractional delay, -1 where that is not known
