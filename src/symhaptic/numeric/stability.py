@@ -185,7 +185,7 @@ def unstable_roots(
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
     within rounding of the circle may be counted on either side.  -1 is the answer to NaN, and to a
-    wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40): their squares vanish.
+    wall with ``abs(alpha) + abs(beta) + delta < 2**-400`` (single: 2^-40): their squares vanish.
 
     Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.
