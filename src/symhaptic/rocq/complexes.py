@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.rocq.terms import Names, NotPrinted, Real, complex_, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, Real, complex_, printed_by, real_text
 
 
 class Complex(Real):
@@ -50,4 +50,4 @@ class Complex(Real):
 
 def complex_text(expr: Expr, names: Names) -> str:
     """A complex term."""
-    return str(Complex(names)._print(expr))
+    return printed_by(Complex, expr, names)

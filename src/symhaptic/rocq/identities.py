@@ -8,6 +8,7 @@ Rocq's ``ring`` rewrites them to a normal form.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from math import lcm
 
 import sympy as sp
@@ -205,6 +206,9 @@ def same(left: Expr, right: Expr, names: Names) -> list[str]:
     return script([left, right], lambda of: of(left) - of(right), names)
 
 
+_prime = cache(sp.prime)
+
+
 def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> bool:
     """Whether it vanishes with each function for a variable."""
     outer = set[Expr]().union(*(t.atoms(sp.Function, sp.Pow) for t in terms))
@@ -217,7 +221,7 @@ def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> boo
     bare = difference(lambda t: t.xreplace(names))
     symbols = sorted(bare.free_symbols, key=sp.default_sort_key)
     # Rocq decides; here a point with large primes for coordinates tells which tactic to try.
-    return bool(bare.xreplace({s: sp.prime(1000 + 7 * i) for i, s in enumerate(symbols)}) == 0)
+    return bool(bare.xreplace({s: _prime(1000 + 7 * i) for i, s in enumerate(symbols)}) == 0)
 
 
 def _expansions(parts: _Parts, names: Names) -> list[str]:

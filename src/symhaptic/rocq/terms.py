@@ -15,7 +15,7 @@ from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
-from symhaptic.notation.proposition import is_complex
+from symhaptic.notation.proposition import is_complex, symbols_in
 
 
 class NotPrinted(ValueError):
@@ -59,6 +59,10 @@ class Names:
 
     def __contains__(self, symbol: object) -> bool:
         return symbol in self._of
+
+    def written(self, symbol: Symbol) -> str:
+        """A symbol in a term: its name, or what it stands for."""
+        return self.spelled.get(symbol) or self[symbol]
 
     @contextmanager
     def bound(self, *symbols: Symbol) -> Iterator[list[str]]:
@@ -105,7 +109,7 @@ class Real(StrPrinter):  # type: ignore[misc]
         raise NotPrinted(f"{type(expr).__name__}")
 
     def _print_Symbol(self, expr: Symbol) -> str:
-        return self.names.spelled.get(expr) or self.names[expr]
+        return self.names.written(expr)
 
     _print_Dummy = _print_Symbol  # noqa: N815
 
@@ -157,6 +161,20 @@ class Real(StrPrinter):  # type: ignore[misc]
         return text if plain or base is sp.pi else f"({text})"
 
 
+_WRITTEN: dict[Any, str] = {}
+"""Terms by how they are printed and with which names: most stand in many lemmas."""
+
+
+def printed_by(printer: type[Real], expr: Expr, names: Names) -> str:
+    """A term, which is printed only once with the same names."""
+    symbols = symbols_in(expr)
+    said = frozenset((s, names.written(s), s in names.as_complex) for s in symbols)
+    found = _WRITTEN.get(of := (printer, expr, said))
+    if found is None:
+        found = _WRITTEN[of] = str(printer(names)._print(expr))
+    return found
+
+
 def real_text(expr: Expr, names: Names) -> str:
     """A real term."""
-    return str(Real(names)._print(expr))
+    return printed_by(Real, expr, names)
