@@ -18,7 +18,6 @@ import sympy as sp
 from symhaptic.bench.printed import dimensionless, in_units, limit, placed
 from symhaptic.check import slips
 from symhaptic.check.checked import Checked
-from symhaptic.check.columns import at_columns
 from symhaptic.notation import alpha, beta, gamma
 from symhaptic.paper import STATEMENTS
 from symhaptic.proof.mutants import mutants
@@ -73,9 +72,8 @@ def _candidates(checked: Checked, columns: Columns) -> Iterator[tuple[str, Colum
     """Each mistake with what it gives."""
     with np.errstate(all="ignore"):
         yield from _ordered(checked, columns)
-        parts: dict[sp.Expr, Any] = {}
         for name, exprs in _written(checked):
-            yield name, _values(checked, exprs, parts)(columns)
+            yield name, _values(checked, exprs)(columns)
         numbers = _numbers(checked)
         printed = _values(checked, _print(checked)) if checked.printed else numbers
         for name, taken in slips.taken(checked.ranges, columns):
@@ -184,25 +182,20 @@ def _ruled(checked: Checked, expr: sp.Expr, columns: Columns) -> Columns:
     return [at["alpha"] < allowed] if "alpha" in at else [allowed]
 
 
-def _values(
-    checked: Checked, exprs: Sequence[sp.Expr], parts: dict[sp.Expr, Any] | None = None
-) -> Callable[[Columns], Columns]:
-    """Expressions at points, complex as square roots may be; none where they fail.
-
-    ``parts`` keeps the values of what they are made of, for others at the same points.
-    """
+def _values(checked: Checked, exprs: Sequence[sp.Expr]) -> Callable[[Columns], Columns]:
+    """Expressions at points, complex as square roots may be; none where they fail."""
     names = {s.name: s for e in exprs for s in e.free_symbols}
     names |= {"theta": names["omega_hat"]} if "omega_hat" in names else {}
     arguments = [names.get(name, sp.Dummy(name)) for name in checked.ranges]
     known = {s for e in exprs for s in e.free_symbols} <= set(arguments)
     if not known or any(e.has(sp.zoo, sp.oo, sp.nan) for e in exprs):
         return lambda columns: []
+    down = {"floor": lambda x: np.floor(np.real(x))}
+    function = sp.lambdify(arguments, list(exprs), [down, "numpy"], cse=True)
 
     def given(columns: Columns) -> Columns:
-        at = {} if parts is None else parts
-        at |= zip(arguments, (c.astype(complex) for c in columns), strict=True)
         try:
-            return [np.real(at_columns(e, at)) for e in exprs]
+            return [np.real(value) for value in function(*(c.astype(complex) for c in columns))]
         except ZeroDivisionError:
             return []
 
