@@ -141,6 +141,8 @@ def verify(
     writable(output)
     if source is not None and (derivation or listed):
         refuse(f"--source {source}: is for itself; leave --derivation and --list out")
+    if as_recorded and (rocq is None or source is not None):
+        refuse("--as-recorded: is for the paper's statements and --rocq DIR; give that alone")
     if listed:
         name_statements(ids or [], format, output, derivation)
         return
@@ -159,8 +161,6 @@ def verify(
         given = {path.resolve() for path in own}
         others = [p for p in chapters.shipped() if p.resolve() not in given]
         shipped = listing.needed(wanted + whole() if as_recorded else wanted, others)
-    if as_recorded and (rocq is None or source is not None):
-        refuse("--as-recorded: is for the paper's statements and --rocq DIR; give that alone")
     if rocq is not None:
         if format is ListFormat.junit:
             refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
