@@ -43,8 +43,8 @@ def derive(page):
             for level, point in marks(delay, damping)
         ]
         page.table(
-            f"All points of these errors for $d={delay}$, $\\gamma=0.001$: $\\varepsilon$ in per "
-            "cent, the rest in thousandths. All digits are certain, the last is rounded.",
+            f"All points for $d={delay}$, $\\gamma=0.001$; $\\varepsilon$ in per cent, the rest in "
+            "thousandths, rightly rounded.",
             ("$\\delta$", "$\\varepsilon$", "$\\theta$", "$\\alpha$", "$\\beta$"),
             rows,
         )

@@ -229,7 +229,8 @@ def _table(block: Block) -> list[str]:
         head,
         "\\midrule",
         *rows,
-        f"\\bottomrule\\end{{tabular}}\\\\*[4pt]{{\\footnotesize {prose(block.text)}\\par}}",
+        r"\bottomrule\end{tabular}\\*[4pt]"
+        rf"{{\footnotesize\interlinepenalty=10000 {prose(block.text)}\par}}",
         "\\end{center}",
         "",
     ]
