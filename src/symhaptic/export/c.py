@@ -151,6 +151,8 @@ class C(Target):
             own.places = self.records.places(routine)
             own.writes = routine
         body = braces(own, guarded(routine), ends, f"const {self.real}")
+        if body[-1].endswith("return;"):
+            body[-1:] = [line] if (line := body[-1].removesuffix("return;").rstrip()) else []
         short = f"{head} {{ {body[0].lstrip()} }}"
         if len(body) == 1 and len(short) <= WIDTH:
             return [short, ""]
@@ -159,7 +161,7 @@ class C(Target):
     def called(self, call: Expr) -> str:
         """A call, with pairs where the routine takes them."""
         name, printer = call.func.__name__, self.printing()
-        args = [printer.doprint(a) for a in call.args]
+        args = [printer.whole(a) for a in call.args]
         if self.records is not None:
             given = self.records.given(name, args)
             args = [self.places.variable(self._handed(a)) for a in given]

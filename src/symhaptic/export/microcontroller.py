@@ -13,17 +13,17 @@ from symhaptic.export.routine import Routine
 from symhaptic.export.target import Refused, Target, operations
 
 SIZES = {
-    "discretize": 3860,
-    "discretize_fractional": 4840,
-    "characteristic_polynomial": 3948,
-    "is_stable": 10668,
-    "unstable_roots": 10392,
-    "stability_conditions": 4996,
-    "stability_boundary": 6924,
-    "max_stable_stiffness": 15156,
-    "passivity_margin_at": 660,
-    "passivity_margin": 2480,
-    "passivity_boundary": 3192,
+    "discretize": 3856,
+    "discretize_fractional": 4836,
+    "characteristic_polynomial": 3952,
+    "is_stable": 10644,
+    "unstable_roots": 10340,
+    "stability_conditions": 4992,
+    "stability_boundary": 6920,
+    "max_stable_stiffness": 15080,
+    "passivity_margin_at": 656,
+    "passivity_margin": 2464,
+    "passivity_boundary": 3184,
     "max_passive_stiffness": 1628,
     "linear_limit": 100,
 }

@@ -2,18 +2,35 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
 from sympy.printing.codeprinter import CodePrinter
+from sympy.printing.precedence import PRECEDENCE, precedence
 
 from symhaptic.export.target import Refused
 
 if TYPE_CHECKING:
     from symhaptic.export.target import Target
+
+
+_CALL = re.compile(r"[\w:.]+\(\{0\}(, \{1\})?\)")
+"""A template that sets each argument apart."""
+
+
+def bare(text: str) -> str:
+    """An expression without the brackets around all of it.
+
+    >>> bare("(a ? b : c)"), bare("(a + b)*(c + d)")
+    ('a ? b : c', '(a + b)*(c + d)')
+    """
+    *inside, after = accumulate(((c == "(") - (c == ")") for c in text), initial=0)
+    return text[1:-1] if text[:1] == "(" and after == 0 and all(inside[1:]) else text
 
 
 class Printing(CodePrinter):  # type: ignore[misc]
@@ -31,7 +48,29 @@ class Printing(CodePrinter):  # type: ignore[misc]
             return str(self._print(item))
         return str(super().parenthesize(item, level, strict))
 
-    _print_Add, _print_Mul = CodePrinter._print_Add, CodePrinter._print_Mul  # noqa: N815
+    def whole(self, expr: Expr) -> str:
+        """An expression as source code, where nothing stands beside it."""
+        return bare(self.doprint(expr))
+
+    _print_Mul = CodePrinter._print_Mul
+
+    def _as_ordered_terms(self, expr: Expr, order: str | None = None) -> list[Expr]:
+        """SymPy's order, but x - y for -y + x, which is the same float."""
+        first, second, *others = super()._as_ordered_terms(expr, order)
+        if _negative(first) and not _negative(second):
+            return [second, first, *others]
+        return [first, second, *others]
+
+    def _print_Add(self, expr: Expr, order: str | None = None) -> str:
+        text = ""
+        for term in self._as_ordered_terms(expr, order):
+            shown = str(self._print(term))
+            if term.is_Pow:
+                shown = bare(shown)
+            elif term.is_Add or precedence(term) < PRECEDENCE["Add"]:
+                shown = f"({shown})"
+            text += f" - {shown[1:]}" if shown.startswith("-") else f" + {shown}"
+        return f"-{text[3:]}" if text.startswith(" -") else text[3:]
 
     def _operation(self, expr: Expr) -> str:
         return self._written(type(expr).__name__, expr.args)
@@ -40,7 +79,10 @@ class Printing(CodePrinter):  # type: ignore[misc]
         template = self.target.operations.get(name)
         if template is None:
             raise Refused(f"{self.target.name}: has no operation {name!r}")
-        return template.format(*(self._print(a) for a in args), real=self.target.real)
+        shown = [str(self._print(a)) for a in args]
+        if _CALL.fullmatch(template):
+            shown = [bare(text) for text in shown]
+        return template.format(*shown, real=self.target.real)
 
     _print_Abs = _print_TwoProdError = _print_atan2 = _print_cos = _print_exp = _operation  # noqa: N815
     _print_expm1 = _print_floor = _print_sin = _print_tan = _operation
@@ -68,7 +110,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
     _print_Max = _print_Min = _folded  # noqa: N815
 
     def _print_Function(self, expr: Expr) -> str:
-        args = ", ".join(self._print(a) for a in expr.args)
+        args = ", ".join(self.whole(a) for a in expr.args)
         return f"{self.target.call(expr.func.__name__)}({args})"
 
     def _number(self, expr: Expr) -> str:
@@ -90,7 +132,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
         return f"{self.target.number(1.0)}/{f'({product})' if times < -1 else factor}"
 
     def _print_Relational(self, expr: Expr) -> str:
-        left, right = (self._print(side) for side in expr.args)
+        left, right = (bare(self._print(s)) if s.is_Pow else self._print(s) for s in expr.args)
         return f"{left} {self.target.comparison(expr.rel_op)} {right}"
 
     def _print_And(self, expr: Expr) -> str:
@@ -117,3 +159,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, expr: Symbol) -> str:
         return self.target.rename(expr.name)
+
+
+def _negative(term: Expr) -> bool:
+    return bool(term.as_coeff_Mul()[0].is_negative)

@@ -9,6 +9,7 @@ import sympy as sp
 from sympy import Symbol
 
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, expressions
+from symhaptic.export.printing import bare
 from symhaptic.export.routine import Repeat, Several
 from symhaptic.export.target import Target
 from symhaptic.export.wrapping import WIDTH
@@ -28,7 +29,7 @@ def braces(
     for i, statement in enumerate(block):
         if isinstance(statement, Assign):
             name = target.rename(statement.name.name)
-            given = f"{name} = {printer.doprint(statement.expr)};"
+            given = f"{name} = {printer.whole(statement.expr)};"
             prepared()
             _declared(target, lines, f"{pad}{declare} ", given)
         elif isinstance(statement, Repeat):
@@ -59,7 +60,8 @@ def braces(
             lines += rest
         elif isinstance(statement, Join) and (value := _chosen(target, statement)):
             (n,) = statement.names
-            _declared(target, lines, f"{pad}{declare} ", f"{target.rename(n.name)} = {value};")
+            given = f"{target.rename(n.name)} = {bare(value)};"
+            _declared(target, lines, f"{pad}{declare} ", given)
         elif isinstance(statement, Join) and (given := _at_first(target, statement)):
             _declared(target, lines, f"{pad}{target.varying} ", f"{given};")
             lines.append(f"{pad}if ({printer.doprint(statement.condition)}) {{")
@@ -78,11 +80,11 @@ def braces(
             lines.append(f"{pad}}} else {{")
             lines += [*braces(target, statement.no, ends, declare, depth + 1), f"{pad}}}"]
         elif isinstance(statement, Set):
-            given = f"{target.rename(statement.name.name)} = {printer.doprint(statement.expr)};"
+            given = f"{target.rename(statement.name.name)} = {printer.whole(statement.expr)};"
             prepared()
             _beside(target, lines, pad, given)
         elif isinstance(statement, Return):
-            shown = [printer.doprint(r) for r in statement.results]
+            shown = [printer.whole(r) for r in statement.results]
             ended = target.ended(ends, shown)
             prepared()
             for end in ended:
@@ -196,7 +198,7 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
     count = target.rename(f"count_{loop.states[0].name}")
     lines: list[str] = []
     for name, first in zip(states, loop.start, strict=True):
-        given = f"{name} = {printer.doprint(first)};"
+        given = f"{name} = {printer.whole(first)};"
         _declared(target, lines, f"{target.varying} ", given)
     if loop.number is None:
         lines.append(target.times.format(count, loop.most))
@@ -209,7 +211,7 @@ def _repeated(target: Target, loop: Repeat, declare: str) -> list[str]:
         inner = [line.strip() for line in first]
     last = _at_once(loop)
     for n, e in loop.steps:
-        value = printer.doprint(e)
+        value = printer.whole(e)
         if last and n == last[1]:
             inner.append(f"{target.rename(last[0].name)} = {value};")
         else:
@@ -245,7 +247,7 @@ def worded(
     printer, before, lines = target.printing(), pad * depth, []
     for statement in block:
         if isinstance(statement, (Assign, Set)):
-            value = printer.doprint(statement.expr)
+            value = printer.whole(statement.expr)
             lines.append(f"{before}{target.rename(statement.name.name)} = {value}{words.end}")
         elif isinstance(statement, Repeat):
             lines += [before + line for line in _turned(target, statement, words)]
@@ -259,7 +261,7 @@ def worded(
             lines.append(before + words.decided)
         elif isinstance(statement, Return):
             for name, value in zip(results, statement.results, strict=True):
-                lines.append(f"{before}{name} = {printer.doprint(value)}{words.end}")
+                lines.append(f"{before}{name} = {printer.whole(value)}{words.end}")
     return lines
 
 
@@ -267,14 +269,14 @@ def _turned(target: Target, loop: Repeat, words: Words) -> list[str]:
     printer = target.printing()
     states = [target.rename(s.name) for s in loop.states]
     begin = zip(states, loop.start, strict=True)
-    lines = [f"{name} = {printer.doprint(first)}{words.end}" for name, first in begin]
+    lines = [f"{name} = {printer.whole(first)}{words.end}" for name, first in begin]
     if loop.number is None:
         lines.append(words.loop.format(states[0], loop.most))
         lines += ["  " + line.format(printer.doprint(loop.done)) for line in words.leave]
     else:
         head = target.series(loop)
         lines += [line.format(**head) for line in words.each]
-    done = [(target.rename(n.name), printer.doprint(e)) for n, e in loop.steps]
+    done = [(target.rename(n.name), printer.whole(e)) for n, e in loop.steps]
     done += [(target.rename(s.name), target.rename(n.name)) for s, n in loop.turned]
     lines += [f"  {name} = {value}{words.end}" for name, value in done]
     return [*lines, words.looped]

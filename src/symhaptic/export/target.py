@@ -226,7 +226,7 @@ class Target:
         """
         printer, call = self.printing(), several.call
         names = [self.rename(s.name) for s in several.names]
-        args = ", ".join(map(printer.doprint, call.args))
+        args = ", ".join(map(printer.whole, call.args))
         return "", self.unpacked(names, self.call(call.func.__name__), args)
 
     def passed_on(self, several: Several) -> str:

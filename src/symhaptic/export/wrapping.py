@@ -10,10 +10,11 @@ WIDTH = 100
 
 _COMMENT = re.compile(r"\s*(//[/!]?|\*|%|!|#) ")
 _GAP = re.compile(
-    r"[,?{] |(?<= ): |\((?!\))|(?<= )[-+=] |(?<![ */])[*/](?![*/])"
+    r"[,?] |\{ (?!\w+; \})|(?<= ): |\((?!\))|(?<= )[-+=] |(?<![ */])[*/](?![*/])"
     r"|(?:&&|\|\||\.and\.|\.or\.|[&|]) "
 )
-"""Behind these a line may end: no language takes what is before for a whole statement."""
+"""Behind these a line may end: no language takes what is before for a whole statement, and a block
+of one word stays together."""
 
 
 def wrapped(lines: Iterable[str], end: str = "", width: int = WIDTH) -> list[str]:

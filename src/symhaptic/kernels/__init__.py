@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "f709656b79e222b8"
+STAMP = "2c91e1559b56fd45"
 """Of the sources in C, as the module that is compiled of them has it."""

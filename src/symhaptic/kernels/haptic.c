@@ -40,7 +40,7 @@ typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center,
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
-    const double square = (x*x);
+    const double square = x*x;
     return square*(square*(square*(square*(square*
         (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
         7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
@@ -54,7 +54,7 @@ static inline double decay_series(double x) {
 // x + y and what it misses, for |x| >= |y|
 static inline Pair fast_two_sum(double x, double y) {
     const double total = x + y, back = total - x;
-    return (Pair){total, -back + y};
+    return (Pair){total, y - back};
 }
 
 // 1 - x of a pair, for |x| <= 1
@@ -79,15 +79,15 @@ static inline Fading brief_fading(Pair rate) {
     const Pair total = fast_two_sum(1.0, -0.5*rate.hi);
     const Pair total2 = fast_two_sum(total.hi, (rate.hi*rate.hi)*decay_series(rate.hi));
     const double bent = rate.lo*(0.125*(rate.hi*rate.hi) - 0.3333333333333333*rate.hi + 0.5);
-    const double mean_low = -bent + total.lo + total2.lo;
+    const double mean_low = total.lo - bent + total2.lo;
     return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
 }
 
 // x/y of pairs
 static inline Pair pair_quot(Pair x, Pair y) {
-    const double total = x.hi/y.hi, left = -total*y.hi + x.hi;
+    const double total = x.hi/y.hi, left = x.hi - total*y.hi;
     const double left2 = left - fma(total, y.hi, -(total*y.hi));
-    const double rest = -total*y.lo + x.lo, left3 = left2 + rest;
+    const double rest = x.lo - total*y.lo, left3 = left2 + rest;
     return (Pair){total, left3/y.hi};
 }
 
@@ -100,10 +100,10 @@ static inline Fading fading_pair(Pair rate) {
 
 // what the root of |square + square_low| misses
 static inline double root_miss(Pair square, double root) {
-    const double sign_low = (square.hi < 0.0 ? -square.lo : square.lo);
-    const double left = -(root*root) + fabs(square.hi);
+    const double sign_low = square.hi < 0.0 ? -square.lo : square.lo;
+    const double left = fabs(square.hi) - (root*root);
     const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
-    const double whole = (root == 0.0 ? 1.0 : root);
+    const double whole = root == 0.0 ? 1.0 : root;
     return 0.5*left3/whole;
 }
 
@@ -111,7 +111,7 @@ static inline double root_miss(Pair square, double root) {
 static inline Poles real_poles(const Motion *motion, double gamma) {
     const Pair total = fast_two_sum(motion->half, motion->root);
     const double p_low = total.lo + root_miss(motion->w, motion->root);
-    const double whole = (total.hi == 0.0 ? 1.0 : total.hi);
+    const double whole = total.hi == 0.0 ? 1.0 : total.hi;
     return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0}, (Pair){whole, p_low})};
 }
 
@@ -126,7 +126,7 @@ static inline Creeping creeping_device(const Motion *motion, double gamma) {
 
 // x - y and what it misses
 static inline Pair two_diff(double x, double y) {
-    const double total = x - y, back = total - x, rest = -back + total, one = -rest + x;
+    const double total = x - y, back = total - x, rest = total - back, one = x - rest;
     const double two = -back - y;
     return (Pair){total, one + two};
 }
@@ -140,8 +140,8 @@ static inline Motion device_motion(double gamma, double delta) {
     const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
     const Pair total = fast_two_sum(diff.hi, diff.lo + prod.lo);
     const double root = sqrt(fabs(total.hi));
-    return (Motion){half, total, root, (total.hi < 0.0 ? 0.25*gamma : 0.4444444444444444*half +
-        0.4444444444444444*root)};
+    return (Motion){half, total, root, total.hi < 0.0 ? 0.25*gamma : 0.4444444444444444*half +
+        0.4444444444444444*root};
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -258,7 +258,7 @@ static inline Pair slow_fade(const Motion *motion) {
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
 static inline double cos_series(double w) {
-    const double square = (w*w);
+    const double square = w*w;
     double one = 0.0, two = 0.0;
     for (int n = 22; n >= 6; n -= 2) {
         const double number = inverse_factorial[n], both = number + square*two;
@@ -269,7 +269,7 @@ static inline double cos_series(double w) {
 
 // (sinh(sqrt(w))/sqrt(w) - 1)/w
 static inline double sin_series(double w) {
-    const double square = (w*w);
+    const double square = w*w;
     double one = 0.0, two = 0.0;
     for (int n = 21; n >= 5; n -= 2) {
         const double number = inverse_factorial[n], both = number + square*two;
@@ -299,7 +299,7 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const double count = floor(0.5*root/3.141592653589793 + 0.5);
         const Pair prod3 = two_prod(count, 6.283185307179586);
         const Pair diff6 = two_diff(root, -prod3.hi);
-        const double missed = root_miss(square, root), turns = (count*count);
+        const double missed = root_miss(square, root), turns = count*count;
         const Pair prod = two_prod(turns, 39.47841760435743);
         const Pair prod2 = two_prod(turns, 2.5061182034958845e-15);
         const Pair diff = two_diff(-square.hi, prod.hi);
@@ -311,7 +311,7 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const double back = 2.4492935982947064e-16*count;
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
             (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
-        const double far = (quot.hi*quot.hi);
+        const double far = quot.hi*quot.hi;
         if ((count > 0.0) && (far < 1.5)) {
             const Fading fading = brief_fading((Pair){half, 0.0});
             const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
@@ -363,7 +363,7 @@ static inline Device device_n0_n1_trace(double gamma, double delta) {
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
 static inline double numerator_at_one_series(double h, double w) {
-    const double y = (h*h);
+    const double y = h*h;
     double total = 0.0, inner = 0.0;
     for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 12 : 28); n >= 4; n -= 2) {
         const double number = inverse_factorial[n], own = inner*w + number;
@@ -386,7 +386,7 @@ static inline double numerator_at_one_creep(const Motion *motion, const Creeping
 static inline Pair half_squares(double half, double envelope, double wave, double back) {
     const double grown = -0.5*expm1(-half);
     return pair_sum(wide_prod(envelope, pair_square(two_diff(wave, back))),
-        (Pair){(grown*grown), 0.0});
+        (Pair){grown*grown, 0.0});
 }
 
 // n1 + n0 of a swinging device
@@ -467,7 +467,7 @@ static inline double denominator_at_minus_one_swing(const Motion *motion,
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
 static inline double numerator_gap_series(double h, double w) {
-    const double y = (h*h);
+    const double y = h*h;
     double total = 0.0, inner = 0.0;
     for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 13 : 27); n >= 5; n -= 2) {
         const double number = inverse_factorial[n], own = inner*w + number;
@@ -524,37 +524,36 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, dou
 // the root of a cubic on a piece where it bends one way
 static inline double cubic_root(double k0, double k1, double k2, double k3, double low,
     double high, double rise) {
-    const double convex = (2.0*k2 + 3.0*k3*(high + low) > 0.0 ? 1.0 : -1.0);
-    const double down = (convex*rise > 0.0 ? 1.0 : -1.0);
-    double y = (down > 0.0 ? high : low), moves = 1.0;
+    const double convex = 2.0*k2 + 3.0*k3*(high + low) > 0.0 ? 1.0 : -1.0;
+    const double down = convex*rise > 0.0 ? 1.0 : -1.0;
+    double y = down > 0.0 ? high : low, moves = 1.0;
     for (int count_y = 0; count_y < 100; ++count_y) {
         if (moves == 0.0) { break; }
-        const double steep = k1 + y*(2.0*k2 + 3.0*k3*y), some = (steep == 0.0 ? 1.0 : steep);
-        const double move = (steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
-        const double new_ = fmin(high, -move + y), new2 = fmax(low, new_);
-        moves = (down*(-new2 + y) > 0.0 ? 1.0 : 0.0); y = new2;
+        const double steep = k1 + y*(2.0*k2 + 3.0*k3*y), some = steep == 0.0 ? 1.0 : steep;
+        const double move = steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some;
+        const double new_ = fmin(high, y - move), new2 = fmax(low, new_);
+        moves = down*(y - new2) > 0.0 ? 1.0 : 0.0; y = new2;
     }
     return y;
 }
 
 // the angle of x + j y in half turns, and the rest
 static inline Angle turn_angle(double x, double y) {
-    return (Angle){(x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0), atan2((x < 0.0 ? -y : y), fabs(x))};
+    return (Angle){x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0, atan2(x < 0.0 ? -y : y, fabs(x))};
 }
 
 // the nearest whole number of turns in the phase at a crossing
 static inline double phase_turns(const Loop *loop, double y, double rest, double off) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
     const Angle angle = turn_angle(off*(2.0*loop->loss - 4.0), loop->loss*sine);
-    const Angle angle2 = turn_angle(-loop->apart*at + still*loop->together, loop->n1*sine);
+    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
     const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
-    const double half = atan2((at > 2.0 ? sqrt(still) : sqrt(at)),
-        (at > 2.0 ? sqrt(at) : sqrt(still)));
+    const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
     const double late = loop->d + 2.0;
-    const double halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0 ? late : 0.0);
+    const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late : 0.0);
     const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
         angle3.rest)/3.141592653589793;
-    const double even = floor(0.5*halves4), left = -even + 0.5*halves4;
+    const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
     return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
 }
 
@@ -564,11 +563,11 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
     if ((((at_high < 0.0) && (at_low >= 0.0)) || ((at_high >= 0.0) && (at_low < 0.0))) &&
         (high > low)) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
-        const double y = (zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x));
-        const double rest = (zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x));
+        const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
+        const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
         if ((rest > 0.0) && (y > 0.0)) {
-            const double off = (zone == 0.0 ? -loop->center + x :
-                (zone == 1.0 ? x : loop->beyond - x));
+            const double off = zone == 0.0 ? x - loop->center :
+                (zone == 1.0 ? x : loop->beyond - x);
             const double found = phase_turns(loop, y, rest, off);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             return -2.0*found*rises;
@@ -580,14 +579,14 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
 // what the crossings between two points add to the count
 static inline double zone_turns(const Loop *loop, double k0, double k1, double k2, double k3,
     double low, double high, double at_low, double at_high, double zone) {
-    const double disc = -3.0*k1*k3 + (k2*k2), root = sqrt(fmax(0.0, disc));
+    const double disc = k2*k2 - 3.0*k1*k3, root = sqrt(fmax(0.0, disc));
     const double q = -k2 - (k2 < 0.0 ? -root : root);
-    const double some = (fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at = -k2/some;
-    const double cut = ((at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low);
-    const double some2 = (fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0), at2 = q/some2;
-    const double cut2 = ((at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low);
-    const double some3 = (fabs(k1) < 8.0*fabs(q) ? q : 1.0), at3 = k1/some3;
-    const double cut3 = ((at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low);
+    const double some = fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0, at = -k2/some;
+    const double cut = (at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low;
+    const double some2 = fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0, at2 = q/some2;
+    const double cut2 = (at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low;
+    const double some3 = fabs(k1) < 8.0*fabs(q) ? q : 1.0, at3 = k1/some3;
+    const double cut3 = (at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low;
     const double less = fmin(cut2, cut3), more = fmax(cut2, cut3);
     const double first = fmin(cut, less), middle = fmax(cut, less);
     const double last = fmax(middle, more), middle2 = fmin(middle, more);
@@ -606,33 +605,33 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double strength = fabs(alpha) + fabs(beta);
     if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
-    const double across = -m0 + m2, lost = (loss*loss), square = m0*m2;
-    const double size = (across*across), even = together*(m0 + m2);
-    const double linear = -even + size, pushed_ = alpha*together;
+    const double across = m2 - m0, lost = loss*loss, square = m0*m2;
+    const double size = across*across, even = together*(m0 + m2), linear = size - even;
+    const double pushed_ = alpha*together;
     const double near0 = (at_one - pushed_)*(at_one + pushed_);
     const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
         lost;
     const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0;
-    const double near3 = -force*square, even2 = apart*(m0 + m2);
-    const double linear2 = -even2 + size, pushed2 = apart*wall_far;
+    const double near3 = -force*square, even2 = apart*(m0 + m2), linear2 = size - even2;
+    const double pushed2 = apart*wall_far;
     const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
         (wall_far*wall_far) + lost;
     const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
     const double far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
     const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
-    const double tilt = -0.25*middle + 0.25*rest;
-    const double real = -0.25*apart*middle + 0.25*rest*together;
-    const double one = (real*real) + sine*size, two = -real*(m0 + m2) + size*tilt;
+    const double tilt = 0.25*rest - 0.25*middle;
+    const double real = 0.25*rest*together - 0.25*apart*middle;
+    const double one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
     const double wave = 0.25*alpha*rest - 0.25*middle*wall_far;
-    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - one*wall;
-    const double own1 = -force*one + lost*tilt - two*wall;
+    const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
+    const double own1 = lost*tilt - force*one - two*wall;
     const double own2 = -force*two - loss - square*wall + 1.0, own3 = -force*square;
     const double one2 = 0.5*middle, two2 = 0.5*rest;
-    const double before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
+    const double before = own0 - one2*(own1 - one2*(own2 - one2*own3));
     const double after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0;
-    const double side = (slope >= 0.0 ? 1.0 : -1.0);
-    const double end = -d + (wall_far > 0.0 ? side : 0.0) +
+    const double side = slope >= 0.0 ? 1.0 : -1.0;
+    const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
     const double total = (((((((near2 == 0.0) && (near3 < 0.0)) || (near2 < 0.0)) &&
@@ -676,9 +675,9 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
 static inline Delayed late_device(double gamma, double delta, double part) {
-    const double t0 = 1.0 - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
+    const double t0 = 1.0 - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
-    const double t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
+    const double t4 = part*part, t5 = gamma*t4, t6 = delta*part;
     const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
     const double t8 = device.n0*t4;
     return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
@@ -700,14 +699,14 @@ static inline double stable(double roots, double alpha, double beta, double gamm
 
 // the turns at a crossing, if there is one
 static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
-    const double edge = (rest > y ? y : rest);
+    const double edge = rest > y ? y : rest;
     if ((edge < 4.0) && (rest > 0.0) && (y > 0.0)) {
-        const double inside = ((edge > fabs(off)) && (loop->beyond - off > 0.0) &&
-            (loop->center + off > 0.0) ? 1.0 : 0.0);
-        const double at = (inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest));
-        const double still = (inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest));
-        const double away = (inside > 0.0 ? off :
-            (rest > y ? -loop->center + y : loop->beyond - rest));
+        const double inside = (edge > fabs(off)) && (loop->beyond - off > 0.0) &&
+            (loop->center + off > 0.0) ? 1.0 : 0.0;
+        const double at = inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest);
+        const double still = inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest);
+        const double away = inside > 0.0 ? off :
+            (rest > y ? y - loop->center : loop->beyond - rest);
         return phase_turns(loop, at, still, away);
     }
     return 0.0;
@@ -715,9 +714,9 @@ static inline double crossing_turns(const Loop *loop, double y, double rest, dou
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
 static inline Roots quadratic_roots(double c, double b, double a, double root) {
-    const double q = -0.5*b - 0.5*(b >= 0.0 ? root : -root);
-    const double lead_ = (a == 0.0 ? 1.0 : a), own = (q == 0.0 ? 1.0 : q);
-    const double one = (a == 0.0 ? -1.0 : q/lead_), two = (q == 0.0 ? -1.0 : c/own);
+    const double q = -0.5*b - 0.5*(b >= 0.0 ? root : -root), lead_ = a == 0.0 ? 1.0 : a;
+    const double own = q == 0.0 ? 1.0 : q, one = a == 0.0 ? -1.0 : q/lead_;
+    const double two = q == 0.0 ? -1.0 : c/own;
     if (b >= 0.0) { return (Roots){one, two}; }
     return (Roots){two, one};
 }
@@ -728,7 +727,7 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     const double strength = fabs(alpha) + fabs(beta);
     if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
-    const double force = beta*slope, cross = n0*n1, lost = (loss*loss);
+    const double force = beta*slope, cross = n0*n1, lost = loss*loss;
     const double square = cross*force + e, push = alpha*together, pull = apart*wall_far;
     const double near0 = (at_one - push)*(at_one + push);
     const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost;
@@ -737,20 +736,20 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         lost;
     const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
     const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
-    const double real = -0.25*apart*center + 0.25*beyond*together;
-    const double m0 = (n1*n1)*sine + (real*real), m1 = (n1*n1)*tilt - n1*real;
+    const double real = 0.25*beyond*together - 0.25*apart*center;
+    const double m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
     const double wave = 0.25*alpha*beyond - 0.25*center*wall_far;
-    const double wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - m0*wall;
-    const double own1 = -force*m0 + lost*tilt - m1*wall, own2 = e - force*m1;
-    const double square2 = (near1*near1), product = 4.0*near0*square;
-    const double size = square2 + fabs(product), square3 = (own1*own1);
+    const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
+    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
+    const double square2 = near1*near1, product = 4.0*near0*square;
+    const double size = square2 + fabs(product), square3 = own1*own1;
     const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2);
-    const double square4 = (far1*far1), product3 = 4.0*far0*square;
-    const double size3 = square4 + fabs(product3), side = (slope >= 0.0 ? 1.0 : -1.0);
-    const double end = -d + (wall_far > 0.0 ? side : 0.0) +
+    const double square4 = far1*far1, product3 = 4.0*far0*square;
+    const double size3 = square4 + fabs(product3), side = slope >= 0.0 ? 1.0 : -1.0;
+    const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const double disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
-        ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
+    const double disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
+        ((size > size3) && (size2 > size3) ? square4 - product3 : square2 - product);
     double total = 0.0;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
@@ -758,8 +757,8 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
         const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
-        total = -2.0*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0*
-            crossing_turns(&loop, roots.low, roots3.high, roots2.low);
+        total = 2.0*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0*
+            crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     }
     const double total2 = total + (((((near1 == 0.0) && (square < 0.0)) || (near1 < 0.0)) &&
         (near0 == 0.0)) || (near0 < 0.0) ? (alpha > 0.0 ? 0.0 : side) : 0.0);
@@ -770,7 +769,7 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
 static inline Response ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
     double together, double apart, double across) {
-    const double t = tan(psi), square = (t*t), low = fma(t, t, -(t*t));
+    const double t = tan(psi), square = t*t, low = fma(t, t, -(t*t));
     const Pair diff = two_diff(at_one, at_minus_one*square);
     const double missed = at_minus_one*low + fma(at_minus_one, square, -(at_minus_one*square));
     const Pair total = fast_two_sum(diff.hi, diff.lo - missed);
@@ -778,8 +777,8 @@ static inline Response ahead_in_phase(double psi, double at_one, double at_minus
     const double missed2 = apart*low + fma(apart, square, -(apart*square));
     const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const double above_j = 2.0*loss*t, below_j = across*t;
-    const double rest = (below_j*below_j) + 2.0*total2.hi*total2.lo;
-    const double size = rest + (total2.hi*total2.hi);
+    const double rest = below_j*below_j + 2.0*total2.hi*total2.lo;
+    const double size = rest + total2.hi*total2.hi;
     const double low2 = above_j*total2.lo - below_j*total.lo;
     const double found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
     const double low22 = total.hi*total2.lo + total2.hi*total.lo;
@@ -804,7 +803,7 @@ static inline Device5 device_at_minus_one_together_n_gap(double gamma, double de
 // cos((k + 1) x) and sin((k + 1) x)
 static inline CosSin next_wave(double k, double x) {
     const double count = k + 1.0, before = count - 1.0, angle = count*x;
-    const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
+    const double missed = k - before, off = missed*x + fma(count, x, -(count*x));
     const double sine = sin(angle), cosine = cos(angle);
     return (CosSin){cosine - off*sine, cosine*off + sine};
 }
@@ -812,11 +811,10 @@ static inline CosSin next_wave(double k, double x) {
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline double early_slope(double theta, double k4, double k3, double k2, double k1,
     double k0) {
-    const double sine = sin(0.5*theta), cosine = cos(0.5*theta), up = (sine*sine);
-    const double along = (cosine*cosine), found = along*k3 + k4*up;
-    const double power2 = (along*along), found2 = found*up + k2*power2;
-    const double power3 = along*power2, found3 = found2*up + k1*power3;
-    const double power4 = along*power3;
+    const double sine = sin(0.5*theta), cosine = cos(0.5*theta), up = sine*sine;
+    const double along = cosine*cosine, found = along*k3 + k4*up, power2 = along*along;
+    const double found2 = found*up + k2*power2, power3 = along*power2;
+    const double found3 = found2*up + k1*power3, power4 = along*power3;
     return found3*up + k0*power4;
 }
 
@@ -837,19 +835,19 @@ static inline double end_slope(double at_minus_one, double loss, double together
 // the next point of a search between a and b, where f is fa and fb, after c
 static inline double next_guess(double b, double fb, double a, double fa, double c, double fc,
     double close) {
-    const double span = -b + c, rise = -fb + fc, whole = (span == 0.0 ? 1.0 : span);
-    const double place = (a - b)/whole, whole2 = (rise == 0.0 ? 1.0 : rise);
+    const double span = c - b, rise = fc - fb, whole = span == 0.0 ? 1.0 : span;
+    const double place = (a - b)/whole, whole2 = rise == 0.0 ? 1.0 : rise;
     const double height = (fa - fb)/whole2;
-    const double safe = ((place < 1.0 - ((1.0 - height)*(1.0 - height))) &&
-        (place > (height*height)) ? 1.0 : 0.0);
-    const double width = -a + b, whole3 = (width == 0.0 ? 1.0 : width);
-    const double edge = close*fabs((fabs(fa) < fabs(fb) ? a : b))/fabs(whole3);
+    const double safe = (place < 1.0 - ((1.0 - height)*(1.0 - height))) &&
+        (place > height*height) ? 1.0 : 0.0;
+    const double width = b - a, whole3 = width == 0.0 ? 1.0 : width;
+    const double edge = close*fabs(fabs(fa) < fabs(fb) ? a : b)/fabs(whole3);
     const double edge2 = fmin(0.5, edge);
     double guess = 0.5;
     if (safe > 0.0) {
-        const double one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
+        const double one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one;
         const double there = fc/two, other = fa/three, last = fb/two;
-        guess = here*there + last*other*(-a + c)/whole3;
+        guess = here*there + last*other*(c - a)/whole3;
     }
     const double share = fmin(guess, 1.0 - edge2), share2 = fmax(edge2, share);
     return a + share2*width;
@@ -858,32 +856,32 @@ static inline double next_guess(double b, double fb, double a, double fa, double
 // the angle of the largest stiffness for delays below a period
 static inline double early_angle(double at_one, double at_minus_one, double loss, double together,
     double apart, double last) {
-    const double t = (apart*apart*apart), t2 = (together*together*together);
-    const double t3 = (together*together), t4 = apart*t3, t5 = (apart*apart);
-    const double t6 = 2.0*loss, t7 = at_minus_one + t6, t8 = 4.0*together;
-    const double t9 = 16.0*apart, t10 = at_one + t6, t11 = 2.0*at_one;
-    const double t12 = 5.0*at_minus_one, t13 = -at_one, t14 = 4.0*loss;
-    const double t15 = apart*together, t16 = 16.0*together, t17 = at_one*last;
-    const double t18 = apart*t11, t19 = at_one*t5;
+    const double t = apart*apart*apart, t2 = together*together*together;
+    const double t3 = together*together, t4 = apart*t3, t5 = apart*apart, t6 = 2.0*loss;
+    const double t7 = at_minus_one + t6, t8 = 4.0*together, t9 = 16.0*apart;
+    const double t10 = at_one + t6, t11 = 2.0*at_one, t12 = 5.0*at_minus_one;
+    const double t13 = -at_one, t14 = 4.0*loss, t15 = apart*together;
+    const double t16 = 16.0*together, t17 = at_one*last, t18 = apart*t11;
+    const double t19 = at_one*t5;
     const double k = end_slope(at_minus_one, loss, together, apart, last);
-    const double k2 = -4.0*at_minus_one*t2 + last*
-        (32.0*at_minus_one*t3 + last*(64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*
-        together) - 96.0*t5 - t7*t9*together) + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8;
+    const double k2 = last*(32.0*at_minus_one*t3 + last*
+        (64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together) - 96.0*t5 - t7*t9*
+        together) - 4.0*at_minus_one*t2 + 16.0*t + 8.0*t4*(at_minus_one + loss) - t5*t7*t8;
     const double k3 = last*(last*(last*(-192.0*at_minus_one - 256.0*at_one - 512.0*loss) + t16*
         (9.0*at_one + 16.0*loss + t12) + t9*(8.0*at_minus_one + 8.0*at_one + 18.0*loss)) - 32.0*
         t15 - 4.0*t3*(at_minus_one + 7.0*at_one + 14.0*loss) - 112.0*t5) + 8.0*t + 2.0*t2*
-        (-2.0*at_minus_one + t10) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(-t11 + t7);
+        (t10 - 2.0*at_minus_one) + 2.0*t4*(t12 + t13 + t14) - 2.0*t5*together*(t7 - t11);
     const double k4 = last*(32.0*t17*together - 8.0*together*(t18 + 12.0*together)) + t8*
         (t10*t3 + t15*(at_minus_one + t13) + t19);
     const double k5 = last*(t16*t17 + t8*(t10*together - t18)) + together*
-        (-2.0*t15*(at_one + loss) + t19 + t3*(at_minus_one + t11 + t14));
+        (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14));
     double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
         if ((count > 24.0) || (found > 0.0)) { break; }
         const double rises = early_slope(0.041666666666666664*3.141592653589793*count, k, k2, k3,
             k4, k5);
-        const double next_count = (rises > 0.0 ? count + 1.0 : count);
-        found = (rises > 0.0 ? 0.0 : 1.0); count = next_count;
+        const double next_count = rises > 0.0 ? count + 1.0 : count;
+        found = rises > 0.0 ? 0.0 : 1.0; count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*3.141592653589793*count;
@@ -895,15 +893,14 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
         double b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
             if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
-                break; }
+                (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
             const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
             const double value = early_slope(new_, k, k2, k3, k4, k5);
-            const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
-                1.0 : 0.0);
-            const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-            const double next_c = (same > 0.0 ? a : b);
-            fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
+            const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
+                1.0 : 0.0;
+            const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
+            const double next_c = same > 0.0 ? a : b;
+            fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
         return (fabs(fa) < fabs(fb) ? a : b);
     }
@@ -914,15 +911,16 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
 static inline double boundary_slope(double theta, double l, double at_one, double at_minus_one,
     double loss, double together, double apart, double across) {
     const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = next_wave(t, t2).sine;
-    const double t4 = tan(t2), t5 = (t4*t4), t6 = 4.0*t5, t7 = apart*t5;
-    const double t8 = -t7 + together, t9 = at_minus_one*t5, t10 = at_one - t9;
+    const double t4 = tan(t2), t5 = t4*t4, t6 = 4.0*t5, t7 = apart*t5;
+    const double t8 = together - t7, t9 = at_minus_one*t5, t10 = at_one - t9;
     const double t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
-    const double t13 = -2.0*across*t10*t4 + 2.0*loss*t4*t8, t14 = (across*across);
-    const double t15 = t14*t6 + (t8*t8), t16 = (loss*loss), t17 = (t10*t10) + t16*t6;
+    const double t13 = 2.0*loss*t4*t8 - 2.0*across*t10*t4, t14 = across*across;
+    const double t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6;
     const double t18 = t15*t17, t19 = t5 + 1.0;
-    return -t4*(0.5*t18 + t19*(t15*(-at_minus_one*t10 + 2.0*t16) - t17*(-apart*t8 + 2.0*t14)))*
-        (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
-        (t18*(l + 1.5) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
+    return (t11*t3 + t12*t13)*(t18*(l + 1.5) + t19*
+        (loss*t15*(at_one + t9) - across*t17*(t7 + together))) - t4*
+        (0.5*t18 + t19*(t15*(2.0*t16 - at_minus_one*t10) - t17*(2.0*t14 - apart*t8)))*
+        (t11*t12 - t13*t3);
 }
 
 // the angle of the largest stiffness for a period and more
@@ -934,8 +932,8 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
         if ((count > 24.0) || (found > 0.0)) { break; }
         const double rises = boundary_slope(0.041666666666666664*count*turn_, l, at_one,
             at_minus_one, loss, together, apart, across);
-        const double next_count = (rises > 0.0 ? count + 1.0 : count);
-        found = (rises > 0.0 ? 0.0 : 1.0); count = next_count;
+        const double next_count = rises > 0.0 ? count + 1.0 : count;
+        found = rises > 0.0 ? 0.0 : 1.0; count = next_count;
     }
     if (found > 0.0) {
         const double high = 0.041666666666666664*count*turn_;
@@ -949,16 +947,15 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
         double b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
             if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) {
-                break; }
+                (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
             const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
             const double value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
-                1.0 : 0.0);
-            const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-            const double next_c = (same > 0.0 ? a : b);
-            fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
+            const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
+                1.0 : 0.0;
+            const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
+            const double next_c = same > 0.0 ? a : b;
+            fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
         return (fabs(fa) < fabs(fb) ? a : b);
     }
@@ -969,22 +966,22 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
 static inline double undelayed_angle(double at_one, double at_minus_one, double loss,
     double together, double apart) {
     const double k = end_slope(at_minus_one, loss, together, apart, 0.0), t = 2.0*apart;
-    const double t2 = -together, t3 = 2.0*together, t4 = (together*together);
+    const double t2 = -together, t3 = 2.0*together, t4 = together*together;
     const double k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
-    const double k3 = together*(at_minus_one*t4 + at_one*(t4 + ((-apart - t2)*(-apart - t2))) +
-        loss*t3*(-apart + 2.0*together));
+    const double k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*
+        t3*(2.0*together - apart));
     double above, below;
     if (k2 > 0.0) {
-        const double discriminant = -4.0*k*k3 + (k2*k2);
+        const double discriminant = k2*k2 - 4.0*k*k3;
         const double root = sqrt(fmax(0.0, discriminant));
         above = k2 + root; below = fmax(0.0, -2.0*k);
     } else {
-        const double discriminant = -4.0*k*k3 + (k2*k2);
+        const double discriminant = k2*k2 - 4.0*k*k3;
         if (discriminant < 0.0) {
             above = 2.0*k3; below = 0.0;
         } else {
             const double root = sqrt(fmax(0.0, discriminant));
-            above = 2.0*k3; below = -k2 + root;
+            above = 2.0*k3; below = root - k2;
         }
     }
     return 2.0*atan2(sqrt(above), sqrt(below));
@@ -995,16 +992,15 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
     double part, double first, double last, double at_one, double at_minus_one, double loss,
     double together, double apart) {
     if (((d <= 1.0) || (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) && (gamma <= 9.8)) {
-        const double across = (part == 0.0 ? first : first - last);
-        const double theta = (d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
+        const double across = part == 0.0 ? first : first - last;
+        const double theta = d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0 ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
-            later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
+            later_angle(d, l, at_one, at_minus_one, loss, together, apart, across));
         const double t = next_wave(l, theta).sine, t2 = 0.5*theta, t3 = sin(t2);
-        const double t4 = cos(t2), t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0*t5*t6;
-        const double t8 = -apart*t6 + t5*together;
-        const double t9 = 1.0/((across*across)*t7 + (t8*t8));
-        const double t10 = -at_minus_one*t6 + at_one*t5;
-        const double t11 = -2.0*across*t10 + 2.0*loss*t8, t12 = across*loss*t7 + t10*t8;
+        const double t4 = cos(t2), t5 = t4*t4, t6 = t3*t3, t7 = 4.0*t5*t6;
+        const double t8 = t5*together - apart*t6, t9 = 1.0/((across*across)*t7 + t8*t8);
+        const double t10 = at_one*t5 - at_minus_one*t6;
+        const double t11 = 2.0*loss*t8 - 2.0*across*t10, t12 = across*loss*t7 + t10*t8;
         const double t13 = t9*next_wave(l, theta).cosine;
         const double t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
         const double stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0*t14*t6;
@@ -1012,11 +1008,11 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         if ((delta > 0.0) && (gamma > -stiffness) && (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) {
             good = 1.0;
         } else {
-            const double inside = -4.6566128730773926e-09*gamma + 0.9999999953433871*stiffness;
-            const double outside = (part == 0.0 ?
+            const double inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma;
+            const double outside = part == 0.0 ?
                 whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
                 apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart));
+                together, apart);
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0) { return theta; }
@@ -1041,7 +1037,7 @@ static inline double gap(double x) {
 
 // sin(x)/x
 static inline double sinc(double x) {
-    if (fabs(x) < 1.0) { return -(x*x)*gap(x) + 1.0; }
+    if (fabs(x) < 1.0) { return 1.0 - (x*x)*gap(x); }
     return sin(x)/x;
 }
 
@@ -1054,7 +1050,7 @@ static inline double damping_at(double alpha, double beta, double l, double epsi
         beta*next_wave(l + 1.0, 2.0*psi).cosine - early);
     const double root = sqrt(epsilon*(1.0 - epsilon)*
         ((alpha*alpha)*(cos(psi)*cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
-        (sin(psi)*sin(psi))) + (n*n));
+        (sin(psi)*sin(psi))) + n*n);
     return 0.5*n + 0.5*root;
 }
 
@@ -1066,14 +1062,14 @@ static inline double chord(double k, double x) {
         const double wave = sinc(0.5*turn_), inner = 0.5*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25*inner*(order*order));
     }
-    return (-along*order*sin(x) + 2.0*next_wave(k, x).sine)/(x*x*x);
+    return (2.0*next_wave(k, x).sine - along*order*sin(x))/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
 static inline double rising(double alpha, double beta, double l, double epsilon, double psi) {
     const double t = 2.0*psi, t2 = 2.0*alpha/(sinc(psi)*sinc(psi));
     const double t3 = 0.5*alpha + beta, t4 = 2.0*l, t5 = t4 + 2.0, t6 = t4 + 4.0;
-    const double early = -t2*chord(l, t) + t3*(t5*t5)*sinc(psi*t5);
+    const double early = t3*(t5*t5)*sinc(psi*t5) - t2*chord(l, t);
     const double steep = early + epsilon*(-early - t2*chord(l + 1.0, t) + t3*(t6*t6)*sinc(psi*t6));
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(2.0*psi) + steep*
         damping_at(alpha, beta, l, epsilon, psi);
@@ -1083,8 +1079,8 @@ static inline double rising(double alpha, double beta, double l, double epsilon,
 static inline double steepness(double alpha, double beta, double l, double epsilon, double psi) {
     if (epsilon == 0.0) {
         const double t = 2.0*l + 2.0;
-        return -2.0*alpha*chord(l, 2.0*psi)/(sinc(psi)*sinc(psi)) + (t*t)*(0.5*alpha + beta)*
-            sinc(psi*t);
+        return (t*t)*(0.5*alpha + beta)*sinc(psi*t) - 2.0*alpha*chord(l, 2.0*psi)/
+            (sinc(psi)*sinc(psi));
     }
     const double rising_ = rising(alpha, beta, l, epsilon, psi);
     const double phase = psi*(2.0*l + 2.0) + atan2(alpha*cos(psi), (alpha + 2.0*beta)*sin(psi)) +
@@ -1094,7 +1090,7 @@ static inline double steepness(double alpha, double beta, double l, double epsil
 
 // half of the angle at which the wall needs most damping
 static inline double worst_angle(double alpha, double beta, double l, double epsilon) {
-    const double size = fabs(alpha) + fabs(beta), whole = (size == 0.0 ? 1.0 : size);
+    const double size = fabs(alpha) + fabs(beta), whole = size == 0.0 ? 1.0 : size;
     const double stiffness = alpha/whole, damping = beta/whole, low = 0.0;
     const double above = steepness(stiffness, damping, l, epsilon, low);
     if (above <= 0.0) { return low; }
@@ -1104,14 +1100,14 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.656612873077393e-10*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+            (fabs(a - b) <= 4.656612873077393e-10*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.656612873077393e-10);
         const double value = steepness(stiffness, damping, l, epsilon, new_);
-        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0);
-        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-        const double next_c = (same > 0.0 ? a : b);
-        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
+        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0;
+        const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
+        const double next_c = same > 0.0 ? a : b;
+        fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabs(fa) < fabs(fb) ? a : b);
 }
@@ -1120,8 +1116,8 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
 static inline double largest_required_damping(double alpha, double beta, double d) {
     if (alpha < 0.0) { return INFINITY; }
     const double whole = floor(d), part = d - whole;
-    const double lift = (fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
-        6.668014432879854e+240 : 1.0);
+    const double lift = fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
+        6.668014432879854e+240 : 1.0;
     const double stiffness = alpha*lift, damping = beta*lift;
     return damping_at(stiffness, damping, whole, part,
         worst_angle(stiffness, damping, whole, part))/lift;
@@ -1129,7 +1125,7 @@ static inline double largest_required_damping(double alpha, double beta, double 
 
 // early + share (late - early)
 static inline double between(double share, double early, double late) {
-    const double more = -early + late;
+    const double more = late - early;
     return early + more*share;
 }
 
@@ -1138,7 +1134,7 @@ static inline double lead(double theta, double l, double epsilon) {
     if (theta*(l + 1.0) < 4.0) {
         const double early = next_wave(l, theta).sine;
         const double late = next_wave(l + 1.0, theta).sine;
-        return early + epsilon*(-early + late);
+        return early + epsilon*(late - early);
     }
     return -1.0;
 }
@@ -1176,9 +1172,9 @@ static inline double turning(double phi, double l, double epsilon, double wave, 
     const double t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6);
     return -2.0*t6*t7*wave8*(t + t5) - (epsilon*
         (t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) + t10)*
-        (-0.5*t11 + 0.25*t12*t13*t4 + 0.5*t16 + 0.5*
-        sqrt(t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
-        ((-t11 + t15 + t16)*(-t11 + t15 + t16))));
+        (0.25*t12*t13*t4 - 0.5*t11 + 0.5*t16 + 0.5*
+        sqrt(t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) + (t15 - t11 + t16)*
+        (t15 - t11 + t16)));
 }
 
 // the wall whose worst angle is 2 psi, as an angle
@@ -1199,15 +1195,15 @@ static inline double turn(double psi, double l, double epsilon) {
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+            (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
         const double value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0);
-        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-        const double next_c = (same > 0.0 ? a : b);
-        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
+        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0;
+        const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
+        const double next_c = same > 0.0 ? a : b;
+        fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabs(fa) < fabs(fb) ? a : b);
 }
@@ -1222,8 +1218,8 @@ static inline double touching(double theta, double l, double epsilon) {
 // whether a larger angle allows less stiffness, at a fraction
 static inline double passive_slope(double theta, double l, double epsilon) {
     const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0, theta);
-    const double up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
-    const double along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    const double up = epsilon*(cossin2.sine - cossin.sine) + cossin.sine;
+    const double along = cossin.cosine + epsilon*(cossin2.cosine - cossin.cosine);
     return (1.0 - up)*cos(theta) + (along*(epsilon + l + 1.0) - epsilon*(1.0 - epsilon)*
         (cossin.cosine - cossin2.cosine))*sin(theta);
 }
@@ -1238,14 +1234,14 @@ static inline double passive_angle(double l, double epsilon) {
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.440892098500626e-16*fabs((fabs(fa) < fabs(fb) ? a : b)))) { break; }
+            (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
         const double value = passive_slope(new_, l, epsilon);
-        const double same = (((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0);
-        const double next_b = (same > 0.0 ? b : a), next_fb = (same > 0.0 ? fb : fa);
-        const double next_c = (same > 0.0 ? a : b);
-        fc = (same > 0.0 ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
+        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
+            0.0;
+        const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
+        const double next_c = same > 0.0 ? a : b;
+        fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabs(fa) < fabs(fb) ? a : b);
 }
@@ -1257,7 +1253,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
     }
     const Device device = device_n0_n1_trace(gamma, delta);
     *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
-    *e_out = exp(-delta); return;
+    *e_out = exp(-delta);
 }
 
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
@@ -1267,11 +1263,11 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
-    const double t0 = 1.0 - epsilon, t1 = (t0*t0), t2 = delta*t0;
-    const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
+    const double t0 = 1.0 - epsilon, t1 = t0*t0, t2 = delta*t0;
+    const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = epsilon*epsilon;
     const double n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*exp(-t2);
     *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
-    *a_out = device.trace; *e_out = exp(-delta); return;
+    *a_out = device.trace; *e_out = exp(-delta);
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
@@ -1330,7 +1326,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
         decay(delta), device.together, t10, t11);
     const double t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
     *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tan(t2);
-    *beta_out = -t15/sin(theta); return;
+    *beta_out = -t15/sin(theta);
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
@@ -1348,10 +1344,10 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
             device.at_minus_one, t3, device.together, t4);
         const CosSin cossin = next_wave(d, t5);
         const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7);
-        const double t10 = device.together + t4, t11 = (t9*t9), t12 = (t8*t8);
+        const double t10 = device.together + t4, t11 = t9*t9, t12 = t8*t8;
         const double t13 = t11*t12, t14 = device.together*t11 - t12*t4;
-        const double t15 = 1.0/((t10*t10)*t13 + (t14*t14));
-        const double t17 = -device.at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const double t15 = 1.0/((t10*t10)*t13 + t14*t14);
+        const double t17 = t1*t11 - device.at_minus_one*t12, t18 = t14*t16 - t10*t17;
         const double t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
         const double t21 = -cossin.sine*t15*t19/sin(t5) - 0.5*t18*t20;
         *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
@@ -1361,15 +1357,15 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
     const double t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0,
         t1, device.at_minus_one, t3, device.together, delayed.apart);
     const CosSin cossin2 = next_wave(whole, t27);
-    const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = (t30*t30);
-    const double t33 = (t29*t29), t34 = -delayed.apart*t33 + device.together*t32;
+    const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = t30*t30;
+    const double t33 = t29*t29, t34 = device.together*t32 - delayed.apart*t33;
     const double t35 = 2.0*delayed.m2 - 2.0*delayed.m0, t36 = t32*t33;
-    const double t37 = 1.0/((t34*t34) + (t35*t35)*t36);
-    const double t38 = -device.at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const double t37 = 1.0/(t34*t34 + (t35*t35)*t36);
+    const double t38 = t1*t32 - device.at_minus_one*t33, t39 = t16*t34 - t35*t38;
     const double t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
     const double t42 = -cossin2.sine*t37*t40/sin(t27) - 0.5*t39*t41;
     *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0*t33*t42 - t40*t41; *beta_out = t42;
-    *theta_out = t27; return;
+    *theta_out = t27;
 }
 
 double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d) {
@@ -1380,7 +1376,7 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
     }
     const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
     const double sine = next_wave(2.0*d, t0).sine;
-    return -0.5*alpha*sine/sin(t0) + beta*cosine + delta;
+    return beta*cosine - 0.5*alpha*sine/sin(t0) + delta;
 }
 
 double haptic_passivity_margin(double alpha, double beta, double delta, double d) {
@@ -1403,16 +1399,16 @@ void haptic_passivity_boundary(double theta, double delta, double d, double *alp
         const double t15 = sinc(t2), sine = next_wave(d, theta).sine;
         const double t3 = sine*(t15*t15)*(d + 1.0)/theta;
         *alpha_out = rated(t0, 2.0*t1*t3);
-        *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
+        *beta_out = rated(t0, t1*(chord(d, theta) - t3)); return;
     }
     const double t6 = lead(theta, whole, part), t7 = whole + 1.0;
     const double t8 = touching(theta, whole, part), t9 = cos(t8), t10 = t9/t7;
-    const double t11 = sin(t8), t12 = -0.5*t10 + t11;
+    const double t11 = sin(t8), t12 = t11 - 0.5*t10;
     const double t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const double t16 = sin(t2), t17 = cos(t2);
     const double t14 = delta/(0.5*t13 + 0.5*
-        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + (t13*t13)));
-    *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14); return;
+        sqrt(part*(1.0 - part)*(4.0*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + t13*t13));
+    *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14);
 }
 
 void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, double *beta_out,
@@ -1424,24 +1420,23 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
     if (part == 0.0) {
         const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1);
         const double t4 = 0.5*t1;
-        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0/(t0*sin(t4))); *theta_out = t4;
+        *alpha_out = t2*t3; *beta_out = delta*(1.0/(t0*sin(t4)) - t2); *theta_out = t4;
         return;
     }
     const double t7 = passive_angle(whole, part);
     const CosSin cossin = next_wave(whole, t7);
     const double t9 = whole + 1.0;
     const CosSin cossin2 = next_wave(t9, t7);
-    const double t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
-    const double t12 = 0.5*t7, t13 = sin(t12), t14 = (t13*t13), t15 = 2.0*whole;
+    const double t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine);
+    const double t12 = 0.5*t7, t13 = sin(t12), t14 = t13*t13, t15 = 2.0*whole;
     const double t16 = t15 + 2.0, sine_2 = next_wave(t16, t12).sine;
     const double t17 = 2.0*sine_2*t13;
     const double t18 = (t10*t17 + t14*(4.0*part + 4.0*whole + 4.0))/
-        (t10*cos(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0)*
-        sin(t7));
+        (t10*cos(t7) + (part + t9)*(part*(cossin2.sine - cossin.sine) + cossin.sine + 1.0)*sin(t7));
     const double t19 = 2.0*part;
     *alpha_out = t18*t3;
     *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0))/(t14*(t16 + t19));
-    *theta_out = t7; return;
+    *theta_out = t7;
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {

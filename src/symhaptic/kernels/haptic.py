@@ -1147,7 +1147,7 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
 def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
     together, apart, center, beyond, d):
     """what the crossings between two points add to the count"""
-    disc = (k2*k2) - 3.0*k1*k3
+    disc = k2*k2 - 3.0*k1*k3
     root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
     q = -k2 - xp.where(k2 < 0.0, -root, root)
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
@@ -1210,10 +1210,10 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
         sine = 0.25*middle*rest
         tilt = 0.25*rest - 0.25*middle
         real = 0.25*rest*together - 0.25*apart*middle
-        one = (real*real) + sine*size
+        one = real*real + sine*size
         two = size*tilt - real*(m0 + m2)
         wave = 0.25*alpha*rest - 0.25*middle*wall_far
-        wall = sine*(slope*slope) + (wave*wave)
+        wall = sine*(slope*slope) + wave*wave
         own0 = lost*sine - one*wall
         own1 = lost*tilt - force*one - two*wall
         own2 = 1.0 - force*two - loss - square*wall
@@ -1373,10 +1373,10 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         sine = 0.25*beyond*center
         tilt = 0.25*beyond - 0.25*center
         real = 0.25*beyond*together - 0.25*apart*center
-        m0 = (n1*n1)*sine + (real*real)
+        m0 = (n1*n1)*sine + real*real
         m1 = (n1*n1)*tilt - n1*real
         wave = 0.25*alpha*beyond - 0.25*center*wall_far
-        wall = sine*(slope*slope) + (wave*wave)
+        wall = sine*(slope*slope) + wave*wave
         own0 = lost*sine - m0*wall
         own1 = lost*tilt - force*m0 - m1*wall
         own2 = e - force*m1
@@ -1449,8 +1449,8 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
-    rest = (below_j*below_j) + 2.0*total2*total_low2
-    size = rest + (total2*total2)
+    rest = below_j*below_j + 2.0*total2*total_low2
+    size = rest + total2*total2
     low = above_j*total_low2 - below_j*total_low
     found = above_j*total2 - below_j*total
     found = found + low
@@ -1586,7 +1586,7 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
     place = (a - b)/whole
     whole = xp.where(rise == 0.0, 1.0, rise)
     height = (fa - fb)/whole
-    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > (height*height)),
+    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > height*height),
         xp.full_like(height, 1.0), 0.0)
     width = b - a
     whole = xp.where(width == 0.0, 1.0, width)
@@ -1727,9 +1727,9 @@ def boundary_slope(xp, theta, l, at_one, at_minus_one, loss, together, apart, ac
     t2 = cos_next(xp, t, t2)
     t = 2.0*loss*t4*t8 - 2.0*across*t10*t4
     t14 = (across*across)
-    t15 = t14*t6 + (t8*t8)
+    t15 = t14*t6 + t8*t8
     t16 = (loss*loss)
-    t6 = (t10*t10) + t16*t6
+    t6 = t10*t10 + t16*t6
     t18 = t15*t6
     t5 = t5 + 1.0
     return (
@@ -1777,16 +1777,16 @@ def undelayed_angle(xp, at_one, at_minus_one, loss, together, apart):
     t3 = 2.0*together
     t4 = (together*together)
     k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t))
-    k3 = together*(at_minus_one*t4 + at_one*(t4 + ((-apart - t2)*(-apart - t2))) + loss*t3*
+    k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*t3*
         (2.0*together - apart))
 
     def yes(k, k2, k3):
-        discriminant = (k2*k2) - 4.0*k*k3
+        discriminant = k2*k2 - 4.0*k*k3
         root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
         return k2 + root, xp.where(0.0 > -2.0*k, 0.0, -2.0*k)
 
     def no(k, k2, k3):
-        discriminant = (k2*k2) - 4.0*k*k3
+        discriminant = k2*k2 - 4.0*k*k3
 
         def no(discriminant, k2, k3):
             root = square_root(xp, xp.where(0.0 > discriminant, 0.0, discriminant))
@@ -1824,7 +1824,7 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
         t6 = (t3*t3)
         t7 = 4.0*t5*t6
         t8 = t5*together - apart*t6
-        t9 = 1.0/((across*across)*t7 + (t8*t8))
+        t9 = 1.0/((across*across)*t7 + t8*t8)
         t5 = at_one*t5 - at_minus_one*t6
         t11 = 2.0*loss*t8 - 2.0*across*t5
         t5 = across*loss*t7 + t5*t8
@@ -1886,7 +1886,7 @@ def damping_at(xp, alpha, beta, l, epsilon, psi):
             beta*cos_next(xp, l + 1.0, 2.0*psi) - early)
         root = square_root(xp, epsilon*(1.0 - epsilon)*
             ((alpha*alpha)*(xp.cos(psi)*xp.cos(psi)) + ((alpha + 2.0*beta)*(alpha + 2.0*beta))*
-            (xp.sin(psi)*xp.sin(psi))) + (n*n))
+            (xp.sin(psi)*xp.sin(psi))) + n*n)
         return 0.5*n + 0.5*root
 
     return select(xp, epsilon == 0.0, lambda early: early, (early,), no,
@@ -2047,7 +2047,7 @@ def turning(xp, phi, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6, wave7,
         -2.0*t6*t7*wave8*(t + t5) - (epsilon*(t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) +
         t10)*(0.25*t12*t13*t4 - 0.5*t11 + 0.5*t14 + 0.5*
         square_root(xp, t7*(4.0*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
-        ((t15 - t11 + t14)*(t15 - t11 + t14))))
+        (t15 - t11 + t14)*(t15 - t11 + t14)))
     )
 
 
@@ -2307,7 +2307,7 @@ def max_stable_stiffness(gamma, delta, d):
             t12 = (t8*t8)
             t13 = t11*t12
             t14 = together*t11 - t12*t4
-            t15 = 1.0/((t10*t10)*t13 + (t14*t14))
+            t15 = 1.0/((t10*t10)*t13 + t14*t14)
             t11 = t1*t11 - at_minus_one*t12
             t18 = t14*t16 - t10*t11
             t11 = t10*t13*t16 + t14*t11
@@ -2328,7 +2328,7 @@ def max_stable_stiffness(gamma, delta, d):
             t34 = together*t32 - apart*t33
             t35 = 2.0*m2 - 2.0*m0
             t36 = t32*t33
-            t37 = 1.0/((t34*t34) + (t35*t35)*t36)
+            t37 = 1.0/(t34*t34 + (t35*t35)*t36)
             t32 = t1*t32 - at_minus_one*t33
             t39 = t16*t34 - t35*t32
             t32 = t16*t35*t36 + t34*t32
@@ -2427,7 +2427,7 @@ def passivity_boundary(theta, delta, d):
             t16 = xp.sin(t2)
             t17 = xp.cos(t2)
             t17 = delta/(0.5*t13 + 0.5*square_root(xp, part*(1.0 - part)*
-                (4.0*(t8*t8)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + (t13*t13)))
+                (4.0*(t8*t8)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + t13*t13))
             return rated(xp, t6, t10*t17), rated(xp, t6, t12*t17)
 
         return select(xp, part == 0.0, yes, (d, delta, t2, theta), no,

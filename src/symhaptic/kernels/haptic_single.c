@@ -37,7 +37,7 @@ typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, 
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
-    const float square = (x*x);
+    const float square = x*x;
     return square*(square*(square*(2.5052108e-08f*square + 2.7557319e-06f) + 0.0001984127f) +
         0.008333334f) - x*(square*(square*(square*(2.0876756e-09f*square + 2.755732e-07f) +
         2.4801588e-05f) + 0.0013888889f) + 0.041666668f) + 0.16666667f;
@@ -46,7 +46,7 @@ static inline float decay_series(float x) {
 // x + y and what it misses, for |x| >= |y|
 static inline Pair fast_two_sum(float x, float y) {
     const float total = x + y, back = total - x;
-    return (Pair){total, -back + y};
+    return (Pair){total, y - back};
 }
 
 // 1 - x of a pair, for |x| <= 1
@@ -71,15 +71,15 @@ static inline Fading brief_fading(Pair rate) {
     const Pair total = fast_two_sum(1.0f, -0.5f*rate.hi);
     const Pair total2 = fast_two_sum(total.hi, (rate.hi*rate.hi)*decay_series(rate.hi));
     const float bent = rate.lo*(0.125f*(rate.hi*rate.hi) - 0.33333334f*rate.hi + 0.5f);
-    const float mean_low = -bent + total.lo + total2.lo;
+    const float mean_low = total.lo - bent + total2.lo;
     return (Fading){one_minus(pair_prod(rate, (Pair){total2.hi, mean_low})), {total2.hi, mean_low}};
 }
 
 // x/y of pairs
 static inline Pair pair_quot(Pair x, Pair y) {
-    const float total = x.hi/y.hi, left = -total*y.hi + x.hi;
+    const float total = x.hi/y.hi, left = x.hi - total*y.hi;
     const float left2 = left - fmaf(total, y.hi, -(total*y.hi));
-    const float rest = -total*y.lo + x.lo, left3 = left2 + rest;
+    const float rest = x.lo - total*y.lo, left3 = left2 + rest;
     return (Pair){total, left3/y.hi};
 }
 
@@ -92,10 +92,10 @@ static inline Fading fading_pair(Pair rate) {
 
 // what the root of |square + square_low| misses
 static inline float root_miss(Pair square, float root) {
-    const float sign_low = (square.hi < 0.0f ? -square.lo : square.lo);
-    const float left = -(root*root) + fabsf(square.hi);
+    const float sign_low = square.hi < 0.0f ? -square.lo : square.lo;
+    const float left = fabsf(square.hi) - (root*root);
     const float left2 = left - fmaf(root, root, -(root*root)), left3 = left2 + sign_low;
-    const float whole = (root == 0.0f ? 1.0f : root);
+    const float whole = root == 0.0f ? 1.0f : root;
     return 0.5f*left3/whole;
 }
 
@@ -103,7 +103,7 @@ static inline float root_miss(Pair square, float root) {
 static inline Poles real_poles(const Motion *motion, float gamma) {
     const Pair total = fast_two_sum(motion->half, motion->root);
     const float p_low = total.lo + root_miss(motion->w, motion->root);
-    const float whole = (total.hi == 0.0f ? 1.0f : total.hi);
+    const float whole = total.hi == 0.0f ? 1.0f : total.hi;
     return (Poles){{whole, p_low}, pair_quot((Pair){gamma, 0.0f}, (Pair){whole, p_low})};
 }
 
@@ -118,7 +118,7 @@ static inline Creeping creeping_device(const Motion *motion, float gamma) {
 
 // x - y and what it misses
 static inline Pair two_diff(float x, float y) {
-    const float total = x - y, back = total - x, rest = -back + total, one = -rest + x;
+    const float total = x - y, back = total - x, rest = total - back, one = x - rest;
     const float two = -back - y;
     return (Pair){total, one + two};
 }
@@ -132,8 +132,8 @@ static inline Motion device_motion(float gamma, float delta) {
     const Pair prod = two_prod(half, half), diff = two_diff(prod.hi, gamma);
     const Pair total = fast_two_sum(diff.hi, diff.lo + prod.lo);
     const float root = sqrtf(fabsf(total.hi));
-    return (Motion){half, total, root, (total.hi < 0.0f ? 0.25f*gamma : 0.44444445f*half +
-        0.44444445f*root)};
+    return (Motion){half, total, root, total.hi < 0.0f ? 0.25f*gamma : 0.44444445f*half +
+        0.44444445f*root};
 }
 
 // 1 + x of a pair, for |x| <= 1
@@ -252,7 +252,7 @@ static inline Pair slow_fade(const Motion *motion) {
 
 // (cosh(sqrt(w)) - 1 - w/2)/w^2
 static inline float cos_series(float w) {
-    const float square = (w*w);
+    const float square = w*w;
     float one = 0.0f, two = 0.0f;
     for (int n = 14; n >= 6; n -= 2) {
         const float number = inverse_factorial[n], both = number + square*two;
@@ -263,7 +263,7 @@ static inline float cos_series(float w) {
 
 // (sinh(sqrt(w))/sqrt(w) - 1)/w
 static inline float sin_series(float w) {
-    const float square = (w*w);
+    const float square = w*w;
     float one = 0.0f, two = 0.0f;
     for (int n = 13; n >= 5; n -= 2) {
         const float number = inverse_factorial[n], both = number + square*two;
@@ -293,7 +293,7 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const float count = floorf(0.5f*root/3.1415927f + 0.5f);
         const Pair prod3 = two_prod(count, 6.2831855f);
         const Pair diff6 = two_diff(root, -prod3.hi);
-        const float missed = root_miss(square, root), turns = (count*count);
+        const float missed = root_miss(square, root), turns = count*count;
         const Pair prod = two_prod(turns, 39.478416f);
         const Pair prod2 = two_prod(turns, 1.1614864e-06f);
         const Pair diff = two_diff(-square.hi, prod.hi);
@@ -305,7 +305,7 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const float back = -1.7484555e-07f*count;
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
             (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
-        const float far = (quot.hi*quot.hi);
+        const float far = quot.hi*quot.hi;
         if ((count > 0.0f) && (far < 1.5f)) {
             const Fading fading = brief_fading((Pair){half, 0.0f});
             const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
@@ -357,7 +357,7 @@ static inline Device device_n0_n1_trace(float gamma, float delta) {
 
 // divided difference of cosh(sqrt) at h^2 and w, less 1/2
 static inline float numerator_at_one_series(float h, float w) {
-    const float y = (h*h);
+    const float y = h*h;
     float total = 0.0f, inner = 0.0f;
     for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 8 : 20); n >= 4; n -= 2) {
         const float number = inverse_factorial[n], own = inner*w + number;
@@ -380,7 +380,7 @@ static inline float numerator_at_one_creep(const Motion *motion, const Creeping 
 static inline Pair half_squares(float half, float envelope, float wave, float back) {
     const float grown = -0.5f*expm1f(-half);
     return pair_sum(wide_prod(envelope, pair_square(two_diff(wave, back))),
-        (Pair){(grown*grown), 0.0f});
+        (Pair){grown*grown, 0.0f});
 }
 
 // n1 + n0 of a swinging device
@@ -460,7 +460,7 @@ static inline float denominator_at_minus_one_swing(const Motion *motion, const S
 
 // divided difference of sinh(sqrt)/sqrt at h^2 and w, less the float next to 1/6
 static inline float numerator_gap_series(float h, float w) {
-    const float y = (h*h);
+    const float y = h*h;
     float total = 0.0f, inner = 0.0f;
     for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 9 : 19); n >= 5; n -= 2) {
         const float number = inverse_factorial[n], own = inner*w + number;
@@ -517,23 +517,23 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, floa
 // the root of a cubic on a piece where it bends one way
 static inline float cubic_root(float k0, float k1, float k2, float k3, float low, float high,
     float rise) {
-    const float convex = (2.0f*k2 + 3.0f*k3*(high + low) > 0.0f ? 1.0f : -1.0f);
-    const float down = (convex*rise > 0.0f ? 1.0f : -1.0f);
-    float y = (down > 0.0f ? high : low), moves = 1.0f;
+    const float convex = 2.0f*k2 + 3.0f*k3*(high + low) > 0.0f ? 1.0f : -1.0f;
+    const float down = convex*rise > 0.0f ? 1.0f : -1.0f;
+    float y = down > 0.0f ? high : low, moves = 1.0f;
     for (int count_y = 0; count_y < 100; ++count_y) {
         if (moves == 0.0f) { break; }
-        const float steep = k1 + y*(2.0f*k2 + 3.0f*k3*y), some = (steep == 0.0f ? 1.0f : steep);
-        const float move = (steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some);
-        const float new_ = fminf(high, -move + y), new2 = fmaxf(low, new_);
-        moves = (down*(-new2 + y) > 0.0f ? 1.0f : 0.0f); y = new2;
+        const float steep = k1 + y*(2.0f*k2 + 3.0f*k3*y), some = steep == 0.0f ? 1.0f : steep;
+        const float move = steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some;
+        const float new_ = fminf(high, y - move), new2 = fmaxf(low, new_);
+        moves = down*(y - new2) > 0.0f ? 1.0f : 0.0f; y = new2;
     }
     return y;
 }
 
 // the angle of x + j y in half turns, and the rest
 static inline Angle turn_angle(float x, float y) {
-    return (Angle){(x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f),
-        atan2f((x < 0.0f ? -y : y), fabsf(x))};
+    return (Angle){x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f,
+        atan2f(x < 0.0f ? -y : y, fabsf(x))};
 }
 
 // the nearest whole number of turns in the phase at a crossing
@@ -541,15 +541,15 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest);
     const float sine = 2.0f*sqrtf(at*still);
     const Angle angle = turn_angle(off*(2.0f*loop->loss - 4.0f), loop->loss*sine);
-    const Angle angle2 = turn_angle(-loop->apart*at + still*loop->together, loop->n1*sine);
+    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
     const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
-    const float half = atan2f((at > 2.0f ? sqrtf(still) : sqrtf(at)),
-        (at > 2.0f ? sqrtf(at) : sqrtf(still)));
+    const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
+        sqrtf(still));
     const float late = loop->d + 2.0f;
-    const float halves4 = -angle.halves + angle2.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
+    const float halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
     const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
         angle2.rest + angle3.rest)/3.1415927f;
-    const float even = floorf(0.5f*halves4), left = -even + 0.5f*halves4;
+    const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
     return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
 }
 
@@ -559,11 +559,11 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
     if ((((at_high < 0.0f) && (at_low >= 0.0f)) || ((at_high >= 0.0f) && (at_low < 0.0f))) &&
         (high > low)) {
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
-        const float y = (zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x));
-        const float rest = (zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x));
+        const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
+        const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
         if ((rest > 0.0f) && (y > 0.0f)) {
-            const float off = (zone == 0.0f ? -loop->center + x :
-                (zone == 1.0f ? x : loop->beyond - x));
+            const float off = zone == 0.0f ? x - loop->center :
+                (zone == 1.0f ? x : loop->beyond - x);
             const float found = phase_turns(loop, y, rest, off);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
             return -2.0f*found*rises;
@@ -575,14 +575,14 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
 // what the crossings between two points add to the count
 static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, float k3, float low,
     float high, float at_low, float at_high, float zone) {
-    const float disc = -3.0f*k1*k3 + (k2*k2), root = sqrtf(fmaxf(0.0f, disc));
+    const float disc = k2*k2 - 3.0f*k1*k3, root = sqrtf(fmaxf(0.0f, disc));
     const float q = -k2 - (k2 < 0.0f ? -root : root);
-    const float some = (fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at = -k2/some;
-    const float cut = ((at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low);
-    const float some2 = (fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f), at2 = q/some2;
-    const float cut2 = ((at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low);
-    const float some3 = (fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f), at3 = k1/some3;
-    const float cut3 = ((at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low);
+    const float some = fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f, at = -k2/some;
+    const float cut = (at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low;
+    const float some2 = fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f, at2 = q/some2;
+    const float cut2 = (at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low;
+    const float some3 = fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f, at3 = k1/some3;
+    const float cut3 = (at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low;
     const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3);
     const float first = fminf(cut, less), middle = fmaxf(cut, less);
     const float last = fmaxf(middle, more), middle2 = fminf(middle, more);
@@ -601,14 +601,13 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float strength = fabsf(alpha) + fabsf(beta);
     if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = -m0 + m2, lost = (loss*loss), square = m0*m2;
-    const float size = (across*across), even = together*(m0 + m2);
-    const float linear = -even + size, pushed_ = alpha*together;
-    const float near0 = (at_one - pushed_)*(at_one + pushed_);
+    const float across = m2 - m0, lost = loss*loss, square = m0*m2;
+    const float size = across*across, even = together*(m0 + m2), linear = size - even;
+    const float pushed_ = alpha*together, near0 = (at_one - pushed_)*(at_one + pushed_);
     const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
         lost;
     const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f;
-    const float near3 = -force*square, even2 = apart*(m0 + m2), linear2 = -even2 + size;
+    const float near3 = -force*square, even2 = apart*(m0 + m2), linear2 = size - even2;
     const float pushed2 = apart*wall_far;
     const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
@@ -616,18 +615,18 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
     const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
-    const float tilt = -0.25f*middle + 0.25f*rest;
-    const float real = -0.25f*apart*middle + 0.25f*rest*together;
-    const float one = (real*real) + sine*size, two = -real*(m0 + m2) + size*tilt;
+    const float tilt = 0.25f*rest - 0.25f*middle;
+    const float real = 0.25f*rest*together - 0.25f*apart*middle;
+    const float one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
     const float wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
-    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - one*wall;
-    const float own1 = -force*one + lost*tilt - two*wall;
+    const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
+    const float own1 = lost*tilt - force*one - two*wall;
     const float own2 = -force*two - loss - square*wall + 1.0f, own3 = -force*square;
     const float one2 = 0.5f*middle, two2 = 0.5f*rest;
-    const float before = -one2*(-one2*(-one2*own3 + own2) + own1) + own0;
+    const float before = own0 - one2*(own1 - one2*(own2 - one2*own3));
     const float after = own0 + two2*(own1 + two2*(own2 + own3*two2)), zone = 0.0f;
-    const float side = (slope >= 0.0f ? 1.0f : -1.0f);
-    const float end = -d + (wall_far > 0.0f ? side : 0.0f) +
+    const float side = slope >= 0.0f ? 1.0f : -1.0f;
+    const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
     const float total = (((((((near2 == 0.0f) && (near3 < 0.0f)) || (near2 < 0.0f)) &&
@@ -672,9 +671,9 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta)
 
 // m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
 static inline Delayed late_device(float gamma, float delta, float part) {
-    const float t0 = 1.0f - part, t1 = (t0*t0), t2 = gamma*t1, t3 = delta*t0;
+    const float t0 = 1.0f - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
-    const float t4 = (part*part), t5 = gamma*t4, t6 = delta*part;
+    const float t4 = part*part, t5 = gamma*t4, t6 = delta*part;
     const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
     const float t8 = device.n0*t4;
     return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
@@ -696,14 +695,14 @@ static inline float stable(float roots, float alpha, float beta, float gamma, fl
 
 // the turns at a crossing, if there is one
 static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
-    const float edge = (rest > y ? y : rest);
+    const float edge = rest > y ? y : rest;
     if ((edge < 4.0f) && (rest > 0.0f) && (y > 0.0f)) {
-        const float inside = ((edge > fabsf(off)) && (loop->beyond - off > 0.0f) &&
-            (loop->center + off > 0.0f) ? 1.0f : 0.0f);
-        const float at = (inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest));
-        const float still = (inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest));
-        const float away = (inside > 0.0f ? off :
-            (rest > y ? -loop->center + y : loop->beyond - rest));
+        const float inside = (edge > fabsf(off)) && (loop->beyond - off > 0.0f) &&
+            (loop->center + off > 0.0f) ? 1.0f : 0.0f;
+        const float at = inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest);
+        const float still = inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest);
+        const float away = inside > 0.0f ? off :
+            (rest > y ? y - loop->center : loop->beyond - rest);
         return phase_turns(loop, at, still, away);
     }
     return 0.0f;
@@ -712,8 +711,8 @@ static inline float crossing_turns(const Loop *loop, float y, float rest, float 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
 static inline Roots quadratic_roots(float c, float b, float a, float root) {
     const float q = -0.5f*b - 0.5f*(b >= 0.0f ? root : -root);
-    const float lead_ = (a == 0.0f ? 1.0f : a), own = (q == 0.0f ? 1.0f : q);
-    const float one = (a == 0.0f ? -1.0f : q/lead_), two = (q == 0.0f ? -1.0f : c/own);
+    const float lead_ = a == 0.0f ? 1.0f : a, own = q == 0.0f ? 1.0f : q;
+    const float one = a == 0.0f ? -1.0f : q/lead_, two = q == 0.0f ? -1.0f : c/own;
     if (b >= 0.0f) { return (Roots){one, two}; }
     return (Roots){two, one};
 }
@@ -724,7 +723,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     const float strength = fabsf(alpha) + fabsf(beta);
     if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
-    const float force = beta*slope, cross = n0*n1, lost = (loss*loss);
+    const float force = beta*slope, cross = n0*n1, lost = loss*loss;
     const float square = cross*force + e, push = alpha*together, pull = apart*wall_far;
     const float near0 = (at_one - push)*(at_one + push);
     const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - force*(together*together) + lost;
@@ -733,21 +732,20 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         lost;
     const float center = 2.0f*at_one/(e + 1.0f), beyond = 2.0f*at_minus_one/(e + 1.0f);
     const float sine = 0.25f*beyond*center, tilt = 0.25f*beyond - 0.25f*center;
-    const float real = -0.25f*apart*center + 0.25f*beyond*together;
-    const float m0 = (n1*n1)*sine + (real*real), m1 = (n1*n1)*tilt - n1*real;
+    const float real = 0.25f*beyond*together - 0.25f*apart*center;
+    const float m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
     const float wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
-    const float wall = sine*(slope*slope) + (wave*wave), own0 = lost*sine - m0*wall;
-    const float own1 = -force*m0 + lost*tilt - m1*wall, own2 = e - force*m1;
-    const float square2 = (near1*near1), product = 4.0f*near0*square;
-    const float size = square2 + fabsf(product), square3 = (own1*own1);
+    const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
+    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
+    const float square2 = near1*near1, product = 4.0f*near0*square;
+    const float size = square2 + fabsf(product), square3 = own1*own1;
     const float product2 = 4.0f*own0*own2, size2 = square3 + fabsf(product2);
-    const float square4 = (far1*far1), product3 = 4.0f*far0*square;
-    const float size3 = square4 + fabsf(product3);
-    const float side = (slope >= 0.0f ? 1.0f : -1.0f);
-    const float end = -d + (wall_far > 0.0f ? side : 0.0f) +
+    const float square4 = far1*far1, product3 = 4.0f*far0*square;
+    const float size3 = square4 + fabsf(product3), side = slope >= 0.0f ? 1.0f : -1.0f;
+    const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const float disc4 = ((size >= size2) && (size2 <= size3) ? -product2 + square3 :
-        ((size > size3) && (size2 > size3) ? -product3 + square4 : -product + square2));
+    const float disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
+        ((size > size3) && (size2 > size3) ? square4 - product3 : square2 - product);
     float total = 0.0f;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
@@ -755,8 +753,8 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
         const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
-        total = -2.0f*crossing_turns(&loop, roots.high, roots3.low, roots2.high) + 2.0f*
-            crossing_turns(&loop, roots.low, roots3.high, roots2.low);
+        total = 2.0f*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0f*
+            crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     }
     const float total2 = total + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
         (near0 == 0.0f)) || (near0 < 0.0f) ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
@@ -767,7 +765,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
 // the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
 static inline Response ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
     float together, float apart, float across) {
-    const float t = tanf(psi), square = (t*t), low = fmaf(t, t, -(t*t));
+    const float t = tanf(psi), square = t*t, low = fmaf(t, t, -(t*t));
     const Pair diff = two_diff(at_one, at_minus_one*square);
     const float missed = at_minus_one*low + fmaf(at_minus_one, square, -(at_minus_one*square));
     const Pair total = fast_two_sum(diff.hi, diff.lo - missed);
@@ -775,8 +773,8 @@ static inline Response ahead_in_phase(float psi, float at_one, float at_minus_on
     const float missed2 = apart*low + fmaf(apart, square, -(apart*square));
     const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const float above_j = 2.0f*loss*t, below_j = across*t;
-    const float rest = (below_j*below_j) + 2.0f*total2.hi*total2.lo;
-    const float size = rest + (total2.hi*total2.hi);
+    const float rest = below_j*below_j + 2.0f*total2.hi*total2.lo;
+    const float size = rest + total2.hi*total2.hi;
     const float low2 = above_j*total2.lo - below_j*total.lo;
     const float found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
     const float low22 = total.hi*total2.lo + total2.hi*total.lo;
@@ -801,7 +799,7 @@ static inline Device5 device_at_minus_one_together_n_gap(float gamma, float delt
 // cos((k + 1) x) and sin((k + 1) x)
 static inline CosSin next_wave(float k, float x) {
     const float count = k + 1.0f, before = count - 1.0f, angle = count*x;
-    const float missed = -before + k, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
+    const float missed = k - before, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
     const Pair diff = two_diff(angle - 1.5707964f*quarters,
         fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)));
     const Pair diff2 = two_diff(diff.hi, -4.371139e-08f*quarters);
@@ -811,20 +809,19 @@ static inline CosSin next_wave(float k, float x) {
         fmaf(quarters, -4.371139e-08f, -(quarters*-4.371139e-08f));
     const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(diff4.hi);
     const float still = cosf(diff4.hi), turn_ = quarters - 4.0f*floorf(0.25f*quarters);
-    const float sine = low2*still + wave, cosine = -low2*wave + still;
-    const float value = ((turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine);
-    const float value2 = ((turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine);
-    return (CosSin){((turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value),
-        (turn_ >= 2.0f ? -value2 : value2)};
+    const float sine = low2*still + wave, cosine = still - low2*wave;
+    const float value = (turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine;
+    const float value2 = (turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine;
+    return (CosSin){(turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value, turn_ >= 2.0f ? -value2 :
+        value2};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
 static inline float early_slope(float theta, float k4, float k3, float k2, float k1, float k0) {
-    const float sine = sinf(0.5f*theta), cosine = cosf(0.5f*theta), up = (sine*sine);
-    const float along = (cosine*cosine), found = along*k3 + k4*up;
-    const float power2 = (along*along), found2 = found*up + k2*power2;
-    const float power3 = along*power2, found3 = found2*up + k1*power3;
-    const float power4 = along*power3;
+    const float sine = sinf(0.5f*theta), cosine = cosf(0.5f*theta), up = sine*sine;
+    const float along = cosine*cosine, found = along*k3 + k4*up, power2 = along*along;
+    const float found2 = found*up + k2*power2, power3 = along*power2;
+    const float found3 = found2*up + k1*power3, power4 = along*power3;
     return found3*up + k0*power4;
 }
 
@@ -845,19 +842,19 @@ static inline float end_slope(float at_minus_one, float loss, float together, fl
 // the next point of a search between a and b, where f is fa and fb, after c
 static inline float next_guess(float b, float fb, float a, float fa, float c, float fc,
     float close) {
-    const float span = -b + c, rise = -fb + fc, whole = (span == 0.0f ? 1.0f : span);
-    const float place = (a - b)/whole, whole2 = (rise == 0.0f ? 1.0f : rise);
+    const float span = c - b, rise = fc - fb, whole = span == 0.0f ? 1.0f : span;
+    const float place = (a - b)/whole, whole2 = rise == 0.0f ? 1.0f : rise;
     const float height = (fa - fb)/whole2;
-    const float safe = ((place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-        (place > (height*height)) ? 1.0f : 0.0f);
-    const float width = -a + b, whole3 = (width == 0.0f ? 1.0f : width);
-    const float edge = close*fabsf((fabsf(fa) < fabsf(fb) ? a : b))/fabsf(whole3);
+    const float safe = (place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
+        (place > height*height) ? 1.0f : 0.0f;
+    const float width = b - a, whole3 = width == 0.0f ? 1.0f : width;
+    const float edge = close*fabsf(fabsf(fa) < fabsf(fb) ? a : b)/fabsf(whole3);
     const float edge2 = fminf(0.5f, edge);
     float guess = 0.5f;
     if (safe > 0.0f) {
-        const float one = -fa + fb, two = fb - fc, three = fa - fc, here = fa/one;
+        const float one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one;
         const float there = fc/two, other = fa/three, last = fb/two;
-        guess = here*there + last*other*(-a + c)/whole3;
+        guess = here*there + last*other*(c - a)/whole3;
     }
     const float share = fminf(guess, 1.0f - edge2), share2 = fmaxf(edge2, share);
     return a + share2*width;
@@ -866,32 +863,31 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
 // the angle of the largest stiffness for delays below a period
 static inline float early_angle(float at_one, float at_minus_one, float loss, float together,
     float apart, float last) {
-    const float t = (apart*apart*apart), t2 = (together*together*together);
-    const float t3 = (together*together), t4 = apart*t3, t5 = (apart*apart);
-    const float t6 = 2.0f*loss, t7 = at_minus_one + t6, t8 = 4.0f*together;
-    const float t9 = 16.0f*apart, t10 = at_one + t6, t11 = 2.0f*at_one;
-    const float t12 = 5.0f*at_minus_one, t13 = -at_one, t14 = 4.0f*loss;
-    const float t15 = apart*together, t16 = 16.0f*together, t17 = at_one*last;
-    const float t18 = apart*t11, t19 = at_one*t5;
+    const float t = apart*apart*apart, t2 = together*together*together;
+    const float t3 = together*together, t4 = apart*t3, t5 = apart*apart, t6 = 2.0f*loss;
+    const float t7 = at_minus_one + t6, t8 = 4.0f*together, t9 = 16.0f*apart;
+    const float t10 = at_one + t6, t11 = 2.0f*at_one, t12 = 5.0f*at_minus_one;
+    const float t13 = -at_one, t14 = 4.0f*loss, t15 = apart*together;
+    const float t16 = 16.0f*together, t17 = at_one*last, t18 = apart*t11;
+    const float t19 = at_one*t5;
     const float k = end_slope(at_minus_one, loss, together, apart, last);
-    const float k2 = -4.0f*at_minus_one*t2 + last*
-        (32.0f*at_minus_one*t3 + last*(64.0f*apart*loss + 128.0f*at_minus_one*last - 96.0f*
-        at_minus_one*together) - 96.0f*t5 - t7*t9*together) + 16.0f*t + 8.0f*t4*
-        (at_minus_one + loss) - t5*t7*t8;
+    const float k2 = last*(32.0f*at_minus_one*t3 + last*
+        (64.0f*apart*loss + 128.0f*at_minus_one*last - 96.0f*at_minus_one*together) - 96.0f*t5 - t7*
+        t9*together) - 4.0f*at_minus_one*t2 + 16.0f*t + 8.0f*t4*(at_minus_one + loss) - t5*t7*t8;
     const float k3 = last*(last*(last*(-192.0f*at_minus_one - 256.0f*at_one - 512.0f*loss) + t16*
         (9.0f*at_one + 16.0f*loss + t12) + t9*(8.0f*at_minus_one + 8.0f*at_one + 18.0f*loss)) -
         32.0f*t15 - 4.0f*t3*(at_minus_one + 7.0f*at_one + 14.0f*loss) - 112.0f*t5) + 8.0f*t + 2.0f*
-        t2*(-2.0f*at_minus_one + t10) + 2.0f*t4*(t12 + t13 + t14) - 2.0f*t5*together*(-t11 + t7);
+        t2*(t10 - 2.0f*at_minus_one) + 2.0f*t4*(t12 + t13 + t14) - 2.0f*t5*together*(t7 - t11);
     const float k4 = last*(32.0f*t17*together - 8.0f*together*(t18 + 12.0f*together)) + t8*
         (t10*t3 + t15*(at_minus_one + t13) + t19);
     const float k5 = last*(t16*t17 + t8*(t10*together - t18)) + together*
-        (-2.0f*t15*(at_one + loss) + t19 + t3*(at_minus_one + t11 + t14));
+        (t19 - 2.0f*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14));
     float count = 1.0f, found = 0.0f;
     for (int count_count = 0; count_count < 24; ++count_count) {
         if ((count > 24.0f) || (found > 0.0f)) { break; }
         const float rises = early_slope(0.041666668f*3.1415927f*count, k, k2, k3, k4, k5);
-        const float next_count = (rises > 0.0f ? count + 1.0f : count);
-        found = (rises > 0.0f ? 0.0f : 1.0f); count = next_count;
+        const float next_count = rises > 0.0f ? count + 1.0f : count;
+        found = rises > 0.0f ? 0.0f : 1.0f; count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*3.1415927f*count;
@@ -903,15 +899,14 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
         float b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
             if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+                (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
             const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
             const float value = early_slope(new_, k, k2, k3, k4, k5);
-            const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-            const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-            const float next_c = (same > 0.0f ? a : b);
-            fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
-            b = next_b;
+            const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+                1.0f : 0.0f;
+            const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
+            const float next_c = same > 0.0f ? a : b;
+            fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
         return (fabsf(fa) < fabsf(fb) ? a : b);
     }
@@ -922,15 +917,16 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
 static inline float boundary_slope(float theta, float l, float at_one, float at_minus_one,
     float loss, float together, float apart, float across) {
     const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = next_wave(t, t2).sine;
-    const float t4 = tanf(t2), t5 = (t4*t4), t6 = 4.0f*t5, t7 = apart*t5;
-    const float t8 = -t7 + together, t9 = at_minus_one*t5, t10 = at_one - t9;
+    const float t4 = tanf(t2), t5 = t4*t4, t6 = 4.0f*t5, t7 = apart*t5;
+    const float t8 = together - t7, t9 = at_minus_one*t5, t10 = at_one - t9;
     const float t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
-    const float t13 = -2.0f*across*t10*t4 + 2.0f*loss*t4*t8, t14 = (across*across);
-    const float t15 = t14*t6 + (t8*t8), t16 = (loss*loss), t17 = (t10*t10) + t16*t6;
+    const float t13 = 2.0f*loss*t4*t8 - 2.0f*across*t10*t4, t14 = across*across;
+    const float t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6;
     const float t18 = t15*t17, t19 = t5 + 1.0f;
-    return -t4*(0.5f*t18 + t19*(t15*(-at_minus_one*t10 + 2.0f*t16) - t17*(-apart*t8 + 2.0f*t14)))*
-        (t11*t12 - t13*t3) + (t11*t3 + t12*t13)*
-        (t18*(l + 1.5f) + t19*(-across*t17*(t7 + together) + loss*t15*(at_one + t9)));
+    return (t11*t3 + t12*t13)*(t18*(l + 1.5f) + t19*
+        (loss*t15*(at_one + t9) - across*t17*(t7 + together))) - t4*
+        (0.5f*t18 + t19*(t15*(2.0f*t16 - at_minus_one*t10) - t17*(2.0f*t14 - apart*t8)))*
+        (t11*t12 - t13*t3);
 }
 
 // the angle of the largest stiffness for a period and more
@@ -942,8 +938,8 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
         if ((count > 24.0f) || (found > 0.0f)) { break; }
         const float rises = boundary_slope(0.041666668f*count*turn_, l, at_one, at_minus_one, loss,
             together, apart, across);
-        const float next_count = (rises > 0.0f ? count + 1.0f : count);
-        found = (rises > 0.0f ? 0.0f : 1.0f); count = next_count;
+        const float next_count = rises > 0.0f ? count + 1.0f : count;
+        found = rises > 0.0f ? 0.0f : 1.0f; count = next_count;
     }
     if (found > 0.0f) {
         const float high = 0.041666668f*count*turn_;
@@ -957,16 +953,15 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
         float b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
             if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+                (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
             const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
             const float value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            const float same = (((fa < 0.0f) && (value < 0.0f)) ||
-                ((fa > 0.0f) && (value > 0.0f)) ? 1.0f : 0.0f);
-            const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-            const float next_c = (same > 0.0f ? a : b);
-            fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
-            b = next_b;
+            const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+                1.0f : 0.0f;
+            const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
+            const float next_c = same > 0.0f ? a : b;
+            fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
         }
         return (fabsf(fa) < fabsf(fb) ? a : b);
     }
@@ -978,22 +973,22 @@ static inline float undelayed_angle(float at_one, float at_minus_one, float loss
     float apart) {
     const float k = end_slope(at_minus_one, loss, together, apart, 0.0f);
     const float t = 2.0f*apart, t2 = -together, t3 = 2.0f*together;
-    const float t4 = (together*together);
+    const float t4 = together*together;
     const float k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
-    const float k3 = together*(at_minus_one*t4 + at_one*(t4 + ((-apart - t2)*(-apart - t2))) + loss*
-        t3*(-apart + 2.0f*together));
+    const float k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*
+        t3*(2.0f*together - apart));
     float above, below;
     if (k2 > 0.0f) {
-        const float discriminant = -4.0f*k*k3 + (k2*k2);
+        const float discriminant = k2*k2 - 4.0f*k*k3;
         const float root = sqrtf(fmaxf(0.0f, discriminant));
         above = k2 + root; below = fmaxf(0.0f, -2.0f*k);
     } else {
-        const float discriminant = -4.0f*k*k3 + (k2*k2);
+        const float discriminant = k2*k2 - 4.0f*k*k3;
         if (discriminant < 0.0f) {
             above = 2.0f*k3; below = 0.0f;
         } else {
             const float root = sqrtf(fmaxf(0.0f, discriminant));
-            above = 2.0f*k3; below = -k2 + root;
+            above = 2.0f*k3; below = root - k2;
         }
     }
     return 2.0f*atan2f(sqrtf(above), sqrtf(below));
@@ -1004,28 +999,27 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
     float first, float last, float at_one, float at_minus_one, float loss, float together,
     float apart) {
     if (((d <= 1.0f) || (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) && (gamma <= 9.8f)) {
-        const float across = (part == 0.0f ? first : first - last);
-        const float theta = (d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
+        const float across = part == 0.0f ? first : first - last;
+        const float theta = d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0f ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
-            later_angle(d, l, at_one, at_minus_one, loss, together, apart, across)));
+            later_angle(d, l, at_one, at_minus_one, loss, together, apart, across));
         const float t = next_wave(l, theta).sine, t2 = 0.5f*theta, t3 = sinf(t2);
-        const float t4 = cosf(t2), t5 = (t4*t4), t6 = (t3*t3), t7 = 4.0f*t5*t6;
-        const float t8 = -apart*t6 + t5*together;
-        const float t9 = 1.0f/((across*across)*t7 + (t8*t8));
-        const float t10 = -at_minus_one*t6 + at_one*t5;
-        const float t11 = -2.0f*across*t10 + 2.0f*loss*t8;
-        const float t12 = across*loss*t7 + t10*t8, t13 = t9*next_wave(l, theta).cosine;
+        const float t4 = cosf(t2), t5 = t4*t4, t6 = t3*t3, t7 = 4.0f*t5*t6;
+        const float t8 = t5*together - apart*t6, t9 = 1.0f/((across*across)*t7 + t8*t8);
+        const float t10 = at_one*t5 - at_minus_one*t6;
+        const float t11 = 2.0f*loss*t8 - 2.0f*across*t10, t12 = across*loss*t7 + t10*t8;
+        const float t13 = t9*next_wave(l, theta).cosine;
         const float t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
         const float stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0f*t14*t6;
         float good;
         if ((delta > 0.0f) && (gamma > -stiffness) && (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) {
             good = 1.0f;
         } else {
-            const float inside = -7.6293945e-05f*gamma + 0.9999237f*stiffness;
-            const float outside = (part == 0.0f ?
+            const float inside = 0.9999237f*stiffness - 7.6293945e-05f*gamma;
+            const float outside = part == 0.0f ?
                 whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
                 apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart));
+                together, apart);
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0f) { return theta; }
@@ -1050,7 +1044,7 @@ static inline float gap(float x) {
 
 // sin(x)/x
 static inline float sinc(float x) {
-    if (fabsf(x) < 1.0f) { return -(x*x)*gap(x) + 1.0f; }
+    if (fabsf(x) < 1.0f) { return 1.0f - (x*x)*gap(x); }
     return sinf(x)/x;
 }
 
@@ -1063,7 +1057,7 @@ static inline float damping_at(float alpha, float beta, float l, float epsilon, 
         sinc(psi) - beta*next_wave(l + 1.0f, 2.0f*psi).cosine - early);
     const float root = sqrtf(epsilon*(1.0f - epsilon)*
         ((alpha*alpha)*(cosf(psi)*cosf(psi)) + ((alpha + 2.0f*beta)*(alpha + 2.0f*beta))*
-        (sinf(psi)*sinf(psi))) + (n*n));
+        (sinf(psi)*sinf(psi))) + n*n);
     return 0.5f*n + 0.5f*root;
 }
 
@@ -1075,14 +1069,14 @@ static inline float chord(float k, float x) {
         const float wave = sinc(0.5f*turn_), inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
     }
-    return (-along*order*sinf(x) + 2.0f*next_wave(k, x).sine)/(x*x*x);
+    return (2.0f*next_wave(k, x).sine - along*order*sinf(x))/(x*x*x);
 }
 
 // has the sign of the slope of DampingAt, at a fraction
 static inline float rising(float alpha, float beta, float l, float epsilon, float psi) {
     const float t = 2.0f*psi, t2 = 2.0f*alpha/(sinc(psi)*sinc(psi));
     const float t3 = 0.5f*alpha + beta, t4 = 2.0f*l, t5 = t4 + 2.0f, t6 = t4 + 4.0f;
-    const float early = -t2*chord(l, t) + t3*(t5*t5)*sinc(psi*t5);
+    const float early = t3*(t5*t5)*sinc(psi*t5) - t2*chord(l, t);
     const float steep = early + epsilon*(-early - t2*chord(l + 1.0f, t) + t3*(t6*t6)*sinc(psi*t6));
     return 2.0f*beta*epsilon*(1.0f - epsilon)*(alpha + beta)*sinc(2.0f*psi) + steep*
         damping_at(alpha, beta, l, epsilon, psi);
@@ -1092,8 +1086,8 @@ static inline float rising(float alpha, float beta, float l, float epsilon, floa
 static inline float steepness(float alpha, float beta, float l, float epsilon, float psi) {
     if (epsilon == 0.0f) {
         const float t = 2.0f*l + 2.0f;
-        return -2.0f*alpha*chord(l, 2.0f*psi)/(sinc(psi)*sinc(psi)) + (t*t)*(0.5f*alpha + beta)*
-            sinc(psi*t);
+        return (t*t)*(0.5f*alpha + beta)*sinc(psi*t) - 2.0f*alpha*chord(l, 2.0f*psi)/
+            (sinc(psi)*sinc(psi));
     }
     const float rising_ = rising(alpha, beta, l, epsilon, psi);
     const float phase = psi*(2.0f*l + 2.0f) +
@@ -1105,7 +1099,7 @@ static inline float steepness(float alpha, float beta, float l, float epsilon, f
 
 // half of the angle at which the wall needs most damping
 static inline float worst_angle(float alpha, float beta, float l, float epsilon) {
-    const float size = fabsf(alpha) + fabsf(beta), whole = (size == 0.0f ? 1.0f : size);
+    const float size = fabsf(alpha) + fabsf(beta), whole = size == 0.0f ? 1.0f : size;
     const float stiffness = alpha/whole, damping = beta/whole, low = 0.0f;
     const float above = steepness(stiffness, damping, l, epsilon, low);
     if (above <= 0.0f) { return low; }
@@ -1115,15 +1109,14 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 7.6293945e-06f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+            (fabsf(a - b) <= 7.6293945e-06f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 7.6293945e-06f);
         const float value = steepness(stiffness, damping, l, epsilon, new_);
-        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f);
-        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-        const float next_c = (same > 0.0f ? a : b);
-        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
-        b = next_b;
+        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f;
+        const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
+        const float next_c = same > 0.0f ? a : b;
+        fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabsf(fa) < fabsf(fb) ? a : b);
 }
@@ -1132,7 +1125,7 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
 static inline float largest_required_damping(float alpha, float beta, float d) {
     if (alpha < 0.0f) { return INFINITY; }
     const float whole = floorf(d), part = d - whole;
-    const float lift = (fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f);
+    const float lift = fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f;
     const float stiffness = alpha*lift, damping = beta*lift;
     return damping_at(stiffness, damping, whole, part,
         worst_angle(stiffness, damping, whole, part))/lift;
@@ -1140,7 +1133,7 @@ static inline float largest_required_damping(float alpha, float beta, float d) {
 
 // early + share (late - early)
 static inline float between(float share, float early, float late) {
-    const float more = -early + late;
+    const float more = late - early;
     return early + more*share;
 }
 
@@ -1149,7 +1142,7 @@ static inline float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
         const float early = next_wave(l, theta).sine;
         const float late = next_wave(l + 1.0f, theta).sine;
-        return early + epsilon*(-early + late);
+        return early + epsilon*(late - early);
     }
     return -1.0f;
 }
@@ -1187,9 +1180,9 @@ static inline float turning(float phi, float l, float epsilon, float wave, float
     const float t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0f) - t15 - t6*wave6);
     return -2.0f*t6*t7*wave8*(t + t5) - (epsilon*
         (t*wave12*((t8 + 4.0f)*(t8 + 4.0f)) - t10 - t9*wave4) + t10)*
-        (-0.5f*t11 + 0.25f*t12*t13*t4 + 0.5f*t16 + 0.5f*
-        sqrtf(t7*(4.0f*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) +
-        ((-t11 + t15 + t16)*(-t11 + t15 + t16))));
+        (0.25f*t12*t13*t4 - 0.5f*t11 + 0.5f*t16 + 0.5f*
+        sqrtf(t7*(4.0f*(t*t)*(wave*wave) + (t3*t3)*(wave2*wave2)/(t2*t2)) + (t15 - t11 + t16)*
+        (t15 - t11 + t16)));
 }
 
 // the wall whose worst angle is 2 psi, as an angle
@@ -1211,16 +1204,15 @@ static inline float turn(float psi, float l, float epsilon) {
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+            (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
         const float value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f);
-        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-        const float next_c = (same > 0.0f ? a : b);
-        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
-        b = next_b;
+        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f;
+        const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
+        const float next_c = same > 0.0f ? a : b;
+        fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabsf(fa) < fabsf(fb) ? a : b);
 }
@@ -1235,8 +1227,8 @@ static inline float touching(float theta, float l, float epsilon) {
 // whether a larger angle allows less stiffness, at a fraction
 static inline float passive_slope(float theta, float l, float epsilon) {
     const CosSin cossin = next_wave(l, theta), cossin2 = next_wave(l + 1.0f, theta);
-    const float up = epsilon*(-cossin.sine + cossin2.sine) + cossin.sine;
-    const float along = cossin.cosine + epsilon*(-cossin.cosine + cossin2.cosine);
+    const float up = epsilon*(cossin2.sine - cossin.sine) + cossin.sine;
+    const float along = cossin.cosine + epsilon*(cossin2.cosine - cossin.cosine);
     return (1.0f - up)*cosf(theta) + (along*(epsilon + l + 1.0f) - epsilon*(1.0f - epsilon)*
         (cossin.cosine - cossin2.cosine))*sinf(theta);
 }
@@ -1251,15 +1243,14 @@ static inline float passive_angle(float l, float epsilon) {
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
         if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 2.3841858e-07f*fabsf((fabsf(fa) < fabsf(fb) ? a : b)))) { break; }
+            (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
         const float value = passive_slope(new_, l, epsilon);
-        const float same = (((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f);
-        const float next_b = (same > 0.0f ? b : a), next_fb = (same > 0.0f ? fb : fa);
-        const float next_c = (same > 0.0f ? a : b);
-        fc = (same > 0.0f ? fa : fb); c = next_c; fa = value; a = new_; fb = next_fb;
-        b = next_b;
+        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
+            1.0f : 0.0f;
+        const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
+        const float next_c = same > 0.0f ? a : b;
+        fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
     }
     return (fabsf(fa) < fabsf(fb) ? a : b);
 }
@@ -1271,7 +1262,7 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
     }
     const Device device = device_n0_n1_trace(gamma, delta);
     *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
-    *e_out = expf(-delta); return;
+    *e_out = expf(-delta);
 }
 
 void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
@@ -1281,11 +1272,11 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
-    const float t0 = 1.0f - epsilon, t1 = (t0*t0), t2 = delta*t0;
-    const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = (epsilon*epsilon);
+    const float t0 = 1.0f - epsilon, t1 = t0*t0, t2 = delta*t0;
+    const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = epsilon*epsilon;
     const float n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*expf(-t2);
     *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
-    *a_out = device.trace; *e_out = expf(-delta); return;
+    *a_out = device.trace; *e_out = expf(-delta);
 }
 
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d) {
@@ -1347,7 +1338,7 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
         decay(delta), device.together, t10, t11);
     const float t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
     *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tanf(t2);
-    *beta_out = -t15/sinf(theta); return;
+    *beta_out = -t15/sinf(theta);
 }
 
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
@@ -1365,10 +1356,10 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
             device.at_minus_one, t3, device.together, t4);
         const CosSin cossin = next_wave(d, t5);
         const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7);
-        const float t10 = device.together + t4, t11 = (t9*t9), t12 = (t8*t8);
-        const float t13 = t11*t12, t14 = device.together*t11 - t12*t4;
-        const float t15 = 1.0f/((t10*t10)*t13 + (t14*t14));
-        const float t17 = -device.at_minus_one*t12 + t1*t11, t18 = -t10*t17 + t14*t16;
+        const float t10 = device.together + t4, t11 = t9*t9, t12 = t8*t8, t13 = t11*t12;
+        const float t14 = device.together*t11 - t12*t4;
+        const float t15 = 1.0f/((t10*t10)*t13 + t14*t14);
+        const float t17 = t1*t11 - device.at_minus_one*t12, t18 = t14*t16 - t10*t17;
         const float t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
         const float t21 = -cossin.sine*t15*t19/sinf(t5) - 0.5f*t18*t20;
         *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20;
@@ -1378,15 +1369,15 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
     const float t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0, t1,
         device.at_minus_one, t3, device.together, delayed.apart);
     const CosSin cossin2 = next_wave(whole, t27);
-    const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = (t30*t30);
-    const float t33 = (t29*t29), t34 = -delayed.apart*t33 + device.together*t32;
+    const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = t30*t30;
+    const float t33 = t29*t29, t34 = device.together*t32 - delayed.apart*t33;
     const float t35 = 2.0f*delayed.m2 - 2.0f*delayed.m0, t36 = t32*t33;
-    const float t37 = 1.0f/((t34*t34) + (t35*t35)*t36);
-    const float t38 = -device.at_minus_one*t33 + t1*t32, t39 = t16*t34 - t35*t38;
+    const float t37 = 1.0f/(t34*t34 + (t35*t35)*t36);
+    const float t38 = t1*t32 - device.at_minus_one*t33, t39 = t16*t34 - t35*t38;
     const float t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
     const float t42 = -cossin2.sine*t37*t40/sinf(t27) - 0.5f*t39*t41;
     *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0f*t33*t42 - t40*t41; *beta_out = t42;
-    *theta_out = t27; return;
+    *theta_out = t27;
 }
 
 float haptic_single_passivity_margin_at(float theta, float alpha, float beta, float delta,
@@ -1398,7 +1389,7 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
     }
     const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
     const float sine = next_wave(2.0f*d, t0).sine;
-    return -0.5f*alpha*sine/sinf(t0) + beta*cosine + delta;
+    return beta*cosine - 0.5f*alpha*sine/sinf(t0) + delta;
 }
 
 float haptic_single_passivity_margin(float alpha, float beta, float delta, float d) {
@@ -1421,17 +1412,16 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
         const float t15 = sinc(t2), sine = next_wave(d, theta).sine;
         const float t3 = sine*(t15*t15)*(d + 1.0f)/theta;
         *alpha_out = rated(t0, 2.0f*t1*t3);
-        *beta_out = rated(t0, t1*(-t3 + chord(d, theta))); return;
+        *beta_out = rated(t0, t1*(chord(d, theta) - t3)); return;
     }
     const float t6 = lead(theta, whole, part), t7 = whole + 1.0f;
     const float t8 = touching(theta, whole, part), t9 = cosf(t8), t10 = t9/t7;
-    const float t11 = sinf(t8), t12 = -0.5f*t10 + t11;
+    const float t11 = sinf(t8), t12 = t11 - 0.5f*t10;
     const float t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const float t16 = sinf(t2), t17 = cosf(t2);
     const float t14 = delta/(0.5f*t13 + 0.5f*
-        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) +
-        (t13*t13)));
-    *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14); return;
+        sqrtf(part*(1.0f - part)*(4.0f*(t11*t11)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + t13*t13));
+    *alpha_out = rated(t6, t10*t14); *beta_out = rated(t6, t12*t14);
 }
 
 void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out, float *beta_out,
@@ -1443,24 +1433,24 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     if (part == 0.0f) {
         const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1);
         const float t4 = 0.5f*t1;
-        *alpha_out = t2*t3; *beta_out = delta*(-t2 + 1.0f/(t0*sinf(t4)));
+        *alpha_out = t2*t3; *beta_out = delta*(1.0f/(t0*sinf(t4)) - t2);
         *theta_out = t4; return;
     }
     const float t7 = passive_angle(whole, part);
     const CosSin cossin = next_wave(whole, t7);
     const float t9 = whole + 1.0f;
     const CosSin cossin2 = next_wave(t9, t7);
-    const float t10 = cossin.cosine + part*(-cossin.cosine + cossin2.cosine);
-    const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = (t13*t13), t15 = 2.0f*whole;
+    const float t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine);
+    const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = t13*t13, t15 = 2.0f*whole;
     const float t16 = t15 + 2.0f, sine_2 = next_wave(t16, t12).sine;
     const float t17 = 2.0f*sine_2*t13;
     const float t18 = (t10*t17 + t14*(4.0f*part + 4.0f*whole + 4.0f))/
-        (t10*cosf(t7) + (part + t9)*(part*(-cossin.sine + cossin2.sine) + cossin.sine + 1.0f)*
+        (t10*cosf(t7) + (part + t9)*(part*(cossin2.sine - cossin.sine) + cossin.sine + 1.0f)*
         sinf(t7));
     const float t19 = 2.0f*part;
     *alpha_out = t18*t3;
     *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0f))/(t14*(t16 + t19));
-    *theta_out = t7; return;
+    *theta_out = t7;
 }
 
 float haptic_single_linear_limit(float beta, float delta, float d) {
