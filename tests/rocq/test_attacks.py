@@ -54,7 +54,7 @@ from symhaptic.proof.theorems.leaves import (
     tends,
 )
 from symhaptic.proof.theorems.tactics import one, over
-from symhaptic.rocq import compiled
+from symhaptic.rocq import assumptions, compiled
 from symhaptic.rocq.chapter import printed
 
 pytestmark = [
@@ -551,8 +551,8 @@ def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
     assert done.returncode == 0, done.stderr
     first, second = done.stdout.split("Axioms:")[1:]
     library = {foreign.REALS, foreign.INTEGERS}
-    assert set(compiled.axioms(first)) == library
-    assert set(compiled.axioms(second)) == library | {"rule_on_plants", "device"}
+    assert set(assumptions.axioms(first)) == library
+    assert set(assumptions.axioms(second)) == library | {"rule_on_plants", "device"}
 
 
 def test_the_counter_of_zeros_rests_on_schur_s_criterion(folder):
@@ -563,4 +563,4 @@ def test_the_counter_of_zeros_rests_on_schur_s_criterion(folder):
     done = compiled._compiled(folder, "counted")
     assert done.returncode == 0, done.stderr
     library = {foreign.REALS, foreign.INTEGERS}
-    assert set(compiled.axioms(done.stdout)) == library | {"rule_schur", "stable"}
+    assert set(assumptions.axioms(done.stdout)) == library | {"rule_schur", "stable"}

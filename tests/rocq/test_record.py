@@ -11,7 +11,7 @@ from symhaptic.book import foreign
 from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.rocq import compiled
+from symhaptic.rocq import assumptions, compiled, preludes
 from symhaptic.rocq.chapter import ALONE, MEANING, PROVED, File, printed
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
@@ -33,7 +33,7 @@ def test_the_record_is_of_the_text_that_is_written(name):
     if name not in RECORD["chapters"]:
         pytest.skip(f"Rocq was not asked about {name}, of which nothing counts; `make rocq` asks")
     one = chapter(name)
-    if compiled.text_mark(printed(one).written()) == RECORD["chapters"][name]["text"]:
+    if preludes.text_mark(printed(one).written()) == RECORD["chapters"][name]["text"]:
         return
     try:
         compiled.prelude_compiled(compiled.prepared(WRITTEN))
@@ -90,7 +90,7 @@ def test_leaves_are_found_again(name, empty):
 
 def in_kernel(judged):
     """The rules and axioms, and what is meant by predicates, that our kernel names."""
-    meanings = MEANING | set(map(compiled.rule_of, compiled.known_there()))
+    meanings = MEANING | set(map(assumptions.rule_of, preludes.known_there()))
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
     if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros as Schur did
@@ -105,7 +105,7 @@ def test_what_is_whole_rests_on_the_rules_that_our_kernel_names(name):
         found = foreign.checked(id, item.settlement.judged)
         assert not found.stale, id
         if found.extent == foreign.WHOLE:
-            library = {foreign.REALS, foreign.INTEGERS} | compiled.meant()
+            library = {foreign.REALS, foreign.INTEGERS} | preludes.meant()
             # a predicate and the rule that is named like it are told apart by neither list
             ours = in_kernel(item.settlement.judged) - PROVED - library
             assert set(found.rests) - library == ours, id
@@ -136,9 +136,9 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
     file = printed(chapter("s3b_envelope"))
     id = next(iter(file.statements))
     rests = {id: [foreign.REALS, "proof_irrelevance"]}
-    told = compiled.told(file, rests)
+    told = assumptions.told(file, rests)
     assert told[id] == "it rests on proof_irrelevance, which nobody named"
-    assert compiled.told(file, {id: [foreign.REALS]})[id] == "whole"
+    assert assumptions.told(file, {id: [foreign.REALS]})[id] == "whole"
 
 
 def test_leaves_leave_open_what_is_made_of_them():
@@ -172,7 +172,7 @@ def test_a_statement_rests_on_what_its_own_lemmas_name():
         "Axioms:\nopen_step_2 : True\nfirst.rule_stored_7\n  : True\nproof_irrelevance : True\n"
         "rule_hidden_2 : True\n"
     )
-    assert compiled.resting(file, said, {"first.rule_stored_7": ["rule_stored_1"]}) == {
+    assert assumptions.resting(file, said, {"first.rule_stored_7": ["rule_stored_1"]}) == {
         "one": ["proof_irrelevance", "rule_hidden_2", "rule_stored_1"],
         "two": ["open_step_2", "proof_irrelevance", "rule_hidden_2"],
     }
@@ -191,9 +191,9 @@ def test_the_mark_of_a_text_is_of_the_preludes_that_it_imports(
     tmp_path, monkeypatch, imported, changed, another
 ):
     text = f"From Symhaptic Require Import {imported}.\n"
-    before = compiled.text_mark(text)
-    paths = [tmp_path / path.name for path in compiled.PRELUDES]
-    for there, path in zip(paths, compiled.PRELUDES, strict=True):
+    before = preludes.text_mark(text)
+    paths = [tmp_path / path.name for path in preludes.PRELUDES]
+    for there, path in zip(paths, preludes.PRELUDES, strict=True):
         there.write_text(path.read_text() + ("(* *)" if path.stem == changed else ""))
-    monkeypatch.setattr(compiled, "PRELUDES", tuple(paths))
-    assert (compiled.text_mark(text) != before) == another
+    monkeypatch.setattr(preludes, "PRELUDES", tuple(paths))
+    assert (preludes.text_mark(text) != before) == another

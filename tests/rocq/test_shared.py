@@ -10,7 +10,7 @@ from sympy import Symbol
 
 from symhaptic.book import foreign
 from symhaptic.notation.proposition import proposition
-from symhaptic.rocq import compiled
+from symhaptic.rocq import assumptions, compiled
 from symhaptic.rocq.chapter import File
 from symhaptic.rocq.shared import FOLDER, Seen
 from symhaptic.rocq.steps import Step
@@ -86,7 +86,7 @@ def test_axioms_that_say_the_same_are_each_known_again(tmp_path):
     names = ["rule_stored_1", "rule_stored_9"]
     assert [again.own[f"{first.name}.{name}"] for name in names] == [names, names]
     said = f"Axioms:\n{first.name}.rule_stored_1 : 0 < 2\n"
-    assert compiled.resting(file("first", *twice), said, again.own) == {"one": names}
+    assert assumptions.resting(file("first", *twice), said, again.own) == {"one": names}
 
 
 def test_what_rests_on_an_open_step_is_never_taken(tmp_path):
@@ -138,8 +138,8 @@ def test_an_index_that_lies_is_found_out(folder):
     index.unlink()
     index = forged(folder, mark, step("step_1", "0 < 2", kind="Axiom"))
     seen, done = compiled._asked(mine, folder)
-    rests = compiled.resting(mine, done.stdout, seen.own)
-    assert "which nobody named" in compiled.told(mine, rests)["one"]
+    rests = assumptions.resting(mine, done.stdout, seen.own)
+    assert "which nobody named" in assumptions.told(mine, rests)["one"]
     index.unlink()
 
 

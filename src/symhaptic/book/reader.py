@@ -23,7 +23,7 @@ from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
-PAUSE = 0.5
+GRACE = 0.5
 """Seconds after which a process that has nothing left to say has to end."""
 
 
@@ -99,7 +99,7 @@ def _of_chapter(
         process.join()
         return ended(process, path)
     finally:
-        process.join(PAUSE)
+        process.join(GRACE)
         if process.is_alive():
             process.kill()
             process.join()

@@ -111,9 +111,10 @@ def command(line: str) -> Caller:
         except (OSError, ValueError) as wrong:
             raise ValueError(f"--command: {line!r} cannot be used ({wrong})") from None
         if done.returncode or len(found) != len(points):
+            said = "".join(f" ({last})" for last in done.stderr.strip().splitlines()[-1:])
             raise ValueError(
-                f"--command: {line!r} ended with {done.returncode} and {len(found)} lines;"
-                f" 0 and {len(points)} are allowed"
+                f"--command: {line!r} ended with status {done.returncode} and {len(found)} lines"
+                f"{said}; 0 and {len(points)} lines are allowed"
             )
         return found
 

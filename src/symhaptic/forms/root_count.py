@@ -29,7 +29,8 @@ class FractionalRoots(Function):  # type: ignore[misc]
 
     nargs = 10
     meaning = (
-        "the same behind a delay of l whole periods and a fraction, whose device is "
+        "roots outside the unit circle behind a delay of l whole periods and a fraction, whose "
+        "device is "
         "(m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))"
     )
 
@@ -38,7 +39,7 @@ class Stable(Function):  # type: ignore[misc]
     """1 where no root is outside or on the circle, else 0: (roots, alpha, beta, gamma, delta)."""
 
     nargs = 5
-    meaning = "1 if there are none, alpha > -gamma, and the device is not left swinging, else 0"
+    meaning = "1 if roots is 0, alpha > -gamma, and the device is not left swinging, else 0"
 
 
 ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apart")

@@ -12,6 +12,7 @@ from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Basic, Expr
 
 from symhaptic.notation import z
+from symhaptic.notation.exact import fraction, rational
 
 MIRRORED = {z: 1 / z}
 """The conjugate, for expressions whose other symbols are real."""
@@ -105,7 +106,7 @@ def _sum(terms: Mapping[Monomial, fmpq]) -> Expr:
     for monomial, c in terms.items():
         factors = sorted((known[factor] for factor in monomial), key=_ORDER)
         if c != 1 or not factors:
-            factors.insert(0, sp.Rational(int(c.p), int(c.q)))
+            factors.insert(0, rational(c))
         found.append(sp.Mul(*factors, evaluate=False))
     return sp.Add(*sorted(found, key=_ORDER), evaluate=False)
 
@@ -118,7 +119,7 @@ def _polynomial(expr: Expr, context: fmpq_mpoly_ctx, names: dict[Expr, fmpq_mpol
     if expr in names:
         return names[expr]
     if expr.is_Rational:
-        return context.constant(fmpq(int(expr.p), int(expr.q)))
+        return context.constant(fraction(expr))
     if expr.is_Add or expr.is_Mul:
         parts = (_polynomial(part, context, names) for part in expr.args)
         return reduce(add if expr.is_Add else mul, parts)

@@ -13,9 +13,10 @@ from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
-from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
 
+from symhaptic.notation.exact import falling, fraction
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
 
@@ -75,7 +76,7 @@ def ball(expr: Expr, at: At | None = None, bits: int = 64) -> acb:
 def _ball(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
     """The same; what ``at`` does not have yet, it has afterwards, so that no part is met twice."""
     if expr.is_Rational:
-        return acb(fmpq(expr.p, expr.q))
+        return acb(fraction(expr))
     value = at.get(expr)
     if value is None:
         value = _found(expr, at)
@@ -136,7 +137,7 @@ def largest_root(
     named: dict[Expr, Expr] = {}
     coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
     if all(c.is_Rational for c in coefficients):
-        exact = fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+        exact = falling(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before, found = ctx.prec, None
     for bits in PRECISIONS:

@@ -25,6 +25,7 @@ from flint import fmpq, fmpq_mpoly, fmpz_poly
 from sympy import Expr
 from sympy.core.function import Application
 
+from symhaptic.notation.exact import rational
 from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
@@ -403,7 +404,7 @@ class Field:
                 for name, n in zip(self._ring.names, monomial, strict=False)
                 if n
             ]
-            terms.append(sp.Rational(int(value.p), int(value.q)) * sp.Mul(*factors))
+            terms.append(rational(value) * sp.Mul(*factors))
         return sp.Add(*terms)
 
     def generators(self) -> list[Expr]:

@@ -8,8 +8,10 @@ from operator import add, mul
 from typing import Any, TypeAlias
 
 import sympy as sp
-from flint import acb, acb_series, arb, ctx, fmpq
+from flint import acb, acb_series, arb, ctx
 from sympy import Expr
+
+from symhaptic.notation.exact import fraction
 
 
 class Uncheckable(ValueError):
@@ -133,7 +135,7 @@ def _program(expr: Expr, symbols: tuple[Expr, ...], bits: int) -> Callable[..., 
 def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
     """What is done, and to which parts."""
     if part.is_Rational:
-        number = acb(fmpq(int(part.p), int(part.q)))
+        number = acb(fraction(part))
         return lambda: number, ()
     if part is sp.pi:
         pi = acb(arb.pi())

@@ -11,6 +11,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Expr
 
+from symhaptic.notation.exact import fraction
 from symhaptic.proof.budget import spend
 
 _ONE = fmpq(1)
@@ -81,7 +82,7 @@ class Ring:
 
     def constant(self, value: sp.Rational) -> Fractional:
         """A rational number as an element."""
-        return Fractional(self.ctx.constant(fmpq(int(value.p), int(value.q))), self.one)
+        return Fractional(self.ctx.constant(fraction(value)), self.one)
 
     def polynomial(self, terms: Iterable[Expr]) -> tuple[fmpq_mpoly, list[Expr]]:
         """The sum of those that are a number times powers of generators, and the other terms."""
@@ -102,7 +103,7 @@ class Ring:
         coefficient, others = _ONE, []
         for part in factors:
             if part.is_Rational:
-                coefficient *= fmpq(int(part.p), int(part.q))
+                coefficient *= fraction(part)
                 continue
             base, power = part, 1
             if part.is_Pow and part.args[1].is_Integer and part.args[1].p > 0:

@@ -10,9 +10,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
-from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
+from symhaptic.notation.exact import falling
 from symhaptic.proof.ball import At, ball
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.derivative import derivative
@@ -45,7 +46,7 @@ def rational_polynomial(expr: Expr) -> fmpq_poly:
     """
     symbols = sorted(expr.free_symbols, key=str) or [sp.Dummy()]
     coefficients = sp.Poly(expr, *symbols, domain=sp.QQ).all_coeffs()
-    return fmpq_poly([fmpq(int(c.p), int(c.q)) for c in reversed(coefficients)])
+    return falling(coefficients)
 
 
 def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:

@@ -6,7 +6,6 @@ fail become open leaves, and what then is accepted says what each statement rest
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import os
@@ -14,38 +13,24 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Sequence
 from dataclasses import asdict, dataclass, field, replace
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
-from symhaptic.proof.theorems.axioms import AXIOMS
-from symhaptic.rocq.chapter import ALONE, BELIEVED, WRITTEN, File, printed, slug
+from symhaptic.rocq.assumptions import resting, rule_of, told
+from symhaptic.rocq.chapter import ALONE, File, printed
+from symhaptic.rocq.preludes import PRELUDES, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
 from symhaptic.rocq.steps import is_open
 
-PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes", "Zeros"))
-"""What chapters use; each uses those before it."""
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
 _ROOM = {"OCAMLRUNPARAM": "s=32M,o=1000"}
 """Memory that is collected seldom: terms are large, and Rocq ends soon; some 1.4 GB at most."""
-
-_STANDARD = ("ClassicalDedekindReals.", "FunctionalExtensionality.", "Classical_Prop.")
-_PRIMITIVE = (
-    "PrimInt63.",
-    "Uint63.",
-    "Sint63.",
-    "PrimFloat.",
-    "FloatAxioms.",
-    "Uint63Axioms.",
-    "FloatOps.",
-)
-_OURS = tuple(f"{path.stem}." for path in PRELUDES)
 
 
 class NoRocq(OSError):
@@ -82,23 +67,6 @@ class Outcome:
         """What a statement rests on, by name: rules and axioms, predicates, Rocq's library."""
         named = {rule_of(name) for name in self.rests.get(id, ()) if not is_open(name)}
         return sorted(named, key=lambda name: (name in (REALS, INTEGERS), name))
-
-
-def rule_of(name: str) -> str:
-    """The classical rule or axiom of our kernel that an axiom of a file stands for.
-
-    >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("stable")
-    ('roots_stay', 'passive wall', 'stable')
-    """
-    instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
-    if instance and instance[1] in BELIEVED | WRITTEN:
-        return instance[1]
-    if name in known_there():
-        return name.removeprefix("rule_")
-    return _AXIOMS.get(name, name)
-
-
-_AXIOMS = {f"axiom_{slug(name)}": name for name in AXIOMS}
 
 
 def coqc() -> str:
@@ -156,22 +124,6 @@ def written(path: Path, folder: Path) -> Outcome:
     file = printed(chapter)
     (folder / f"{file.name}.v").write_text(file.written(), encoding="utf-8")
     return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"), {})
-
-
-def text_mark(text: str) -> str:
-    """What two texts share that Rocq is given alike, with the preludes that they import."""
-    return hashlib.sha256("".join([*_imported(text).values(), text]).encode()).hexdigest()
-
-
-def _imported(text: str) -> dict[str, str]:
-    """The preludes that a text imports, by name, each after those that it imports itself."""
-    known = {path.stem: path for path in PRELUDES}
-    found: dict[str, str] = {}
-    for names in re.findall(r"^From Symhaptic Require \w+ ([\w ]+)\.$", text, re.M):
-        for name in names.split():
-            of_it = known[name].read_text(encoding="utf-8")
-            found |= _imported(of_it) | {name: of_it}
-    return found
 
 
 def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome:
@@ -303,64 +255,6 @@ def _error(said: str) -> str:
         if line and not line.startswith(("No focused", "(in proof", "There are pending")):
             return f"coqc: {line[:160]}"
     return f"coqc: not within {SECONDS} s"
-
-
-def resting(file: File, said: str, own: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
-    """What each statement rests on: what all of them do, but for what only others' lemmas name.
-
-    Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
-    """
-    found = {here for name in axioms(said) for here in own.get(name, [name])}
-    here = {step.name for step in file.steps} | meant() | known_there()
-    named = {id: file.named_by(id) & here for id in file.statements}
-    others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
-    return {id: sorted(found - (others - own)) for id, own in named.items()}
-
-
-def axioms(said: str) -> set[str]:
-    """What ``Print Assumptions`` lists, with the library's under two names."""
-    return {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
-
-
-def _short(name: str) -> str:
-    if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
-        return REALS
-    if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
-        return name.partition(".")[2]
-    return INTEGERS if name.startswith(_PRIMITIVE) else name
-
-
-def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
-    """Whether a statement is checked whole, or which of its leaves are open."""
-    reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
-    named = {s.name for s in file.steps if s.kind == "Axiom"} | {REALS, INTEGERS}
-    named |= meant() | known_there()
-    found = {}
-    for id, names in rests.items():
-        open_ = [n for n in names if n in reasons]
-        why = sorted({reasons[n] for n in open_})
-        found[id] = f"{len(open_)} steps open: {'; '.join(why)}" if open_ else "whole"
-        strange = sorted(set(names) - named)
-        if strange:
-            found[id] = f"it rests on {', '.join(strange)}, which nobody named"
-    return found
-
-
-@cache
-def meant() -> frozenset[str]:
-    """What the prelude leaves open: the predicates, whose meaning the model has."""
-    found = re.findall(r"^Parameters? ([\w\s]+):", _preludes(), re.M)
-    return frozenset(name for names in found for name in names.split())
-
-
-@cache
-def known_there() -> frozenset[str]:
-    """What the prelude believes of the predicates: rules of our kernel, by their names there."""
-    return frozenset(re.findall(r"^Axiom (rule_\w+)", _preludes(), re.M))
-
-
-def _preludes() -> str:
-    return "".join(path.read_text(encoding="utf-8") for path in PRELUDES)
 
 
 def _outcome(

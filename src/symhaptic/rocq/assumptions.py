@@ -1,0 +1,82 @@
+"""What a statement rests on: the axioms that Rocq lists for a chapter, laid to its statements."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from symhaptic.book.foreign import INTEGERS, REALS
+from symhaptic.proof.theorems.axioms import AXIOMS
+from symhaptic.rocq.chapter import BELIEVED, WRITTEN, File, slug
+from symhaptic.rocq.preludes import PRELUDES, known_there, meant
+from symhaptic.rocq.steps import is_open
+
+_STANDARD = ("ClassicalDedekindReals.", "FunctionalExtensionality.", "Classical_Prop.")
+_PRIMITIVE = (
+    "PrimInt63.",
+    "Uint63.",
+    "Sint63.",
+    "PrimFloat.",
+    "FloatAxioms.",
+    "Uint63Axioms.",
+    "FloatOps.",
+)
+_OURS = tuple(f"{path.stem}." for path in PRELUDES)
+
+
+def rule_of(name: str) -> str:
+    """The classical rule or axiom of our kernel that an axiom of a file stands for.
+
+    >>> rule_of("rule_roots_stay_91"), rule_of("axiom_passive_wall"), rule_of("stable")
+    ('roots_stay', 'passive wall', 'stable')
+    """
+    instance = re.fullmatch(r"rule_(\w+?)(_\d+)?", name)
+    if instance and instance[1] in BELIEVED | WRITTEN:
+        return instance[1]
+    if name in known_there():
+        return name.removeprefix("rule_")
+    return _AXIOMS.get(name, name)
+
+
+_AXIOMS = {f"axiom_{slug(name)}": name for name in AXIOMS}
+
+
+def resting(file: File, said: str, own: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
+    """What each statement rests on: what all of them do, but for what only others' lemmas name.
+
+    Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
+    """
+    found = {here for name in axioms(said) for here in own.get(name, [name])}
+    here = {step.name for step in file.steps} | meant() | known_there()
+    named = {id: file.named_by(id) & here for id in file.statements}
+    others = set[str]().union(*named.values())  # what no lemma names is laid to all of them
+    return {id: sorted(found - (others - own)) for id, own in named.items()}
+
+
+def axioms(said: str) -> set[str]:
+    """What ``Print Assumptions`` lists, with the library's under two names."""
+    return {_short(n) for n in re.findall(r"^([\w.']+)(?= :|$)", said, flags=re.M)}
+
+
+def _short(name: str) -> str:
+    if name.startswith(_STANDARD) or name == "functional_extensionality_dep":
+        return REALS
+    if name.startswith(_OURS):  # as Rocq says it where a chapter takes all that uses it from others
+        return name.partition(".")[2]
+    return INTEGERS if name.startswith(_PRIMITIVE) else name
+
+
+def told(file: File, rests: dict[str, list[str]]) -> dict[str, str]:
+    """Whether a statement is checked whole, or which of its leaves are open."""
+    reasons = {s.name: s.why for s in file.steps if is_open(s.name)}
+    named = {s.name for s in file.steps if s.kind == "Axiom"} | {REALS, INTEGERS}
+    named |= meant() | known_there()
+    found = {}
+    for id, names in rests.items():
+        open_ = [n for n in names if n in reasons]
+        why = sorted({reasons[n] for n in open_})
+        found[id] = f"{len(open_)} steps open: {'; '.join(why)}" if open_ else "whole"
+        strange = sorted(set(names) - named)
+        if strange:
+            found[id] = f"it rests on {', '.join(strange)}, which nobody named"
+    return found
