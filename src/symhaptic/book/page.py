@@ -428,12 +428,11 @@ class Page(Record):
                 shows=shows,
                 note=note,
             )
-            values = () if value is None else value if isinstance(value, Sequence) else (value,)
             settlement = Settlement(
                 tuple(forms),
                 judged=judged,
                 claim=self.claimed.get(id) or CLAIMED.get(id),
-                values=tuple(v if isinstance(v, Expr) else self._shown(v) for v in values),
+                values=self._quoted(value),
                 quoted=statement.quoted,
             )
             return self._record(statement, settlement)
@@ -447,7 +446,6 @@ class Page(Record):
             if wrong := unproved(fact, self.supposed):
                 raise FalseStep(f"{id}: {wrong}")
         self._put_in(id, given)
-        values = () if value is None else value if isinstance(value, Sequence) else (value,)
         settlement = Settlement(
             derived=tuple(forms),
             proofs=tuple(proofs),
@@ -459,7 +457,7 @@ class Page(Record):
             specialise=specialise,
             corrected=None if corrected is None else tuple(corrected),
             misprint=misprint,
-            values=tuple(v if isinstance(v, Expr) else self._shown(v) for v in values),
+            values=self._quoted(value),
             quoted=statement.quoted,
             shows=shows,
             note=note,
@@ -472,6 +470,11 @@ class Page(Record):
                 if isinstance(form, sp.Eq) and isinstance(form.lhs, (sp.Symbol, AppliedUndef)):
                     self._defined(form.lhs, form.rhs)
         return verdict
+
+    def _quoted(self, value: Source | Sequence[Source] | None) -> tuple[Expr, ...]:
+        """The numbers that a text quotes, as expressions."""
+        values = () if value is None else value if isinstance(value, Sequence) else (value,)
+        return tuple(v if isinstance(v, Expr) else self._shown(v) for v in values)
 
     def settle_external(
         self,

@@ -126,7 +126,7 @@ def sides(axes: Axes) -> None:
     axes.set_ylim(-4, 1)
     axes.set_xlabel("real part")
     axes.set_ylabel("imaginary part")
-    axes.legend(loc="lower right")
+    axes.legend(loc="upper left")
 
 
 def lines_of_angles(axes: Axes) -> None:
