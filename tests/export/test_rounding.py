@@ -39,7 +39,7 @@ FOUND = {
     "linear_limit_alpha": ((), "3.01"),
     "max_passive_stiffness_alpha": (("tan",), "1"),
     "characteristic_polynomial_p2": (("n1", "exp"), "4.01"),
-    "characteristic_polynomial_p1": (("n1", "n0"), "5.01"),
+    "characteristic_polynomial_p1": (("n0", "n1"), "5.01"),
     "characteristic_polynomial_p0": (("n0",), "1"),
 }
 """What is given, and the bound, as counted by hand: u for each rounding of a product or quotient;

@@ -35,7 +35,7 @@ def test_no_line_of_them_is_long():
 def test_a_choice_without_work_is_a_value():
     inner = Join((), x < 1, (Set(a, y),), (Set(a, sp.S(2)),))
     lines = written("c", Join((a,), x < 0, (Set(a, x),), (inner,)), Return((a,)))
-    assert lines[0] == "const double a = (x < 0.0 ? x : (x < 1.0 ? y : 2.0));"
+    assert lines[0] == "const double a = x < 0.0 ? x : (x < 1.0 ? y : 2.0);"
 
 
 def test_a_choice_with_work_has_its_branches():
@@ -45,8 +45,8 @@ def test_a_choice_with_work_has_its_branches():
     lines = written("c", Join((a,), x < 0, work, (inner,)), Return((a,)))
     assert lines == [
         "double a;",
-        "if (x < 0.0) {", "const double c = sin(y);", "a = (c*c);",
-        "} else if (x < 1.0) {", "const double b = sin(x);", "a = (b*b);",
+        "if (x < 0.0) {", "const double c = sin(y);", "a = c*c;",
+        "} else if (x < 1.0) {", "const double b = sin(x);", "a = b*b;",
         "} else {", "a = sqrt(y);", "}",
         "return a;",
     ]  # fmt: skip
