@@ -100,3 +100,17 @@ def test_what_sets_something_else_is_no_value():
     ):
         lines = written("c", Join((a,), x < 0, *sides), Return((a,)))
         assert not any("?" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("expr", "text"),
+    [
+        (y - x, "y - x"),
+        (-x - y, "-x - y"),
+        (x * x - 2 * y, "x*x - 2.0*y"),
+        ((x + y) ** 2 * x, "x*((x + y)*(x + y))"),
+        (sp.sin(x * x), "sin(x*x)"),
+    ],
+)
+def test_a_term_without_a_minus_is_first_and_brackets_are_where_they_are_needed(expr, text):
+    assert TARGETS["c"].printing().whole(expr) == text
