@@ -198,7 +198,7 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
     results = tuple((name, last.get(s, s)) for name, s in results)
     order = [made for made in order if last.keys().isdisjoint(names(made))]
-    about = "; ".join(routines[part].about for part in parts)
+    about = _together([routines[part].about for part in parts])
     if set(arguments) == _PLANT:
         *some, last_ = (name for name, _ in results)
         about = f"{', '.join(some)} and {last_} of the device"
@@ -220,3 +220,17 @@ def _of_many(result: Expr) -> Expr:
 
 def _calls(call: Expr) -> bool:
     return any(arg.atoms(*_CALLS) for arg in call.args)
+
+
+def _together(told: list[str]) -> str:
+    """What several routines are, with the words at the end that all share said once.
+
+    >>> _together(["the sine of x", "the cosine of x"])
+    'the sine and the cosine of x'
+    """
+    words = [text.split() for text in told]
+    least, shared = min(map(len, words)), 0
+    while shared < least - 1 and len({one[-shared - 1] for one in words}) == 1:
+        shared += 1
+    heads = [" ".join(one[: len(one) - shared]) for one in words]
+    return " ".join([" and ".join(heads), *words[0][len(words[0]) - shared :]])

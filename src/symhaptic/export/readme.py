@@ -157,7 +157,7 @@ def _written(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:
         named = [*steps, *zip((name for name, _ in results), found, strict=True)]
         return [f"    {name} = {expr}" for name, expr in named]
     plain = [line for name, expr in results for line in (f"    {name} = {expr}", "")]
-    return [*plain, *_as_in_the_book(results)]
+    return [*plain, *shown] if (shown := _as_in_the_book(results)) else plain[:-1]
 
 
 def _as_in_the_book(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:

@@ -25,6 +25,7 @@ from symhaptic.export.pairs import (
 from symhaptic.export.routine import Routine, Steps, TwoProdError
 from symhaptic.notation import psi
 
+_PART = "part of A/(z M), M over A being the device, at z = exp(2 j psi)"
 _DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
 
 
@@ -72,7 +73,7 @@ def in_phase() -> Routine:
     f = _force(do)
     low = do("low", f.above_low * f.below + f.above * f.below_low)
     found = do("found", f.above * f.below + (do("rest", f.above_j * f.below_j + low)))
-    return do.routine("InPhase", "the real part of A/(z M) at z = exp(2 j psi)",
+    return do.routine("InPhase", f"the real {_PART}",
                       (psi, *_DEVICE), found / f.size)  # fmt: skip
 
 
@@ -82,7 +83,7 @@ def ahead() -> Routine:
     f = _force(do)
     low = do("low", f.above_j * f.below_low - f.above_low * f.below_j)
     found = do("found", f.above_j * f.below - f.above * f.below_j)
-    return do.routine("Ahead", "the imaginary part of A/(z M) at z = exp(2 j psi)",
+    return do.routine("Ahead", f"the imaginary {_PART}",
                       (psi, *_DEVICE), do("found", found + low) / f.size)  # fmt: skip
 
 
@@ -95,7 +96,7 @@ def fractional_numerator_gap() -> Routine:
     found, low = times(do, share, times(do, (x, x_low), (y, y_low)))
     left = minus(do, exact(first), (2 * found, 2 * low))
     left = plus(do, minus(do, left, exact(last)), exact(turned))
-    about = "m2 - m1 + m0, M at z = -1 behind a fraction of a period"
+    about = "m2 - m1 + m0 of the device behind a fraction of a period"
     return do.routine("FractionalNumeratorGap", about, given, rounded(left))
 
 

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "2c91e1559b56fd45"
+STAMP = "ac05084b338c1b25"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -643,7 +643,7 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
         (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
 }
 
-// m2 - m1 + m0, M at z = -1 behind a fraction of a period
+// m2 - m1 + m0 of the device behind a fraction of a period
 static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, double first,
     double last, double turned) {
     const Pair prod3 = pair_prod(wide_prod(epsilon, one_minus((Pair){epsilon, 0.0})),
@@ -766,7 +766,7 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         (far0 < 0.0) ? end : 0.0);
 }
 
-// the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
+// the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
 static inline Response ahead_in_phase(double psi, double at_one, double at_minus_one, double loss,
     double together, double apart, double across) {
     const double t = tan(psi), square = t*t, low = fma(t, t, -(t*t));

@@ -1248,7 +1248,7 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, tog
 
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
-    """m2 - m1 + m0, M at z = -1 behind a fraction of a period"""
+    """m2 - m1 + m0 of the device behind a fraction of a period"""
     prod2, prod_low2 = pair_prod(xp, *wide_prod(xp, epsilon, *one_minus(xp, epsilon, 0.0)),
         *pair_prod(xp, x, x_low, y, y_low))
     return rounded(xp, *pair_sum(xp, *pair_diff(xp,
@@ -1430,8 +1430,8 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
 
 
 def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across):
-    """the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2
-    j psi)
+    """the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j
+    psi)
     """
     t = xp.tan(psi)
     square = (t*t)

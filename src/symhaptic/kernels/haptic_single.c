@@ -639,7 +639,7 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
         (far1 < 0.0f)) && (far0 == 0.0f)) || (far0 < 0.0f) ? end : 0.0f);
 }
 
-// m2 - m1 + m0, M at z = -1 behind a fraction of a period
+// m2 - m1 + m0 of the device behind a fraction of a period
 static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, float first,
     float last, float turned) {
     const Pair prod3 = pair_prod(wide_prod(epsilon, one_minus((Pair){epsilon, 0.0f})),
@@ -762,7 +762,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         (far0 < 0.0f) ? end : 0.0f);
 }
 
-// the imaginary part of A/(z M) at z = exp(2 j psi); the real part of A/(z M) at z = exp(2 j psi)
+// the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
 static inline Response ahead_in_phase(float psi, float at_one, float at_minus_one, float loss,
     float together, float apart, float across) {
     const float t = tanf(psi), square = t*t, low = fmaf(t, t, -(t*t));
