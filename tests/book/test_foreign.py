@@ -3,6 +3,7 @@
 import json
 
 import pytest
+import sympy as sp
 from chapters import chapter
 
 from symhaptic.book import foreign, ledger, listing
@@ -11,6 +12,7 @@ from symhaptic.book.site import tables
 from symhaptic.book.site.build import sources
 from symhaptic.book.tex import build
 from symhaptic.book.tex.page import chapter_tex
+from symhaptic.notation.proposition import Exists, ForAll, proposition
 
 NAME, ID = "s3a_passivity_condition", "s3a-mass-free"
 OTHER = "eq5"
@@ -34,6 +36,18 @@ def recorded(tmp_path, monkeypatch):
     path.write_text(json.dumps(known))
     monkeypatch.setattr(foreign, "expected_rocq", lambda: path)
     return path
+
+
+def test_a_mark_is_of_what_is_said_however_its_terms_are_ordered():
+    x, y = sp.symbols("x y")
+    said = [
+        proposition(x + y > 0), proposition(x * y > 0), proposition(x + y >= 0),
+        proposition(sp.Eq(x + y, 0)), proposition(x + 2 * y > 0), proposition(x - y > 0),
+        ForAll((x,), proposition(x + y > 0)), Exists((x,), proposition(x + y > 0)),
+    ]  # fmt: skip
+    turned = proposition(sp.Add(y, x, evaluate=False) > 0)
+    assert foreign._said(turned) == foreign._said(said[0])
+    assert len({foreign._said(one) for one in said}) == len(said)
 
 
 def test_the_book_says_on_what_a_whole_statement_rests(recorded):

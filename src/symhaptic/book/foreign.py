@@ -16,8 +16,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from sympy import Add, Basic, Mul
+
 from symhaptic.book.chapters import expected_rocq
 from symhaptic.book.rules import classical
+from symhaptic.notation.proposition import Proposition, field_names
 from symhaptic.proof.theorems.judge import Judged
 
 WHOLE, LEAVES, NOT = "whole", "leaves", "not"
@@ -76,8 +79,30 @@ class Checked:
 def mark(judged: Judged) -> str:
     """What two judgements share whose theorems say the same."""
     theorems = (judged.theorem, *(case.theorem for case in judged.unless))
-    said = "\n".join(f"{sorted(map(repr, t.hypotheses))} {t.conclusion!r}" for t in theorems)
-    return hashlib.sha256(said.encode()).hexdigest()[:16]
+    said = [(sorted(map(_said, t.hypotheses)), _said(t.conclusion)) for t in theorems]
+    return hashlib.sha256(str(said).encode()).hexdigest()[:16]
+
+
+def _said(part: Any) -> str:
+    """What only equal parts of propositions share."""
+    if isinstance(part, Basic):
+        return _of_term(part)
+    if isinstance(part, Proposition):
+        kind = type(part)
+        parts = [getattr(part, name) for name in field_names(kind)]
+        return f"{kind.__name__}{_said(parts)}"
+    if isinstance(part, (tuple, list)):
+        return f"({', '.join(map(_said, part))})"
+    return repr(part)
+
+
+@cache
+def _of_term(term: Basic) -> str:
+    """The same of a term, however its terms and factors are ordered; most stand in many places."""
+    parts = [_of_term(part) for part in term.args]
+    if isinstance(term, (Add, Mul)):
+        parts.sort()
+    return f"{term.func.__name__}({', '.join(parts)})" if parts else repr(term)
 
 
 def checked(id: str, judged: Judged | None, path: Path | None = None) -> Checked:

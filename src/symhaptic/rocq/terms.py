@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -94,7 +95,12 @@ class Names:
 
 def complex_(*terms: Expr) -> bool:
     """Whether one of them is no real number by its form."""
-    return any(t.has(sp.I) or any(is_complex(s) for s in t.free_symbols) for t in terms)
+    return any(map(_complex, terms))
+
+
+@cache
+def _complex(term: Expr) -> bool:
+    return bool(term.has(sp.I)) or any(map(is_complex, symbols_in(term)))
 
 
 class Real(StrPrinter):  # type: ignore[misc]
