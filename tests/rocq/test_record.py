@@ -172,7 +172,8 @@ def test_a_statement_rests_on_what_its_own_lemmas_name():
         "Axioms:\nopen_step_2 : True\nfirst.rule_stored_7\n  : True\nproof_irrelevance : True\n"
         "rule_hidden_2 : True\n"
     )
-    assert assumptions.resting(file, said, {"first.rule_stored_7": ["rule_stored_1"]}) == {
+    listed = assumptions.axioms(said)
+    assert assumptions.resting(file, listed, {"first.rule_stored_7": ["rule_stored_1"]}) == {
         "one": ["proof_irrelevance", "rule_hidden_2", "rule_stored_1"],
         "two": ["open_step_2", "proof_irrelevance", "rule_hidden_2"],
     }

@@ -85,8 +85,8 @@ def test_axioms_that_say_the_same_are_each_known_again(tmp_path):
     again = Seen(tmp_path, file("first", *twice))
     names = ["rule_stored_1", "rule_stored_9"]
     assert [again.own[f"{first.name}.{name}"] for name in names] == [names, names]
-    said = f"Axioms:\n{first.name}.rule_stored_1 : 0 < 2\n"
-    assert assumptions.resting(file("first", *twice), said, again.own) == {"one": names}
+    listed = assumptions.axioms(f"Axioms:\n{first.name}.rule_stored_1 : 0 < 2\n")
+    assert assumptions.resting(file("first", *twice), listed, again.own) == {"one": names}
 
 
 def test_what_rests_on_an_open_step_is_never_taken(tmp_path):
@@ -138,7 +138,8 @@ def test_an_index_that_lies_is_found_out(folder):
     index.unlink()
     index = forged(folder, mark, step("step_1", "0 < 2", kind="Axiom"))
     seen, done = compiled._asked(mine, folder)
-    rests = assumptions.resting(mine, done.stdout, seen.own)
+    listed = assumptions.axioms(compiled.listed(folder, [seen.name]))
+    rests = assumptions.resting(mine, listed, seen.names)
     assert "which nobody named" in assumptions.told(mine, rests)["one"]
     index.unlink()
 

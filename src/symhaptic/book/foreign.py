@@ -88,7 +88,7 @@ def _said(part: Any) -> str:
     if isinstance(part, Basic):
         return _of_term(part)
     if isinstance(part, Proposition):
-        kind = type(part)
+        kind: Any = type(part)
         parts = [getattr(part, name) for name in field_names(kind)]
         return f"{kind.__name__}{_said(parts)}"
     if isinstance(part, (tuple, list)):

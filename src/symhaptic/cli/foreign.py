@@ -14,7 +14,7 @@ from symhaptic.cli.shared import progress, write
 
 if TYPE_CHECKING:
     from symhaptic.book.ledger import Entry
-    from symhaptic.rocq.compiled import Outcome
+    from symhaptic.rocq.compiled import Outcome, Taken
 
 
 def judged(
@@ -37,10 +37,10 @@ def judged(
     from symhaptic.book.foreign import recorded
     from symhaptic.book.listing import replace
     from symhaptic.book.parallel import each
-    from symhaptic.rocq import compiled, record
+    from symhaptic.rocq import compiled, record, together
 
     compiled.prepared(folder)
-    work: Callable[[Path], Outcome] = partial(compiled.judged, folder=folder, leaves=leaves)
+    work: Callable[[Path], Outcome | Taken] = partial(compiled.judged, folder=folder, leaves=leaves)
     version = None
     try:
         compiled.prelude_compiled(folder)
@@ -48,7 +48,7 @@ def judged(
     except compiled.NoRocq as missing:
         typer.echo(f"symhaptic: {missing}; the files are written, and nothing is checked", err=True)
         work = partial(compiled.written, folder=folder)
-    done: dict[Path, Outcome] = {}
+    done: dict[Path, Outcome | Taken] = {}
     ordered = compiled.longest_first(paths, folder)  # so that all workers end together
     status = 0
     with progress(len(paths)) as told:
@@ -58,7 +58,12 @@ def judged(
                 status = 2
             else:
                 done[ordered[i]] = one
-    outcomes = [done[path] for path in paths if path in done]
+    begun = [done[path] for path in paths if path in done]
+    taken = [one for one in begun if isinstance(one, compiled.Taken)]
+    with progress(len(taken)) as told:
+        rests = together.asked(taken, folder, recorded(expected_rocq()), workers or 2, told)
+    outcomes = [one if isinstance(one, compiled.Outcome) else rests[one.outcome.chapter]
+                for one in begun]  # fmt: skip
     found = record.record(outcomes, version)
     write(replace, folder / "rocq.json", record.text(found))
     text = record.text(found) if as_json else told_of(outcomes, wanted)

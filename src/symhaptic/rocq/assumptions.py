@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from symhaptic.book.foreign import INTEGERS, REALS
 from symhaptic.proof.theorems.axioms import AXIOMS
@@ -41,12 +41,14 @@ def rule_of(name: str) -> str:
 _AXIOMS = {f"axiom_{slug(name)}": name for name in AXIOMS}
 
 
-def resting(file: File, said: str, own: Mapping[str, Sequence[str]]) -> dict[str, list[str]]:
+def resting(
+    file: File, listed: Iterable[str], own: Mapping[str, Sequence[str]]
+) -> dict[str, list[str]]:
     """What each statement rests on: what all of them do, but for what only others' lemmas name.
 
-    Rocq needs seconds to list the axioms of a term with ``interval`` in it, so it is asked once.
+    ``own`` has the file's names by those that Rocq lists.
     """
-    found = {here for name in axioms(said) for here in own.get(name, [name])}
+    found = {here for name in listed for here in own.get(name, [name])}
     here = {step.name for step in file.steps} | meant() | known_there()
     named = {id: file.named_by(id) & here for id in file.statements}
     others = set[str]().union(*named.values())  # what no lemma names is laid to all of them

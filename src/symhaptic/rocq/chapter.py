@@ -46,8 +46,8 @@ class File:
     titles: dict[str, str] = field(default_factory=dict)
     """Of each lemma that the chapter shows, and of each statement, what it is."""
 
-    def written(self) -> str:
-        """The text: byte by byte the same from run to run."""
+    def written(self, asks: bool = True) -> str:
+        """The text: byte by byte the same from run to run; it may ask on what all of it rests."""
         import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *self._checkers()])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
@@ -58,7 +58,7 @@ class File:
             said = ", ".join(names)
             ends.append(_paragraph("On what Rocq says that all of it rests."))
             ends.append(wrapped(f"Definition all_of_it := {f'({said})' if names else 'I'}.", "  "))
-            ends.append("Print Assumptions all_of_it.")
+            ends += ["Print Assumptions all_of_it."] if asks else []
         return "\n".join([*head, *steps, *ends]) + "\n"
 
     def leaves(self) -> File:

@@ -13,14 +13,15 @@ import re
 import shutil
 import subprocess
 import time
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.foreign import INTEGERS, REALS, mark
-from symhaptic.rocq.assumptions import resting, rule_of, told
+from symhaptic.rocq.assumptions import axioms, resting, rule_of, told
 from symhaptic.rocq.chapter import ALONE, File, printed
 from symhaptic.rocq.preludes import PRELUDES, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
@@ -56,6 +57,7 @@ class Outcome:
     leaves: bool = False
     """Whether its leaves alone were asked, and not how they are joined."""
     seconds: float = 0.0
+    """So long it took to run, print and compile it."""
     kept: bool = False
     """Whether it was known from before."""
     text: str = ""
@@ -123,16 +125,63 @@ def written(path: Path, folder: Path) -> Outcome:
     chapter = run(path)
     file = printed(chapter)
     (folder / f"{file.name}.v").write_text(file.written(), encoding="utf-8")
-    return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"), {})
+    return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"))
 
 
-def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome:
+def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome | Taken:
     """A derivation's file, written, compiled and read back; known where the text is known."""
-    return asked(run(path), folder, path in leaves)
+    return begun(run(path), folder, path in leaves)
 
 
 def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
-    """The same of a chapter that has been run, or of its leaves alone."""
+    """The same of a chapter that has been run, or of its leaves alone, and on what it rests."""
+    found = begun(chapter, folder, leaves)
+    return found if isinstance(found, Outcome) else found.rests_on(listed(folder, [found.module]))
+
+
+@dataclass
+class Taken:
+    """A chapter that Rocq has taken, and has not been asked yet on what it rests."""
+
+    file: File
+    outcome: Outcome
+    folder: Path
+    module: str
+    """Where it was compiled."""
+    own: dict[str, list[str]]
+    """By a full name, there or elsewhere, what is called so in its file."""
+
+    def rests_on(self, said: str, others: Iterable[Taken] = ()) -> Outcome:
+        """With what Rocq lists for it, or for it and others together."""
+        theirs = set[str]().union(*(other.own for other in others)) - set(self.own)
+        rests = resting(self.file, axioms(said) - theirs, self.own)
+        found = told(self.file, rests)
+        statements = {id: found.get(id, why) for id, why in self.outcome.statements.items()}
+        return _kept(replace(self.outcome, statements=statements, rests=rests), self.folder)
+
+
+def listed(folder: Path, modules: Sequence[str]) -> str:
+    """What Rocq says that chapters rest on: ``Print Assumptions`` of all of them at once.
+
+    It needs seconds for a term with ``interval`` in it, and little more for many of them.
+    """
+    name = f"asked_{uuid4().hex[:12]}"
+    text = (
+        f"From Symhaptic.{FOLDER} Require {' '.join(modules)}.\nUnset Default Timeout.\n"
+        f"Definition all_of_them := ({', '.join(f'{name}.all_of_it' for name in modules)}).\n"
+        "Print Assumptions all_of_them.\n"
+    )
+    (folder / FOLDER / f"{name}.v").write_text(text, encoding="utf-8")
+    done = _compiled(folder, f"{FOLDER}/{name}")
+    for path in (folder / FOLDER).glob(f"*{name}*"):
+        path.unlink()
+    if done.returncode:
+        raise NoRocq(f"coqc does not say on what {', '.join(modules)} rest: {done.stderr.strip()}")
+    return done.stdout
+
+
+def begun(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome | Taken:
+    """A chapter that has been run, compiled; what is known of it where the text is known."""
     begin = time.perf_counter()
     whole = printed(chapter)
     file = whole.leaves() if leaves else whole
@@ -143,7 +192,7 @@ def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
     place = folder / f"{file.name}.v"
     place.write_text(text, encoding="utf-8")
     if not file.steps:
-        return _marked(_outcome(whole, chapter, _unasked(whole), {}, leaves), chapter, of)
+        return _marked(_outcome(whole, chapter, _unasked(whole), leaves), chapter, of)
     seen, done = _asked(file, folder)
     if done.returncode:
         whole = printed(chapter, failing(folder, seen.text))
@@ -152,20 +201,26 @@ def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
         seen, done = _asked(file, folder)
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
-        outcome = _outcome(whole, chapter, dict.fromkeys(whole.statements, why), {}, leaves)
+        outcome = _outcome(whole, chapter, dict.fromkeys(whole.statements, why), leaves)
         outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
         outcome.pieces[0], outcome.open = 0, {"the file": why}
         return _marked(outcome, chapter, of)
     seen.keep()
-    rests = resting(file, done.stdout, seen.own)
-    said = _unasked(whole) if leaves else told(file, rests)
-    outcome = _outcome(whole, chapter, said, rests, leaves)
+    said = _unasked(whole) if leaves else dict.fromkeys(whole.statements, "not asked yet")
+    outcome = _marked(_outcome(whole, chapter, said, leaves), chapter, of)
     outcome.seconds = round(time.perf_counter() - begin, 1)
+    if leaves or not file.statements:
+        return _kept(outcome, folder)
+    return Taken(file, outcome, folder, seen.name, seen.names)
+
+
+def _kept(outcome: Outcome, folder: Path) -> Outcome:
+    """What was found, for the next time; what took too long may be quicker then."""
     if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
-        # what took too long may be quicker the next time
-        kept = {"text": of, "outcome": asdict(outcome)}
-        (folder / f"{file.name}.json").write_text(json.dumps(kept, indent=1), encoding="utf-8")
-    return _marked(outcome, chapter, of)
+        kept = {"text": outcome.text, "outcome": asdict(outcome)}
+        name = f"{outcome.chapter}_leaves" if outcome.leaves else outcome.chapter
+        (folder / f"{name}.json").write_text(json.dumps(kept, indent=1), encoding="utf-8")
+    return outcome
 
 
 def _unasked(file: File) -> dict[str, str]:
@@ -228,10 +283,9 @@ def failing(folder: Path, text: str) -> dict[str, str]:
         axiom = found[1].replace("Lemma", "Axiom", 1)
         return f"{found[0]}Abort All.\n{axiom}\n"
 
-    source = re.sub(r"^Print Assumptions .*$", "", _LEMMA.sub(doubled, text), flags=re.M)
     done = subprocess.run(
         ["coqtop", "-q", "-Q", ".", "Symhaptic"],
-        input=f"Set Default Timeout {SECONDS}.\n{source}",
+        input=f"Set Default Timeout {SECONDS}.\n{_LEMMA.sub(doubled, text)}",
         cwd=folder,
         env=_ROOM | os.environ,
         stdout=subprocess.PIPE,
@@ -257,13 +311,7 @@ def _error(said: str) -> str:
     return f"coqc: not within {SECONDS} s"
 
 
-def _outcome(
-    file: File,
-    chapter: Chapter,
-    said: dict[str, str],
-    rests: dict[str, list[str]],
-    leaves: bool = False,
-) -> Outcome:
+def _outcome(file: File, chapter: Chapter, said: dict[str, str], leaves: bool = False) -> Outcome:
     steps: dict[str, list[int]] = {}
     for step in file.steps:
         if not step.name.startswith(("rule_", "axiom_")):
@@ -282,4 +330,4 @@ def _outcome(
             statements[id] = said[id]
     open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
     steps = dict(sorted(steps.items()))
-    return Outcome(file.name, statements, rests, steps, pieces, open_, leaves)
+    return Outcome(file.name, statements, {}, steps, pieces, open_, leaves)

@@ -59,7 +59,12 @@ class Seen:
         taken = (self.there[s.name] for s in self.file.steps if s.name in self.there)
         used = sorted({name.partition(".")[0] for name in taken})
         from_ = f"From Symhaptic.{FOLDER} Require {' '.join(used)}.\n" if used else ""
-        return from_ + self.file.written()
+        return from_ + self.file.written(asks=False)
+
+    @property
+    def names(self) -> dict[str, list[str]]:
+        """By a full name where it is compiled, here or elsewhere, what is called so in the file."""
+        return self.own | {f"{self.name}.{step.name}": [step.name] for step in self.file.steps}
 
     def keep(self) -> None:
         """What was proved here, for others."""
