@@ -25,7 +25,8 @@ from symhaptic.export.array_prelude import (
     SELFTEST,
     SERIES,
 )
-from symhaptic.export.array_scope import ArrayPrinter, Scope
+from symhaptic.export.array_printing import ArrayPrinter
+from symhaptic.export.array_scope import Scope
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
 from symhaptic.export.hoist_plant import hoisted

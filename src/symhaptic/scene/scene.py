@@ -409,17 +409,9 @@ class Scene:
         >>> round(scene.limit_at(B=0.0).K, 1)
         250.4
         """
-        if isinstance(B, list | tuple) or getattr(B, "ndim", None):
-            from symhaptic.scene.walls import limit_at
+        from symhaptic.scene.walls import limit_at
 
-            return limit_at(self, B)
-        from symhaptic.numeric.tracing.extremes import stiffest_at
-
-        gamma, delta, delay = self.dimensionless
-        damping = number("B", B, "N*s/m")
-        found = stiffest_at(damping * self.sampling_period / self.mass, gamma, delta, delay)
-        K, _, frequency = self._wall(*found)
-        return Limit(K, damping, frequency)
+        return limit_at(self, B)
 
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
         """By how many per cent the stiffness limit grows where a parameter grows by one per cent.

@@ -182,7 +182,7 @@ def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
 
 
 def limit_at(scene: Scene, B: Any) -> Limit:
-    """The largest stable stiffness at each of many dampings."""
+    """The largest stable stiffness at a damping, or at each of many."""
     from symhaptic.numeric.tracing.extremes import stiffest_at
 
     gamma, delta, delay = scene.dimensionless
@@ -208,15 +208,15 @@ def passive_limit_at(scene: Scene, B: Any) -> Limit:
         period = scene.sampling_period
         return np.stack([alpha * (scene.mass / period**2), theta / (2 * math.pi * period)])
 
-    if isinstance(B, list | tuple) or getattr(B, "ndim", None):
-        return _limits(rows, B)
-    damping = number("B", B, "N*s/m")
-    K, hz = rows(np.asarray(damping))
-    return Limit(float(K), damping, float(hz))
+    return _limits(rows, B)
 
 
 def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) -> Limit:
-    """K and the frequency at each of many dampings, labelled as these are."""
+    """K and the frequency at a damping, or at each of many, labelled as these are."""
+    if not (isinstance(B, list | tuple) or getattr(B, "ndim", None)):
+        one = number("B", B, "N*s/m")
+        K, hz = rows(np.asarray(one))
+        return Limit(float(K), one, float(hz))
 
     def finite(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
