@@ -11,7 +11,7 @@ from symhaptic.book import foreign
 from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
-from symhaptic.rocq import assumptions, compiled, preludes
+from symhaptic.rocq import assumptions, compiled, preludes, together
 from symhaptic.rocq.chapter import ALONE, MEANING, PROVED, File, printed
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
@@ -44,14 +44,14 @@ def test_the_record_is_of_the_text_that_is_written(name):
     pytest.fail(f"{expected_rocq()} is stale; `make rocq` writes it: {told}")
 
 
+IDS = {
+    name: [s["id"] for s in LEDGER if s["derivation"] == f"derivations/{name}.py"]
+    for name in CHAPTERS
+}
 WHOLE = [
     name
-    for name in CHAPTERS
-    if name in RECORD["chapters"]
-    and any(
-        RECORD["statements"].get(id, {}).get("checked") == foreign.WHOLE
-        for id in (s["id"] for s in LEDGER if s["derivation"] == f"derivations/{name}.py")
-    )
+    for name in RECORD["chapters"]
+    if any(RECORD["statements"].get(id, {}).get("checked") == foreign.WHOLE for id in IDS[name])
 ]
 
 
@@ -66,13 +66,24 @@ def empty(tmp_path_factory):
     return folder
 
 
+TOGETHER = [
+    names[i : i + 6]
+    for names in together.groups({name: IDS[name] for name in WHOLE}, RECORD)
+    for i in range(0, len(names), 6)
+]
+"""Chapters that are asked together, few at a time, so that all processes have as much to do."""
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", WHOLE)
-def test_what_is_whole_is_found_whole_again(name, empty):
-    found = record([compiled.asked(chapter(name), empty)], None)["statements"]
-    for id, one in found.items():
+@pytest.mark.parametrize("names", TOGETHER, ids=lambda names: f"{names[0]} and {len(names) - 1}")
+def test_what_is_whole_is_found_whole_again(names, empty):
+    taken = [compiled.begun(chapter(name), empty) for name in names]
+    outcomes = together.asked(taken, empty, RECORD)
+    assert list(outcomes) == names
+    for id, one in record(outcomes.values(), None)["statements"].items():
         if RECORD["statements"][id]["checked"] == foreign.WHOLE:
             assert one["checked"] == foreign.WHOLE, (id, one["why"])
+            assert one["rests"] == RECORD["statements"][id]["rests"], id
 
 
 @pytest.mark.slow

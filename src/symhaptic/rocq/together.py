@@ -8,7 +8,7 @@ these, each is asked alone.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
@@ -19,23 +19,27 @@ from symhaptic.rocq.compiled import Outcome, Taken, listed
 from symhaptic.rocq.preludes import known_there, meant
 
 
-def groups(taken: Iterable[Taken], known: dict[str, Any]) -> list[list[Taken]]:
-    """Chapters of which a record says that they rest on the same, the others alone.
+def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
+    """Chapters of whose statements a record says that they rest on the same, the others alone.
 
-    >>> groups([], {"statements": {}})
-    []
+    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2", "eq3")} | {"eq4": {"rests": []}}
+    >>> chapters = {"a": ["eq1"], "b": ["eq2", "eq4"], "c": ["eq3", "mine"]}
+    >>> groups(chapters, {"statements": known})
+    [['a', 'b'], ['c']]
     """
-    found: dict[object, list[Taken]] = {}
-    for one in taken:
-        rests = expected(one, known)
-        found.setdefault(rests or one.module, []).append(one)
+    found: dict[object, list[str]] = {}
+    for name, ids in chapters.items():
+        found.setdefault(expected(ids, known) or name, []).append(name)
     return [*found.values()]
 
 
-def expected(one: Taken, known: dict[str, Any]) -> frozenset[str]:
-    """What a chapter rests on by a record, of what others may rest on, too."""
-    statements = [known["statements"].get(id, {}) for id in one.file.statements]
-    if any(one.get("checked") is None for one in statements):
+def expected(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
+    """On what statements rest by a record, of what those of any chapter may rest on.
+
+    Nothing where the record does not have them all.
+    """
+    statements = [known["statements"].get(id) for id in ids]
+    if None in statements:
         return frozenset()
     return _common() & frozenset(name for said in statements for name in said["rests"])
 
@@ -47,24 +51,28 @@ def _common() -> frozenset[str]:
 def asked(
     taken: Sequence[Taken],
     folder: Path,
-    known: dict[str, Any],
+    known: Mapping[str, Any],
     workers: int = 1,
     told: Callable[[int, Path], None] = lambda done, path: None,
 ) -> dict[str, Outcome]:
     """What Rocq says of chapters that it has taken, by their names."""
     found: dict[str, Outcome] = {}
+    named = {one.outcome.chapter: one for one in taken}
+    alike = groups({name: one.file.statements for name, one in named.items()}, known)
     with ThreadPoolExecutor(workers) as pool:
-        for done in as_completed(
-            [pool.submit(_asked, group, folder, known) for group in groups(taken, known)]
-        ):
+        running = [
+            pool.submit(_asked, [named[name] for name in names], folder, known) for names in alike
+        ]
+        for done in as_completed(running):
             found |= {one.chapter: one for one in done.result()}
             told(len(found), folder / next(reversed(found)))
     return found
 
 
-def _asked(group: Sequence[Taken], folder: Path, known: dict[str, Any]) -> list[Outcome]:
-    """The same of one group."""
+def _asked(group: Sequence[Taken], folder: Path, known: Mapping[str, Any]) -> list[Outcome]:
+    """The same of one group; of each alone where they do not rest on what is recorded of them."""
     said = listed(folder, [one.module for one in group])
-    if len(group) > 1 and _common() & set(map(rule_of, axioms(said))) != expected(group[0], known):
+    rests = _common() & set(map(rule_of, axioms(said)))
+    if len(group) > 1 and rests != expected(group[0].file.statements, known):
         return [one.rests_on(listed(folder, [one.module])) for one in group]
     return [one.rests_on(said, group) for one in group]
