@@ -104,7 +104,7 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
         for factor in args[1:]:
             product *= factor
         return product
-    if kind in _FUNCTIONS:
+    if kind in _FUNCTIONS and len(args) == 1:
         return _FUNCTIONS[kind](args[0])
     if kind in _CONSTANTS:
         return _CONSTANTS[kind]()

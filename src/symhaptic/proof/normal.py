@@ -25,6 +25,7 @@ from flint import fmpq, fmpq_mpoly, fmpz_poly
 from sympy import Expr
 from sympy.core.function import Application
 
+from symhaptic.notation.fresh import made_before, mark
 from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
@@ -58,6 +59,8 @@ class Field:
         self._small = small
         self._series: dict[Expr, tuple[Expr, Expr]] = {}
         """Of what depends on the small variable: e^(u + v) by e^u and v, which vanishes with it."""
+        self._mark = mark()
+        """What its own symbols have numbers above."""
         self._exprs = {e: as_exponentials(sp.sympify(e, strict=True)) for e in exprs}
         self._radicals: dict[tuple[Expr, int], Expr] = {}
         self._logs: dict[Expr, Expr] = {}
@@ -89,6 +92,8 @@ class Field:
         seen.add(id(expr))
         if expr.is_Symbol:
             _check_commutes(expr)
+            if not made_before(expr, self._mark):
+                raise Unsupported(f"the symbol {expr} has a number by hand")
             symbols.add(expr)
             outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
