@@ -1,6 +1,7 @@
 """Parts of terms that SymPy itself would not write: fractions, functions and symbols by hand."""
 
 import pickle
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -16,8 +17,8 @@ from symhaptic.notation.proposition import NoTerm, Relation, term
 from symhaptic.proof.ball import ball
 from symhaptic.proof.program import Uncheckable, program
 from symhaptic.proof.rewriting import Unsupported
-from symhaptic.proof.theorems.kernel import NotShown
-from symhaptic.proof.theorems.leaves import broken, identity, number
+from symhaptic.proof.theorems.kernel import NotShown, general, instance
+from symhaptic.proof.theorems.leaves import broken, identity, number, roots_inside
 
 x, u = sp.symbols("x u")
 
@@ -136,3 +137,79 @@ def test_a_fraction_of_a_chapter_is_looked_at_where_it_arrives(tmp_path: Path) -
     told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path)])
     assert told.exit_code == 2
     assert "lowest terms" in told.output
+
+
+PROGRAM = "[print('READ'), 1][1]"
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda text: roots_inside(x * sin(u), x, {u: text}),
+        lambda text: term(text),
+        lambda text: instance(general(identity(u, u), u), {u: text}),
+    ],
+)
+@pytest.mark.parametrize("wrapped", [PROGRAM, (PROGRAM,), [PROGRAM], {PROGRAM: 1}, {PROGRAM}])
+def test_text_is_no_term(
+    ask: Callable[[object], object], wrapped: object, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises((NoTerm, NotShown)):
+        ask(wrapped)
+    assert "READ" not in capsys.readouterr().out
+
+
+TEXTS = {
+    # a rule that puts values into a function
+    "rule": r"""
+    leaves.term = lambda of: of
+    inside = leaves.roots_inside(z * sin(x), z, {x: TEXT})
+    page.state("forged", "a zero is inside", claim=inside.conclusion)
+    page.settle("forged", inside)
+""",
+    # a definition that is put into what is typed again
+    "definition": r"""
+    ledger._forms = lambda grounds: replace(grounds, definitions=((x, TEXT),))
+    Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
+    page.state("forged", "an equation", r"y = \sin x")
+    page.settle("forged", Eq(y, sin(x)))
+""",
+    # what is printed of a verdict
+    "verdict": r"""
+    found = Verdict(Kind.MISPRINT, "so", corrected=TEXT)
+    ledger.replace = lambda of, **new: found if of == found else replace(of, **new)
+    ledger._corrected = lambda verdict: None
+    Settlement.decide = lambda self, printed: found
+    page.state("forged", "an equation", "y = x")
+    page.settle("forged", Eq(y, x))
+""",
+}
+WITH_TEXT = """
+import os
+from pathlib import Path
+from dataclasses import replace
+from sympy import Eq, sin, symbols
+from symhaptic.book import ledger
+from symhaptic.proof.settle import Settlement
+from symhaptic.proof.theorems import leaves
+from symhaptic.proof.verdict import Kind, Verdict
+x, y, z = symbols("x y z")
+MARK = str(Path(__file__).with_name("mark"))
+TEXT = f"[__import__('os').getpid() == {os.getpid()} or open({MARK!r}, 'w').close(), 1][1]"
+def derive(page):
+"""
+
+
+@pytest.mark.early
+@pytest.mark.parametrize("where", TEXTS)
+@pytest.mark.parametrize("form", ["text", "json"])
+def test_no_text_of_a_chapter_is_run_where_it_arrives(
+    where: str, form: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "forged.py"
+    path.write_text('"""A title\n\nAn introduction.\n"""\n' + WITH_TEXT + TEXTS[where])
+    asked = ["verify", "forged", "--derivation", str(path), "--format", form]
+    told = CliRunner().invoke(app, [*asked, "-o", str(tmp_path / "out")])
+    assert told.exit_code in (1, 2)
+    assert isinstance(told.exception, SystemExit)
+    assert not (tmp_path / "mark").exists()

@@ -16,16 +16,18 @@ import io
 import pickle
 import sys
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PosixPath, WindowsPath
 from types import MappingProxyType
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Basic
 from sympy.core.function import AppliedUndef, UndefinedFunction
+from sympy.parsing import sympy_parser
 
 from symhaptic.book.chapters import BadChapter
 from symhaptic.notation.fresh import made_before, mark
@@ -80,10 +82,25 @@ def _known(place: int) -> Theorem:
     raise pickle.UnpicklingError(f"no theorem is known to be at {place}")
 
 
+@contextmanager
+def without_text() -> Iterator[None]:
+    """Within it SymPy takes no text for a term, wherever somebody has put some: it would run it."""
+    run, sympy_parser.eval_expr = sympy_parser.eval_expr, _not_run
+    try:
+        yield
+    finally:
+        sympy_parser.eval_expr = run
+
+
+def _not_run(code: str, *names: Any) -> NoReturn:
+    raise SyntaxError("text is no term")
+
+
 def arrived(sent: bytes, path: Path, known: Sequence[Theorem] = ()) -> Any:
     """The result of a chapter, its theorems derived anew; or what is wrong with what was sent."""
     try:
-        return _Reader(io.BytesIO(sent), known).load()
+        with without_text():
+            return _Reader(io.BytesIO(sent), known).load()
     except _WRONG as wrong:
         said = " ".join(str(wrong).split())
         return BadChapter(path, f"what its process sent is no result: {said}")

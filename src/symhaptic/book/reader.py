@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book import SELDOM
-from symhaptic.book.arrivals import Places, arrived, places, sent
+from symhaptic.book.arrivals import Places, arrived, places, sent, without_text
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
@@ -70,7 +70,8 @@ def reads(
             known = at_hand()
             there = places(known)  # so that the chapter's process need not touch each theorem
         result = _of_chapter(how, work, paths[number], known, there, asked)
-        found = result if isinstance(result, BadChapter) else then(result)
+        with without_text():
+            found = result if isinstance(result, BadChapter) else then(result)
         asked.send_bytes(sent(found))
 
 

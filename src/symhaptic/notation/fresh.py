@@ -15,7 +15,7 @@ def made_before(symbol: Expr, mark: int) -> bool:
     """Whether no symbol that is made from now on can be the same one.
 
     >>> before, count = sp.Dummy(), mark()
-    >>> made_before(before, count), made_before(sp.Dummy(dummy_index=count + 1), count)
+    >>> made_before(before, count), made_before(sp.Dummy("x", dummy_index=count), count)
     (True, False)
     """
     if not isinstance(symbol, sp.Dummy):

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
 from math import gcd
+from numbers import Number
 from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
@@ -42,9 +43,10 @@ class NoTerm(TypeError):
 
 def term(of: Any) -> Expr:
     """A term: an exact, commutative expression in plain symbols.  Text is refused."""
-    if isinstance(of, (str, float, complex, bool)):
+    number = isinstance(of, Number) and not isinstance(of, (float, complex, bool))
+    if not (number or isinstance(of, Expr)):
         raise NoTerm(f"{of!r} is no term; an exact SymPy expression is")
-    expr = of if isinstance(of, Expr) else sp.sympify(of)
+    expr = of if isinstance(of, Expr) else sp.sympify(of, strict=True)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
     _looked_through(expr)
@@ -138,7 +140,7 @@ _OF_UNKNOWN = frozenset(vars(sp.Function("f", commutative=True)))
 
 
 def _check_lowest(number: sp.Rational) -> None:
-    """Raise :class:`NoTerm` of a fraction that can be shortened, which is not equal to its value."""
+    """Raise :class:`NoTerm` of a fraction that can be shortened: it is not equal to its value."""
     if number.q < 2 or gcd(number.p, number.q) != 1:
         raise NoTerm(f"{number} is not in lowest terms")
 
