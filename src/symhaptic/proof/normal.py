@@ -34,6 +34,8 @@ Exponents = dict[tuple[int, ...], fmpq]
 
 _ZERO = fmpq(0)
 
+_NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
+
 _TURN = sp.I * sp.pi
 """The exponent modulo which all are counted."""
 
@@ -119,6 +121,8 @@ class Field:
             self._exponents.append(power * log)
         elif isinstance(expr, Application):
             _check_commutes(expr)
+            if expr.has(*_NO_NUMBERS):
+                raise Unsupported(f"no normal form for {expr}, of what is no number")
             self._opaque.setdefault(expr, sp.Dummy("f"))
         else:
             _check_commutes(expr)
