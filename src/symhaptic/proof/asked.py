@@ -76,8 +76,8 @@ def _known(caller: str, form: Any) -> Any:
         seen.add(id(part))
         if not _made_here(type(part)):
             raise TypeError(
-                f"{caller}: {type(part).__name__} is a class of which nothing is known; formulas of "
-                "SymPy are allowed"
+                f"{caller}: {type(part).__name__} is a class of which nothing is known; "
+                "formulas of SymPy are allowed"
             )
         if part.is_Rational and digits and _longer(part, digits):
             raise ValueError(f"{caller}: a number of more than {digits} digits is not allowed")
@@ -87,13 +87,13 @@ def _known(caller: str, form: Any) -> Any:
 
 def _made_here(kind: type) -> bool:
     if isinstance(kind, UndefinedFunction):
-        return kind.__bases__ == (AppliedUndef,)
+        return bool(kind.__bases__ == (AppliedUndef,))
     return kind.__module__.partition(".")[0] in ("sympy", "symhaptic")
 
 
 def _longer(number: sp.Rational, digits: int) -> bool:
     """Whether it may have more digits than Python prints."""
-    return max(abs(number.p), number.q).bit_length() > 3.3 * digits
+    return bool(max(abs(number.p), number.q).bit_length() > 3.3 * digits)
 
 
 def exact(caller: str, name: str, number: Any) -> Expr:
