@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import gc
 import multiprocessing
+import os
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
@@ -120,10 +122,14 @@ def _child(
     gc.set_threshold(SELDOM)
     for other in not_its_own:
         other.close()
+    with suppress(OSError):
+        os.dup2(2, 1)  # what it writes is for people, not part of a listing
     result: Any
     try:
         result = work(path)
     except BadChapter as wrong:
         result = BadChapter(*wrong.args)
+    except KeyboardInterrupt:  # its own: that of the keyboard does not come here
+        result = BadChapter(path, "KeyboardInterrupt: no message")
     sys.stderr.flush()
     connection.send_bytes(sent(result, known))
