@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from command import symhaptic
@@ -115,3 +116,83 @@ def test_it_is_printed_and_attacked_like_the_paper(notes, tmp_path):
     run = symhaptic("mutants", "--source", notes)
     assert run.returncode == 0, run.stdout
     assert " 0 accepted though wrong" in run.stdout
+
+
+def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
+    folder = tmp_path / "odd"
+    folder.mkdir()
+    (folder / "source.py").write_text(
+        "from symhaptic.paper.statement import Source, Statement\n"
+        'SOURCE = Source("odd", "Odd notes", "A. Author", "2026")\n'
+        "STATEMENTS = tuple(\n"
+        f'    Statement(id, "(1)", "an equation", ({printed!r},)) for id in {ids!r}\n'
+        ")\n",
+        encoding="utf-8",
+    )
+    (folder / "chapter.py").write_text(
+        '"""A title\n\nAn introduction.\n"""\nimport os\nfrom sympy import Eq, symbols\n'
+        f'x, y = symbols("x y")\n{body}\n',
+        encoding="utf-8",
+    )
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("def derive(page):\n    raise KeyboardInterrupt", "KeyboardInterrupt"),
+        ("async def derive(page):\n    pass", "derive is async or has a yield"),
+        ("def derive(page):\n    yield page", "derive is async or has a yield"),
+        ("def derive(page):\n    os._exit(0)", "its process ended without a result"),
+        ('def derive(page):\n    page.enclosed("t", [1])', "1 is no pair of a name"),
+        ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
+        ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 100 that are printed"),
+    ],
+)
+def test_a_chapter_that_fails_is_one_line_and_a_case_in_error(tmp_path, body, said):
+    folder, out = odd(tmp_path, body), tmp_path / "out.xml"
+    run = symhaptic("verify", "--source", folder, "--format", "junit", "-o", out)
+    assert run.returncode == 2
+    [line] = run.stderr.splitlines()
+    assert said in line
+    suite = ElementTree.parse(out).getroot()
+    assert suite.get("errors") == "1"
+    [error] = suite.iter("error")
+    assert said in error.get("message")
+
+
+def test_what_a_chapter_writes_is_no_part_of_a_listing(tmp_path):
+    body = "def derive(page):\n    os.write(1, b'{}')\n    page.settle('odd:one', Eq(x, 2*y))"
+    run = symhaptic("verify", "--source", odd(tmp_path, body), "--format", "json")
+    assert [r["id"] for r in json.loads(run.stdout)["statements"]] == ["odd:one"]
+    assert "{}" in run.stderr
+
+
+@pytest.mark.parametrize("id", ["odd:", "odd:a b", "odd:a\nb", "odd:\x1b[31m", "odd:" + 200 * "l"])
+def test_an_id_is_what_a_line_can_name(tmp_path, id):
+    body = "def derive(page):\n    page.settle('odd:one', Eq(x, 2*y))"
+    run = symhaptic("verify", "--source", odd(tmp_path, body, ("odd:one", id)))
+    assert run.returncode == 2
+    assert len(run.stderr.splitlines()) == 1
+    assert "up to 100 that are printed are allowed" in run.stderr
+
+
+def test_each_case_of_a_source_fails_for_itself(tmp_path):
+    ids = ("odd:one", "odd:two", "odd:ü/3")
+    body = "def derive(page):\n" + "".join(f"    page.settle({id!r}, Eq(x, 2*y))\n" for id in ids)
+    folder, out = odd(tmp_path, body, ids), tmp_path / "out.xml"
+    committed = [{"id": id, "verdict": "refuted"} for id in ids[:2]]
+    (folder / "ledger.json").write_text(json.dumps({"statements": committed}))
+    run = symhaptic("verify", "--source", folder, "--format", "junit", "-o", out)
+    assert run.returncode == 1
+    cases = list(ElementTree.parse(out).getroot())
+    assert [case.get("name") for case in cases] == list(ids)
+    assert all(case.find("failure") is not None for case in cases)
+
+
+def test_what_xml_has_no_character_for_is_replaced(tmp_path):
+    body = "def derive(page):\n    raise ValueError('a\\x00b\\x1b\\ufffe')"
+    folder, out = odd(tmp_path, body), tmp_path / "out.xml"
+    symhaptic("verify", "--source", folder, "--format", "junit", "-o", out)
+    [error] = ElementTree.parse(out).getroot().iter("error")
+    assert "ValueError: a\ufffdb\ufffd\ufffd" in error.get("message")

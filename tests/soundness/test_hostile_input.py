@@ -183,3 +183,108 @@ def test_a_constant_that_the_other_routine_sees_elsewhere_is_not_enclosed(monkey
         enclose(pi)
     with pytest.raises(ValueError, match="not confirmed"):
         enclose(sin(1) ** 2 + cos(1) ** 2 - 1)
+
+
+class Rationally(sp.Expr):
+    """Says of itself that it is 1."""
+
+    is_Rational = is_commutative = True  # noqa: N815
+    p = q = 1
+
+
+class Alike(sp.Function):
+    """Says of itself that it is equal to everything."""
+
+    def __eq__(self, other):
+        return True
+
+    def __hash__(self):
+        return hash(x)
+
+
+class Named(sp.Symbol):
+    """Another symbol of the same name."""
+
+
+@pytest.mark.parametrize(
+    "own", [Rationally(x), Alike(x), Named("x"), sin(Rationally(x), evaluate=False) + y]
+)
+def test_a_class_of_a_users_own_may_not_speak_for_itself(own):
+    for ask in (
+        lambda: prove(own, 1),
+        lambda: prove(x, own),
+        lambda: prove([own], [x]),
+        lambda: prove(sp.Gt(own, 0, evaluate=False), {x: (1, 2), y: (1, 2)}),
+        lambda: prove(x > 0, {own: (1, 2), x: (1, 2)}),
+        lambda: enclose(own),
+        lambda: enclose_maximum(own, {x: (1, 2), y: (1, 2)}),
+    ):
+        with pytest.raises(TypeError, match=r"^(prove|enclose|enclose_maximum): .*class|no symbol"):
+            ask()
+
+
+@pytest.mark.parametrize("none", [sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds(0, 1)])
+def test_a_function_of_what_is_no_number_is_nothing(none):
+    value = sp.Function("f")(none)
+    assert prove(2 * value, sp.Add(value, value, evaluate=False)).kind == Kind.UNDECIDED
+    assert prove(value, value).kind == Kind.UNDECIDED
+
+
+def test_what_python_cannot_print_is_refused_in_a_line():
+    long = sp.Integer(10) ** 5000
+    for ask in (
+        lambda: prove(x, long),
+        lambda: prove(x > 0, {x: (0, long)}),
+        lambda: enclose(sp.tan(long)),
+        lambda: enclose_maximum(x / long, {x: (0, 1)}),
+    ):
+        with pytest.raises(ValueError, match="more than 4300 digits"):
+            ask()
+
+
+def test_an_interval_is_no_number():
+    from mpmath import iv
+
+    for ask in (lambda: prove(iv.mpf([1, 2]), 1), lambda: prove(x > 0, {x: (iv.mpf([1, 2]), 3)})):
+        with pytest.raises(TypeError, match="is no number"):
+            ask()
+
+
+@pytest.mark.parametrize("base", [2, x])
+def test_a_logarithm_to_a_base_is_not_taken_for_another(base):
+    written = sp.log(x, base, evaluate=False)
+    assert not prove(written, sp.log(x))
+    assert not prove(sp.Gt(written, 0, evaluate=False), {x: (2, 3)})
+    with pytest.raises(ValueError, match="no program for log"):
+        enclose_maximum(written, {x: (2, 3)})
+
+
+def test_what_is_nested_too_deeply_has_no_largest_value():
+    deep = x
+    for _ in range(3000):
+        deep = sp.sin(deep, evaluate=False)
+    with pytest.raises(ValueError, match="nested too deeply"):
+        enclose_maximum(deep, {x: (0, 1)})
+
+
+@pytest.mark.parametrize("expr", [1 / (x - Rational(1, 3)), -1 / (x - Rational(1, 3)) ** 2])
+def test_next_to_a_pole_no_largest_value_is_looked_for_long(expr):
+    with pytest.raises(ValueError, match=r"next to x = 0\.333333"):
+        enclose_maximum(expr, {x: (0, 1)}, steps=30_000)
+
+
+def test_a_largest_value_has_a_budget_too():
+    with pytest.raises(ValueError, match="too much work"):
+        enclose_maximum(-((x - y) ** 2), {x: (0, 1), y: (0, 1)}, digits=15, steps=10_000)
+    with pytest.raises(ValueError, match="enclose_maximum: steps"):
+        enclose_maximum(x, {x: (0, 1)}, steps=0)
+    with pytest.raises(ValueError, match="next to x = 1"):
+        enclose_maximum(10**50 * x, {x: (0, 1)}, steps=30_000)
+
+
+@pytest.mark.parametrize("at", [sqrt(2), pi, sp.S.Half])
+def test_a_box_may_be_one_point(at):
+    found = enclose_maximum(x**2, {x: (at, at)})
+    assert found.where == {x: at}
+    assert float(found.lower) <= float(at) ** 2 <= float(found.upper)
+    assert symhaptic.recheck(found)

@@ -6,8 +6,9 @@ from sympy import I, Rational, pi, sqrt, symbols
 
 from symhaptic.notation import s, z
 from symhaptic.notation.proposition import And, ForAll, Implies, Not, NoTerm, Relation
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.theorems.kernel import NotShown
-from symhaptic.proof.theorems.leaves import none_right, one_right
+from symhaptic.proof.theorems.leaves import none_right, one_right, root_outside, roots_inside
 
 x, y, v, p = symbols("x y v p")
 
@@ -79,3 +80,22 @@ def test_a_zero_that_may_not_be_there_is_not_claimed(polynomial):
 def test_what_is_no_polynomial_in_numbers_at_two_real_symbols_is_refused(leaf, given):
     with pytest.raises((NotShown, NoTerm)):
         leaf(*given)
+
+
+@pytest.mark.parametrize(
+    "zero",
+    [
+        (v - 1) ** 2 - v**2 + 2 * v - 1,
+        sp.Mul(0, v, evaluate=False),
+        (v - 1) ** 2 - v**2 + 2 * v - 2 + sp.sin(1) ** 2 + sp.cos(1) ** 2,
+        v * (sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1),
+    ],
+)
+def test_a_polynomial_that_is_zero_is_zero_everywhere(zero):
+    for leaf in (none_right, one_right):
+        with pytest.raises((NotShown, Unsupported)):
+            leaf(zero, v, x, y)
+    with pytest.raises((NotShown, Unsupported)):
+        root_outside(zero, v)
+    with pytest.raises(NotShown):
+        roots_inside(zero, v, {})

@@ -13,8 +13,16 @@ from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x
 from symhaptic.proof.theorems.definedness import real
 from symhaptic.proof.theorems.derivation import replayed
-from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, general, instance, part
-from symhaptic.proof.theorems.leaves import identity, mirrored, number
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    assume,
+    discharged,
+    general,
+    instance,
+    part,
+    placed,
+)
+from symhaptic.proof.theorems.leaves import combined, identity, mirrored, number
 
 x, y, n, m = sp.symbols("x y n m")
 
@@ -160,3 +168,26 @@ def test_what_is_kept_of_a_proposition_does_not_travel() -> None:
     assert hash(copy.deepcopy(claim)) != hash(true)
     with pytest.raises(NoTerm, match="does not change"):
         claim.__setstate__({"left": S.One})
+
+
+def test_a_power_of_zero_may_have_a_value_where_a_divisor_has_none() -> None:
+    # at x = 0 and y = 1 the power x^y is 0, and 1/x has no value
+    given = assume(Relation(S.Zero, "<=", x**y))
+    divided = sp.Mul(x ** (y + 1), 1 / x, evaluate=False)
+    found = combined(Relation(S.Zero, "<=", divided), [given])
+    assert Relation(x, "!=", S.Zero) in found.hypotheses
+    # neither is it lost where a divisor becomes the base of such a power
+    beside = Relation(S.Zero, "<=", x**y + m / n)
+    moved = placed(assume(beside), {n: x, m: S.Zero})
+    assert moved.conclusion == Relation(S.Zero, "<=", x**y)
+    assert Relation(x, "!=", S.Zero) in moved.hypotheses
+    # a power that stays as it is keeps what it had
+    kept = placed(assume(Relation(S.Zero, "<=", x**y + m)), {m: n})
+    assert kept.hypotheses == {Relation(S.Zero, "<=", x**y + n)}
+
+
+def test_no_power_of_a_bound_symbol_is_lost() -> None:
+    # for all x: 0 <= x^m + x^n is false at x = 0 for n < 0
+    claim = ForAll((x,), Relation(S.Zero, "<=", x**m + y * x**n))
+    with pytest.raises(NotShown, match="lost under its quantifier"):
+        placed(assume(claim), {y: S.Zero})

@@ -6,7 +6,8 @@ place among these is sent; every other is derived anew.
 A pickle names functions and calls them, and changes what it has named.  Here it may name the
 records of this package, the two functions by which a theorem is found or derived anew, and what
 terms are made of; what it names is out of its reach, only records that it has made itself get their
-fields, and no text is given to SymPy, which would run it.
+fields, and no text is given to SymPy, which would run it.  A symbol that SymPy has counted there
+gets a number that is counted here, so that none is there twice.
 """
 
 from __future__ import annotations
@@ -15,18 +16,21 @@ import io
 import pickle
 import sys
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PosixPath, WindowsPath
 from types import MappingProxyType
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Basic
 from sympy.core.function import AppliedUndef, UndefinedFunction
+from sympy.parsing import sympy_parser
 
 from symhaptic.book.chapters import BadChapter
+from symhaptic.notation.fresh import made_before, mark
 from symhaptic.notation.proposition import FUNCTIONS, Proposition
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.theorems import kernel
@@ -78,10 +82,25 @@ def _known(place: int) -> Theorem:
     raise pickle.UnpicklingError(f"no theorem is known to be at {place}")
 
 
+@contextmanager
+def without_text() -> Iterator[None]:
+    """Within it SymPy takes no text for a term, wherever somebody has put some: it would run it."""
+    run, sympy_parser.eval_expr = sympy_parser.eval_expr, _not_run
+    try:
+        yield
+    finally:
+        sympy_parser.eval_expr = run
+
+
+def _not_run(code: str, *names: Any) -> NoReturn:
+    raise SyntaxError("text is no term")
+
+
 def arrived(sent: bytes, path: Path, known: Sequence[Theorem] = ()) -> Any:
     """The result of a chapter, its theorems derived anew; or what is wrong with what was sent."""
     try:
-        return _Reader(io.BytesIO(sent), known).load()
+        with without_text():
+            return _Reader(io.BytesIO(sent), known).load()
     except _WRONG as wrong:
         said = " ".join(str(wrong).split())
         return BadChapter(path, f"what its process sent is no result: {said}")
@@ -120,6 +139,8 @@ class _Reader(pickle._Unpickler):
     def __init__(self, file: io.BytesIO, known: Sequence[Theorem]) -> None:
         super().__init__(file)
         self.records: dict[int, Any] = {}
+        self.dummies: dict[sp.Dummy, sp.Dummy] = {}
+        self.mark = mark()
         self.known = known
 
     def find_class(self, module: str, name: str) -> _Named:
@@ -142,7 +163,7 @@ class _Reader(pickle._Unpickler):
 
     def load_reduce(self) -> None:
         args = self.stack.pop()
-        self.stack[-1] = self._asked(self.stack[-1]).called(*args)
+        self.stack[-1] = self._here(self._asked(self.stack[-1]).called(*args))
 
     def load_newobj(self) -> None:
         args = self.stack.pop()
@@ -153,10 +174,18 @@ class _Reader(pickle._Unpickler):
         self._made(self.stack.pop(), args, named)
 
     def _made(self, named: Any, args: Any, keywords: Any) -> None:
-        made = self._asked(named).anew(*args, **keywords)
+        made = self._here(self._asked(named).anew(*args, **keywords))
         if is_dataclass(made):
             self.records[id(made)] = made
         self.stack.append(made)
+
+    def _here(self, made: Any) -> Any:
+        """What was made; for a symbol that was counted elsewhere one that is counted here."""
+        if type(made) is not sp.Dummy or made_before(made, self.mark):
+            return made
+        if made not in self.dummies:
+            self.dummies[made] = sp.Dummy(made.name, **made.assumptions0)
+        return self.dummies[made]
 
     def _asked(self, named: Any) -> _Named:
         if type(named) is not _Named:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import importlib.util
+import inspect
 import symtable
 import sys
 import time
@@ -37,6 +38,12 @@ class BadChapter(ValueError):
 
 NO_DERIVE = "has no function derive(page)"
 NO_TITLE = "has no docstring; its first line is the chapter's title"
+
+_NOT_RUN_BY_A_CALL = (
+    inspect.iscoroutinefunction,
+    inspect.isgeneratorfunction,
+    inspect.isasyncgenfunction,
+)
 
 _ran: list[Path] = []
 """Chapters that this process has run, and that may have left something behind in it."""
@@ -186,6 +193,8 @@ def run(path: Path) -> Chapter:
     title, _, introduction = (module.__doc__ or "").strip().partition("\n")
     if not title:
         raise BadChapter(path, NO_TITLE)
+    if any(kind(derive) for kind in _NOT_RUN_BY_A_CALL):
+        raise BadChapter(path, "derive is async or has a yield; a plain function is allowed")
     page = Page(path.stem)
     with _SomebodyElses(path):
         derive(page)

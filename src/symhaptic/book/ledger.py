@@ -185,7 +185,7 @@ def _compared_again(entry: Entry, printed: Printed) -> str | None:
         own = id not in STATEMENTS
         found = replace(forms, assumed=own and typed_again(printed, forms)).decide(printed)
     except (AttributeError, TypeError, ValueError) as wrong_data:
-        return f"{id}: compared again: {wrong_data}"
+        return f"{id}: compared again: {' '.join(str(wrong_data).split())}"
     same = found.kind is kind or (kind is Kind.ENCLOSED and found.kind is Kind.PROVED)
     if not same or found.condition != entry.verdict.condition:
         return f"{id}: compared again it is {found.kind}"
@@ -225,6 +225,7 @@ def looked_at(entries: list[Entry]) -> list[Entry]:
     return [
         replace(
             entry,
+            verdict=replace(entry.verdict, corrected=None),
             look=Look(judged_again(entry), checked(entry.statement.id, entry.judged)),
             judged=None,
             claim=None,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tempfile
 from collections.abc import Sequence
 from functools import cache
@@ -17,6 +18,9 @@ from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.ledger import Entry, counted, places
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
+
+_NO_XML = re.compile(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""What no document of XML may have in it, not even as an entity."""
 
 
 @cache
@@ -145,7 +149,7 @@ def junit(
     to its own; chapters run side by side, so that the suite's time, which is what passed from the
     first to the last, is less than their sum.  A chapter that cannot be run is a case in error.
     """
-    failed = {line.partition(":")[0]: line for line in surprises}
+    failed = {line.partition(": ")[0]: line for line in surprises}
     suite = ET.Element("testsuite", name="symhaptic verify")
     failures = skipped = 0
     for entry in entries:
@@ -185,7 +189,8 @@ def junit(
         "time": f"{total:.3f}",
     }
     ET.indent(suite)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(suite, "unicode") + "\n"
+    written = _NO_XML.sub("\ufffd", ET.tostring(suite, "unicode"))
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{written}\n'
 
 
 def _rocq(found: foreign.Checked) -> list[tuple[str, str]]:

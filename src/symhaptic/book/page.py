@@ -22,7 +22,7 @@ from sympy.core.function import AppliedUndef
 
 from symhaptic.book.grounds import not_defined, retyped, shows, unproved, written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
-from symhaptic.book.sources import CLAIMED, STATEMENTS
+from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
@@ -165,7 +165,10 @@ class Page(Record):
         A number is given by what shows it, and a name that is a number has these decimals, too.
         """
         rows = []
-        for name, source in values:
+        for pair in values:
+            if not (isinstance(pair, tuple) and len(pair) == 2):
+                raise FalseStep(f"{title}: {pair!r} is no pair of a name and what shows its number")
+            name, source = pair
             value = self._shown(source)
             text = decimals(value, places)
             if isinstance(name, Expr) and not name.free_symbols:
@@ -363,6 +366,8 @@ class Page(Record):
             read(line)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
+        if not is_id(id):
+            raise FalseStep(NO_ID.format(id))
         self._once("stated", id)
         if claim is not None:
             self.claimed[id] = partial(of_print, claim)

@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import gc
 import multiprocessing
+import os
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
@@ -18,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book import SELDOM
-from symhaptic.book.arrivals import Places, arrived, places, sent
+from symhaptic.book.arrivals import Places, arrived, places, sent, without_text
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
@@ -70,7 +72,8 @@ def reads(
             known = at_hand()
             there = places(known)  # so that the chapter's process need not touch each theorem
         result = _of_chapter(how, work, paths[number], known, there, asked)
-        found = result if isinstance(result, BadChapter) else then(result)
+        with without_text():
+            found = result if isinstance(result, BadChapter) else then(result)
         asked.send_bytes(sent(found))
 
 
@@ -119,10 +122,14 @@ def _child(
     gc.set_threshold(SELDOM)
     for other in not_its_own:
         other.close()
+    with suppress(OSError):
+        os.dup2(2, 1)  # what it writes is for people, not part of a listing
     result: Any
     try:
         result = work(path)
     except BadChapter as wrong:
         result = BadChapter(*wrong.args)
+    except KeyboardInterrupt:  # its own: that of the keyboard does not come here
+        result = BadChapter(path, "KeyboardInterrupt: no message")
     sys.stderr.flush()
     connection.send_bytes(sent(result, known))

@@ -44,6 +44,8 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
         raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
     for statement in statements:
+        if not is_id(statement.id.removeprefix(f"{source.key}:")):
+            raise ValueError(NO_ID.format(statement.id))
         if not statement.id.startswith(f"{source.key}:") or statement.id in found:
             raise ValueError(
                 f"the id {statement.id!r} is to begin with '{source.key}:' and to stand once"
@@ -60,4 +62,24 @@ def of_source(source: Source) -> dict[str, Statement]:
     return {id: s for id, s in STATEMENTS.items() if source_of(id) is source}
 
 
-__all__ = ["CLAIMED", "PAPER", "SOURCES", "STATEMENTS", "add", "of_source", "source_of"]
+NO_ID = "the id {!r} has no characters, too many, or blanks; up to 100 that are printed are allowed"
+
+
+def is_id(text: str) -> bool:
+    """Whether a line of a listing, a case of JUnit and a place of a page can be named so."""
+    return (
+        isinstance(text, str) and text.isprintable() and text.split() == [text] and len(text) <= 100
+    )
+
+
+__all__ = [
+    "CLAIMED",
+    "NO_ID",
+    "PAPER",
+    "SOURCES",
+    "STATEMENTS",
+    "add",
+    "is_id",
+    "of_source",
+    "source_of",
+]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
+from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
 
@@ -205,9 +206,8 @@ def format_of(output: Path | None, given: TraceFormat | None) -> TraceFormat:
 
 
 def number(name: str, text: str) -> float:
-    """The number that an option gives."""
+    """The number that an option gives, a fraction too."""
     try:
-        return float(text)
-    except ValueError:
-        pass
-    refuse(f"--{name}: {text!r} is not allowed; a number is")
+        return float(Fraction(text) if "/" in text else text)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        refuse(f"--{name}: {text!r} is not allowed; a number is")

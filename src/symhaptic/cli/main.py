@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 from typing import Annotated
@@ -17,6 +18,10 @@ from symhaptic.notation.suggest import suggested
 ParserError: type[Exception] = next(
     c for c in typer.BadParameter.__mro__ if c.__name__ in ("TyperException", "ClickException")
 )
+
+
+_FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
+"""A place that takes no more."""
 
 
 @app.callback(invoke_without_command=True)
@@ -67,4 +72,11 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("symhaptic: interrupted", err=True)
         raise SystemExit(130) from None
+    except OSError as wrong:
+        if wrong.errno not in _FULL or wrong.filename is not None:
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is left is not tried again at the end
+        said = f"cannot write the result ({wrong.strerror}); another place is allowed"
+        typer.echo(f"symhaptic: error: standard output: {said}", err=True)
+        raise SystemExit(2) from None
     raise SystemExit(status if isinstance(status, int) else 0)

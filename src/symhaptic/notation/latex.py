@@ -26,7 +26,7 @@ def latex(expr: Expr, inline: bool = False) -> str:
     >>> latex(sp.exp(-d/2))
     'e^{-d/2}'
     """
-    return _Writer(inline).write(sp.sympify(expr))
+    return _Writer(inline).write(sp.sympify(expr, strict=True))
 
 
 class _Writer:

@@ -13,13 +13,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
+from math import gcd
+from numbers import Number
 from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
-from sympy.core.function import AppliedUndef
+from sympy.core.function import AppliedUndef, UndefinedFunction
 
 from symhaptic.notation import SYMBOLS
+from symhaptic.notation.fresh import made_before, mark
 from symhaptic.notation.predicates import MEANINGS
 
 Terms: TypeAlias = Mapping[Symbol, Expr]
@@ -40,9 +43,10 @@ class NoTerm(TypeError):
 
 def term(of: Any) -> Expr:
     """A term: an exact, commutative expression in plain symbols.  Text is refused."""
-    if isinstance(of, (str, float, complex, bool)):
+    number = isinstance(of, Number) and not isinstance(of, (float, complex, bool))
+    if not (number or isinstance(of, Expr)):
         raise NoTerm(f"{of!r} is no term; an exact SymPy expression is")
-    expr = of if isinstance(of, Expr) else sp.sympify(of)
+    expr = of if isinstance(of, Expr) else sp.sympify(of, strict=True)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
     _looked_through(expr)
@@ -55,9 +59,13 @@ def _looked_through(expr: Expr) -> None:
     left = [expr]
     while left:
         part = left.pop()
-        if type(part) not in _ATOMS:
+        if type(part) is sp.Rational:
+            _check_lowest(part)
+        elif type(part) not in _ATOMS:
             if type(part) not in _MADE:
                 _check(part)
+            elif type(part) in FUNCTIONS and len(part.args) != 1:
+                raise NoTerm(f"{part} is a function of {len(part.args)} arguments, not of one")
             left += part.args[::-1]
     if not _lasting(expr):
         raise NoTerm(f"{expr} loses a divisor when SymPy writes it anew; write it without")
@@ -128,6 +136,13 @@ def _may_have_none(part: Expr) -> bool:
 _PARTIAL = (sp.log, sp.tan, sp.cot, sp.tanh, sp.atan)
 _ATOMS = frozenset(map(type, (sp.I, sp.pi, sp.E, *map(sp.Rational, (0, 1, -1, "1/2", "2/3", 2)))))
 _MADE = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
+_OF_UNKNOWN = frozenset(vars(sp.Function("f", commutative=True)))
+
+
+def _check_lowest(number: sp.Rational) -> None:
+    """Raise :class:`NoTerm` of a fraction that can be shortened: it is not equal to its value."""
+    if number.q < 2 or gcd(number.p, number.q) != 1:
+        raise NoTerm(f"{number} is not in lowest terms")
 
 
 def _check(part: Expr) -> None:
@@ -138,10 +153,18 @@ def _check(part: Expr) -> None:
             raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
         if part in _RESERVED:
             raise NoTerm(f"the symbol {part} stands for bound ones where propositions are compared")
-    elif not isinstance(part, AppliedUndef):
-        raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
-    elif set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
+        if not made_before(part, mark()):
+            raise NoTerm(f"the symbol {part} has a number by hand; another one may get it yet")
+    elif isinstance(part, AppliedUndef) and set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
         raise NoTerm(f"the function {part.func} carries assumptions; hypotheses say them here")
+    elif not _is_unknown(type(part)):
+        raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
+
+
+def _is_unknown(function: type[Expr]) -> bool:
+    """Whether a function is what SymPy makes of a name, and no class with ways of its own."""
+    plain = type(function) is UndefinedFunction and function.__bases__ == (AppliedUndef,)
+    return plain and vars(function).keys() <= _OF_UNKNOWN
 
 
 def without_value(number: Expr) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from numbers import Number
@@ -9,6 +10,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import Expr
+from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
 
@@ -39,16 +41,59 @@ def form_of(caller: str, form: Any, depth: int = 0) -> Form:
     if isinstance(form, (Sequence, sp.Tuple)) and not isinstance(form, (str, bytes, bytearray)):
         return [form_of(caller, part, depth + 1) for part in form]
     if isinstance(form, Number) and not isinstance(form, sp.Basic):
-        return sp.sympify(form, strict=True)
+        return _number(caller, form)
     if isinstance(form, Relational):
         if all(isinstance(side, Expr) and not side.is_Matrix for side in form.args):
-            return form
+            return _known(caller, form)
     elif isinstance(form, (Expr, BooleanAtom)) and not isinstance(form, sp.Lambda):
-        return form
+        return _known(caller, form)
     raise TypeError(
         f"{caller}: {form!r} is no formula; SymPy expressions, relations and "
         "sequences of them are allowed"
     )
+
+
+def _number(caller: str, number: Any) -> Expr:
+    """A number of Python's as one of SymPy's; an interval, say, is none."""
+    try:
+        return sp.sympify(number, strict=True)
+    except (sp.SympifyError, ValueError, OverflowError):
+        raise TypeError(
+            f"{caller}: {number!r} ({type(number).__name__}) is no number; SymPy's are allowed"
+        ) from None
+
+
+def _known(caller: str, form: Any) -> Any:
+    """A form of which all parts are made by SymPy or this package, and can be printed.
+
+    A class of a user's own may say of itself what it likes: that it is rational, or equal to x.
+    """
+    left, seen, digits = [form], set[int](), sys.get_int_max_str_digits()
+    while left:
+        part = left.pop()
+        if id(part) in seen:
+            continue
+        seen.add(id(part))
+        if not _made_here(type(part)):
+            raise TypeError(
+                f"{caller}: {type(part).__name__} is a class of which nothing is known; "
+                "formulas of SymPy are allowed"
+            )
+        if part.is_Rational and digits and _longer(part, digits):
+            raise ValueError(f"{caller}: a number of more than {digits} digits is not allowed")
+        left += (arg for arg in part.args if isinstance(arg, sp.Basic))
+    return form
+
+
+def _made_here(kind: type) -> bool:
+    if isinstance(kind, UndefinedFunction):
+        return bool(kind.__bases__ == (AppliedUndef,))
+    return kind.__module__.partition(".")[0] in ("sympy", "symhaptic")
+
+
+def _longer(number: sp.Rational, digits: int) -> bool:
+    """Whether it may have more digits than Python prints."""
+    return bool(max(abs(number.p), number.q).bit_length() > 3.3 * digits)
 
 
 def exact(caller: str, name: str, number: Any) -> Expr:
@@ -58,10 +103,10 @@ def exact(caller: str, name: str, number: Any) -> Expr:
     ):
         kind = ValueError if number is None or isinstance(number, (list, tuple)) else TypeError
         raise kind(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
-    found = sp.sympify(number, strict=True)
+    found = number if isinstance(number, Expr) else _number(caller, number)
     if not isinstance(found, Expr) or isinstance(found, sp.Lambda):
         raise TypeError(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
-    if found.has(sp.Float):
+    if _known(caller, found).has(sp.Float):
         raise ValueError(
             f"{caller}: {name}: {number} has a float; exact numbers are allowed, such as "
             "Rational(1, 10)"
@@ -82,7 +127,7 @@ def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
     if not isinstance(ends, Mapping):
         raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
     for symbol in ends:
-        if not isinstance(symbol, sp.Symbol):
+        if not (isinstance(symbol, sp.Symbol) and _made_here(type(symbol))):
             raise TypeError(f"{caller}: box: {symbol!r} is no symbol")
     names = shared(caller, {s for form in forms for s in form.free_symbols} | set(ends))
     box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
@@ -116,7 +161,7 @@ def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
     beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
         high.is_positive and symbol.is_extended_nonpositive
     )
-    if beyond or symbol.is_integer or symbol.is_real is False:
+    if beyond or symbol.is_integer or symbol.is_real is False or symbol.is_antihermitian:
         raise ValueError(
             f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
         )
@@ -126,9 +171,10 @@ def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
 def _end(caller: str, symbol: sp.Symbol, end: Any) -> Expr:
     known = end
     if isinstance(end, Number) and not isinstance(end, (sp.Basic, complex)):
-        known = sp.sympify(end, strict=True)
+        known = _number(caller, end)
     if not (
         isinstance(known, Expr)
+        and _known(caller, known).is_commutative
         and not known.free_symbols
         and not known.has(sp.Float)
         and known.is_finite

@@ -105,7 +105,7 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
         for factor in args[1:]:
             product *= factor
         return product
-    if kind in _FUNCTIONS:
+    if kind in _FUNCTIONS and len(args) == 1:
         return _FUNCTIONS[kind](args[0])
     if kind in _CONSTANTS:
         return _CONSTANTS[kind]()
@@ -136,6 +136,8 @@ def largest_root(
     variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
     named: dict[Expr, Expr] = {}
     coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
+    if coefficients == [0]:
+        raise Unsupported(f"{polynomial} is zero, and every number a root of it")
     if all(c.is_Rational for c in coefficients):
         exact = falling(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
@@ -145,7 +147,10 @@ def largest_root(
         try:
             values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
             values |= {name: _ball(v, values) for v, name in named.items()}
-            isolated = acb_poly([_ball(c, values) for c in reversed(coefficients)])
+            balls = [_ball(c, values) for c in reversed(coefficients)]
+            if balls[-1].contains(0):
+                continue
+            isolated = acb_poly(balls)
             # next to the circle isolated roots are not told from it, narrow ones are
             roots = isolated.roots(tol=NARROW) if found is not None else isolated.complex_roots()
             found = _largest([abs(root) for root in roots if keep(root)])

@@ -160,7 +160,9 @@ def _search(
     return Positive(expr, dict(box), cuts, _BITS, given, defined)
 
 
-def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> Largest:
+def maximum(
+    expr: Expr, box: Box, radius: Expr, given: Given | None = None, steps: int = _WORK
+) -> Largest:
     """The largest value on a box between two bounds not further apart than ``radius``.
 
     Branch and bound: the piece with the largest bound is halved until no piece can exceed the best
@@ -174,7 +176,7 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
     """
     expr = sp.sympify(expr, strict=True)
     with ctx.workprec(_BITS):
-        work = _Work(_WORK)
+        work = _Work(steps)
         value, slopes = _values(expr, box, given, work), _slopes(expr, box, given, work)
         near = ball(sp.sympify(radius, strict=True), None, _BITS).real / 2
         best, where = arb("-inf"), [_middle(interval) for interval in _whole(box)]
@@ -203,9 +205,13 @@ def maximum(expr: Expr, box: Box, radius: Expr, given: Given | None = None) -> L
             depth += 1
             middle = [_middle(interval) for interval in piece]
             across = _best(piece, middle, value)
+            low, high = piece[across]
+            if not low < middle[across] < high:
+                near = ", ".join(f"{s} = {float(m):.6g}" for s, m in zip(box, middle, strict=True))
+                raise NotShown(f"{expr}: no maximum to so many digits next to {near}")
             pieces = _halved(piece, across, middle[across])
         lower, upper = _exact(best), _exact(best + near * 1.5)
-    below = search(upper - expr, box, given)
+    below = search(upper - expr, box, given, steps=steps)
     if not isinstance(below, Positive):
         raise NotShown(f"{expr}: the bound {upper} is not shown")
     found = Largest(expr, below, _point(box, where), lower, upper)

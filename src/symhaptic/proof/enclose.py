@@ -7,7 +7,7 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof import box as boxes
-from symhaptic.proof.asked import Ends, box_of, exact
+from symhaptic.proof.asked import Ends, allowed_steps, box_of, exact
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Largest
@@ -33,7 +33,13 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
     >>> print(enclose(sp.sin(1)**2 + sp.cos(1)**2 - 1))
     0
     """
-    expr = exact("enclose", "expr", expr)
+    try:
+        return _of_constant(exact("enclose", "expr", expr), digits)
+    except RecursionError as deep:
+        raise ValueError("enclose: expr is nested too deeply") from deep
+
+
+def _of_constant(expr: Expr, digits: int) -> arb | acb:
     if expr.free_symbols or not expr.is_commutative or expr.is_Matrix:
         raise ValueError(f"enclose: expr: {expr} is no constant; a number without symbols is")
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
@@ -42,8 +48,6 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
         return _enclosed(expr, digits)
     except (Exhausted, Unsupported, Uncheckable) as wrong:
         raise ValueError(f"enclose: expr: {expr} is undecided: {wrong}") from wrong
-    except RecursionError as deep:
-        raise ValueError("enclose: expr is nested too deeply") from deep
 
 
 def _enclosed(expr: Expr, digits: int) -> arb | acb:
@@ -75,23 +79,26 @@ def _is_zero(expr: Expr) -> bool:
         raise ValueError(f"enclose: expr: {expr} is undefined: {wrong}") from wrong
 
 
-def enclose_maximum(expr: Expr, box: Ends, digits: int = 6) -> Largest:
+def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEPS) -> Largest:
     """Two bounds of the largest value on a box, and where it is nearly reached.
 
     ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value not below
-    ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.
+    ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.  Raises
+    :class:`ValueError` where there is no largest value, or where to find it would need more than
+    so many ``steps`` of arithmetic.
 
     >>> x, y = sp.symbols("x y")
     >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)
     >>> found.lower <= sp.Rational(1, 4) <= found.upper
     True
     """
-    expr = exact("enclose_maximum", "expr", expr)
-    inside, (expr,) = box_of("enclose_maximum", box, expr)
+    allowed_steps("enclose_maximum", steps)
     if isinstance(digits, bool) or not isinstance(digits, int) or not 0 <= digits <= 15:
         raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
     try:
-        return boxes.maximum(expr, inside, sp.Rational(1, 10**digits))
+        expr = exact("enclose_maximum", "expr", expr)
+        inside, (expr,) = box_of("enclose_maximum", box, expr)
+        return boxes.maximum(expr, inside, sp.Rational(1, 10**digits), steps=steps)
     except (NotShown, Unsupported, Uncheckable) as wrong:
         raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
     except RecursionError as deep:

@@ -26,6 +26,7 @@ from sympy import Expr
 from sympy.core.function import Application
 
 from symhaptic.notation.exact import rational
+from symhaptic.notation.fresh import made_before, mark
 from symhaptic.proof.budget import spend
 from symhaptic.proof.rewriting import Undefined, Unsupported, as_exponentials
 from symhaptic.proof.ring import Fractional, Ring
@@ -33,6 +34,8 @@ from symhaptic.proof.ring import Fractional, Ring
 Exponents = dict[tuple[int, ...], fmpq]
 
 _ZERO = fmpq(0)
+
+_NO_NUMBERS = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.AccumBounds)
 
 _TURN = sp.I * sp.pi
 """The exponent modulo which all are counted."""
@@ -59,6 +62,8 @@ class Field:
         self._small = small
         self._series: dict[Expr, tuple[Expr, Expr]] = {}
         """Of what depends on the small variable: e^(u + v) by e^u and v, which vanishes with it."""
+        self._mark = mark()
+        """What its own symbols have numbers above."""
         self._exprs = {e: as_exponentials(sp.sympify(e, strict=True)) for e in exprs}
         self._radicals: dict[tuple[Expr, int], Expr] = {}
         self._logs: dict[Expr, Expr] = {}
@@ -90,6 +95,8 @@ class Field:
         seen.add(id(expr))
         if expr.is_Symbol:
             _check_commutes(expr)
+            if not made_before(expr, self._mark):
+                raise Unsupported(f"the symbol {expr} has a number by hand")
             symbols.add(expr)
             outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
@@ -115,6 +122,8 @@ class Field:
             self._exponents.append(power * log)
         elif isinstance(expr, Application):
             _check_commutes(expr)
+            if expr.has(*_NO_NUMBERS):
+                raise Unsupported(f"no normal form for {expr}, of what is no number")
             self._opaque.setdefault(expr, sp.Dummy("f"))
         else:
             _check_commutes(expr)

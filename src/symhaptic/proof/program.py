@@ -152,6 +152,6 @@ def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
         return (lambda x: x.sqrt()), (part.args[0],)
     if part.is_Pow:
         return _power, part.args
-    if part.func in _CALLS:
+    if part.func in _CALLS and (len(part.args) == 1 or part.is_Add or part.is_Mul):
         return _CALLS[part.func], part.args
     raise Uncheckable(f"no program for {type(part).__name__}: {part}")

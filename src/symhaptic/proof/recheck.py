@@ -215,8 +215,9 @@ def _largest(claim: Largest) -> bool:
         if not all(x.imag.is_zero() for x in numbers):
             return False
         point = [x.real for x in numbers]
-        for x, (low, high) in zip(point, below.box.values(), strict=True):
-            if not (x >= real(low) and x <= real(high)):
+        for x, (s, (low, high)) in zip(point, below.box.items(), strict=True):
+            at = claim.where[s]
+            if not ((at == low or x >= real(low)) and (at == high or x <= real(high))):
                 return False
         reached = _on(claim.expr, below.box, _given(below.given))(point)
         lower = value(claim.lower)

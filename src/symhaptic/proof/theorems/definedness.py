@@ -12,7 +12,13 @@ from functools import lru_cache
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Proposition, Relation, is_complex, symbols_in
+from symhaptic.notation.proposition import (
+    Predicate,
+    Proposition,
+    Relation,
+    is_complex,
+    symbols_in,
+)
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -23,23 +29,50 @@ _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
 def conditions(
-    *exprs: Expr, at: Mapping[Symbol, Expr] | None = None, but: Symbol | None = None
+    *exprs: Expr,
+    at: Mapping[Symbol, Expr] | None = None,
+    but: Symbol | None = None,
+    beside: Iterable[Expr] = (),
 ) -> frozenset[Proposition]:
     """Relations that together are sufficient for all the expressions to have a value.
 
     ``at`` are values of symbols: a power that is not negative there asks for nothing.  Those that
-    know a symbol are left out (``but``), such as that z != 0 for a polynomial in z.
+    know a symbol are left out (``but``), such as that z != 0 for a polynomial in z, and those of a
+    power that, with ``at``, stands as it is in an expression that has a value (``beside``).
 
     >>> x = sp.Symbol("x")
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
     True
     """
+    there, known = dict(at or {}), _all_conditions(beside)
     return frozenset(
         condition
         for expr in exprs
         for condition, power in _conditions(expr)
-        if but not in condition.free and not (at and _not_negative(power.xreplace(dict(at))))
+        if but not in condition.free and not (at and _not_negative(power.xreplace(there)))
+        if not (known and (condition.at(there), power.xreplace(there)) in known)
     )
+
+
+def needed(*exprs: Expr, by: Proposition | None = None) -> frozenset[Proposition]:
+    """Those of the conditions that hold wherever all the expressions have a value.
+
+    A power with a symbol in its exponent may have one where its base is 0.  What ``by`` says of
+    them may be about other places alone: a zero that is not inside the circle is not 0, nor is z
+    in a polynomial in 1/z.
+
+    >>> x, y = sp.symbols("x y")
+    >>> needed(1/x + x**y) == conditions(1/x), needed(x**y) == frozenset()
+    (True, True)
+    """
+    found = {c for c, power in _all_conditions(exprs) if power.is_Rational}
+    if isinstance(by, Predicate) and by.name in ("stable", "passive"):
+        found |= {Relation(s, "!=", sp.S.Zero) for s in by.over}
+    return frozenset(found)
+
+
+def _all_conditions(exprs: Iterable[Expr]) -> frozenset[tuple[Proposition, Expr]]:
+    return frozenset[tuple[Proposition, Expr]]().union(*map(_conditions, exprs))
 
 
 @lru_cache(maxsize=1 << 16)

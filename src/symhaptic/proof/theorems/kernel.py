@@ -46,7 +46,7 @@ from symhaptic.notation.proposition import (
     term,
     without_value,
 )
-from symhaptic.proof.theorems.definedness import conditions, differs, real
+from symhaptic.proof.theorems.definedness import conditions, differs, needed, real
 
 
 class NotShown(ValueError):
@@ -435,8 +435,8 @@ def lost(values: Terms, claim: Proposition) -> set[Proposition]:
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
             if not symbols_in(new) and without_value(new):
                 continue  # the relation is false there, whatever it divides by
-            kept = conditions(new)
-            for condition in conditions(old, at=here):
+            kept = needed(new, by=current)
+            for condition in conditions(old, at=here, beside=[new]):
                 moved = condition.at(here)
                 if not isinstance(moved, Relation):
                     found.add(moved)  # a divisor has no value there

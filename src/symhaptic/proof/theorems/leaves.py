@@ -34,7 +34,7 @@ from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHE
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term
-from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, real
+from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, needed, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
 _ZERO = sp.S.Zero
@@ -96,7 +96,7 @@ def combined(claim: Any, *products: Product) -> Judgement:
         raise NotShown(f"{claim} is no relation")
     total, strict, nonzero, open_ = _ZERO, False, 0, 0
     hypotheses: set[Proposition] = set()
-    known: set[Proposition] = set()
+    known: set[Expr] = set()
     for product in products:
         value, zero, positive, apart, signed = sp.S.One, False, True, True, True
         for factor in product:
@@ -105,7 +105,7 @@ def combined(claim: Any, *products: Product) -> Judgement:
                 if not isinstance(relation, Relation):
                     raise NotShown(f"{relation} is no relation")
                 hypotheses |= factor.hypotheses
-                known |= conditions(relation.left, relation.right)
+                known |= {relation.left, relation.right}
                 value *= relation.right - relation.left
                 zero = zero or relation.sign == "="
                 positive = positive and relation.sign == "<"
@@ -134,7 +134,8 @@ def combined(claim: Any, *products: Product) -> Judgement:
     difference = claim.right - claim.left
     if not _same(difference, total) and not (claim.sign == "!=" and _same(difference, -total)):
         raise NotShown(f"{difference} is not {total}")
-    return hypotheses | (conditions(claim.left, claim.right) - known), claim
+    hypotheses |= conditions(claim.left, claim.right, beside=known) - needed(*known)
+    return hypotheses, claim
 
 
 def _signed(products: Sequence[Product]) -> bool:
@@ -332,7 +333,7 @@ def _not_nearby(divisor: Expr, variable: Symbol, at: Expr) -> set[Proposition]:
 @rule
 def roots_inside(polynomial: Any, variable: Symbol, given: Mapping[Expr, Expr]) -> Judgement:
     """All zeros of a polynomial with numbers for coefficients lie inside the circle, by balls."""
-    expr = term(polynomial).xreplace(dict(given))
+    expr = term(polynomial).xreplace({s: term(value) for s, value in given.items()})
     polynomial_in = expr.free_symbols == {variable} and expr.is_polynomial(variable)
     if not polynomial_in or not zeros_inside(expr, variable):
         raise NotShown("a zero is not shown to be inside")

@@ -1,0 +1,40 @@
+"""Where results go, and numbers as a user writes them."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from command import symhaptic
+
+FULL = Path("/dev/full")
+
+
+@pytest.mark.skipif(not FULL.exists(), reason="no /dev/full here")
+@pytest.mark.parametrize("asked", [["--version"], ["verify", "--list"], ["trace", "--help"]])
+def test_a_place_that_takes_no_more_is_one_line(asked):
+    with FULL.open("wb") as full:
+        run = subprocess.run(
+            [sys.executable, "-m", "symhaptic", *asked],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            env=os.environ,
+            check=False,
+        )
+    assert run.returncode == 2
+    [line] = run.stderr.decode().splitlines()
+    assert line.startswith("symhaptic: error: standard output: cannot write")
+
+
+def test_a_delay_may_be_a_fraction():
+    traced = [
+        symhaptic("trace", "--gamma", "0.001", "--delta", "1/50", "--delay", delay)
+        for delay in ("1/2", "0.5")
+    ]
+    assert [run.returncode for run in traced] == [0, 0]
+    assert traced[0].stdout == traced[1].stdout
+    for wrong in ("1/0", "a/b", "1/2/3", "1e999/1"):
+        run = symhaptic("trace", "--gamma", "0.001", "--delta", "0.02", "--delay", wrong)
+        assert run.returncode == 2
+        assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; a number is\n"
