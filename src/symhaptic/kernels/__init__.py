@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "f709656b79e222b8"
+STAMP = "68caf7993ddf2c9c"
 """Of the sources in C, as the module that is compiled of them has it."""

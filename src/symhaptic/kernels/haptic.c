@@ -1252,7 +1252,7 @@ static inline double passive_angle(double l, double epsilon) {
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
     double *e_out) {
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
@@ -1263,7 +1263,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out) {
     if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (gamma <= 1e+15) && (gamma >= 0.0))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
@@ -1276,7 +1276,7 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         return false;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1293,7 +1293,7 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         return -1.0;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1310,7 +1310,7 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
@@ -1335,7 +1335,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }

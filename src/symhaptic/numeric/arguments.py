@@ -21,6 +21,9 @@ _BLOCK = 16384
 LARGEST = 1e70
 """Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
 
+STIFFEST = 1e15
+"""Of a stiffer plant a float64 does not tell how far it swings in a period."""
+
 LONGEST = 1e15
 """Delays beyond have no fractions of a period in float64."""
 
@@ -92,7 +95,8 @@ def _finite(name: str, array: Any, xp: Any) -> None:
 def _nonnegative(name: str, array: Any, xp: Any) -> None:
     refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0 are")
     if float(xp.finfo(array.dtype).max) > LARGEST:
-        refuse(name, array, array > LARGEST, f"numbers 0 <= {name} <= {LARGEST:g} are")
+        most = STIFFEST if name == "gamma" else LARGEST
+        refuse(name, array, array > most, f"numbers 0 <= {name} <= {most:g} are")
 
 
 def _periods(name: str, array: Any, xp: Any) -> None:
