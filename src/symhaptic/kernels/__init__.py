@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "68caf7993ddf2c9c"
+STAMP = "ee8c9dd4632314b7"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -806,7 +806,10 @@ static inline CosSin next_wave(double k, double x) {
     const double count = k + 1.0, before = count - 1.0, angle = count*x;
     const double missed = -before + k, off = missed*x + fma(count, x, -(count*x));
     const double sine = sin(angle), cosine = cos(angle);
-    return (CosSin){cosine - off*sine, cosine*off + sine};
+    if (fabs(off) < 7.450580596923828e-09) {
+        return (CosSin){cosine - off*sine, cosine*off + sine};
+    }
+    return (CosSin){cosine*cos(off) - sine*sin(off), cosine*sin(off) + sine*cos(off)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1

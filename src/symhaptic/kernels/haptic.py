@@ -1540,7 +1540,12 @@ def next_wave(xp, k, x):
     off = missed*x + two_prod_error(angle, count_halves, x_halves)
     sine = xp.sin(angle)
     cosine = xp.cos(angle)
-    return cosine - off*sine, cosine*off + sine
+
+    def no(cosine, off, sine):
+        return cosine*xp.cos(off) - sine*xp.sin(off), cosine*xp.sin(off) + sine*xp.cos(off)
+
+    return select(xp, xp.abs(off) < 7.450580596923828e-09, lambda cosine, off,
+        sine: (cosine - off*sine, cosine*off + sine), (cosine, off, sine), no)
 
 
 def cos_next(xp, k, x):
