@@ -40,7 +40,7 @@ def test_whole_delays_are_as_printed(wall, delay):
 
 @pytest.mark.parametrize("delay", [3e8, 1e10 + 1, 871244595628127.0, 1e15])
 def test_long_delays_lose_no_digits(delay):
-    """What rounding (d + 1) theta misses is no small angle there: it is turned back all the same."""
+    """What rounding (d + 1) theta misses is no small angle there, and is turned back as it is."""
     angles = RNG.uniform(0.5, 3.13, 40)
     with mpmath.workdps(60):
         right = np.array([float(printed(t, 1.0, 0.3, 0.4, delay)) for t in angles.tolist()])

@@ -35,9 +35,10 @@ _NEXT_TO_PI = (
 )
 
 _WHOLE_TURNS = (
-    "Next to gamma = (2 pi k)^2{}, n1 is right to 2 last places of its own for the float gamma that "
-    "is given, a last place of which may change it altogether; so is n0, but with a part of delta "
-    "of the last place of n1 + n0 where it changes its sign, at delta near (sqrt(gamma) - 2 pi k)^2."
+    "Next to gamma = (2 pi k)^2{}, n1 is right to 2 last places of its own for the float gamma "
+    "that is given, a last place of which may change it altogether; so is n0, but with a part of "
+    "delta of the last place of n1 + n0 where it changes its sign, at delta near "
+    "(sqrt(gamma) - 2 pi k)^2."
 )
 
 MEASURED: Mapping[Precision, Mapping[str, Worst]] = {

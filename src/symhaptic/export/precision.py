@@ -33,8 +33,8 @@ class Precision:
     largest: float
     """Size of an argument up to which no sum or product of the formulas overflows."""
     stiffest: float
-    """Stiffness of a plant up to which its swings in a period are known: beyond, what a float's last
-    place turns them by is no small angle."""
+    """Stiffness of a plant up to which it is known how far it swings in a period: beyond, what the
+    last place of its frequency turns it by is no small angle."""
     longest: float
     """Delay up to which a phase is known: beyond, floats have no fractions to speak of."""
 

@@ -24,6 +24,10 @@ LARGEST = 1e70
 STIFFEST = 1e15
 """Of a stiffer plant a float64 does not tell how far it swings in a period."""
 
+FAINT = 2.0**-400
+"""Squares of such numbers are floats with all of their digits; of a wall and a damping that are
+smaller together, none is seen to lead."""
+
 LONGEST = 1e15
 """Delays beyond have no fractions of a period in float64."""
 
@@ -139,6 +143,13 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
     if bool(xp.any(bad)):
         value = float(xp.reshape(values, (-1,))[xp.reshape(bad, (-1,))][0])
         raise ValueError(f"{name}: {value!r} is not allowed; {allowed}")
+
+
+def unitless(name: str, values: Array, found: Array) -> Array:
+    """What an argument is without its unit; too large, it is refused by the argument's name."""
+    allowed = f"what is at most {LARGEST:g} in size without its unit is"
+    refuse(name, values, np.abs(found) > LARGEST, allowed)
+    return found
 
 
 def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:

@@ -413,11 +413,16 @@ class Scene:
             from symhaptic.scene.walls import limit_at
 
             return limit_at(self, B)
+        import numpy as np
+
+        from symhaptic.numeric.arguments import unitless
         from symhaptic.numeric.tracing.extremes import stiffest_at
 
         gamma, delta, delay = self.dimensionless
         damping = number("B", B, "N*s/m")
-        found = stiffest_at(damping * self.sampling_period / self.mass, gamma, delta, delay)
+        beta = np.asarray(damping * self.sampling_period / self.mass)
+        beta = unitless("B", np.asarray(damping), beta)
+        found = stiffest_at(float(beta), gamma, delta, delay)
         K, _, frequency = self._wall(*found)
         return Limit(K, damping, frequency)
 
