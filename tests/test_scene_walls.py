@@ -93,6 +93,13 @@ def test_what_is_no_wall_is_named(name):
         ask(1e75, 1.0)
 
 
+@pytest.mark.parametrize("damping", [1e300, -1e290, [1.0, 1e300]])
+@pytest.mark.parametrize("name", ["max_stable_stiffness", "max_passive_stiffness", "limit_at"])
+def test_a_damping_that_is_too_large_is_named_as_it_was_given(name, damping):
+    with pytest.raises(ValueError, match=r"^B: -?1e\+\d+ is not allowed; "):
+        getattr(late(0), name)(B=damping)
+
+
 @pytest.mark.parametrize("bad", [0.0, -1.0, 1e9, np.inf])
 def test_what_is_no_frequency_is_named(bad):
     with pytest.raises(ValueError, match=r"^frequency_hz: .+ is not allowed; numbers 0 < freq"):

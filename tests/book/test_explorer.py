@@ -132,6 +132,22 @@ def test_a_thousand_states_agree_with_python(page, share):
     assert all(one == other for one, other in shown)
 
 
+@pytest.mark.parametrize(
+    ("wall", "gamma", "delta"),
+    [
+        ((2.8910039679247452, 1.6959925281450925), 43.12968496854679, 0.019301266085385262),
+        ((0.5311446122108991, 0.49648046657532097), 20.610819176918348, 0.09508472645932091),
+        ((3.0023703082956836, 0.0862525023044294), 83.15136565336401, 0.07429913174591243),
+        ((9.821799424194452, 0.18465714616575807), 134.57983624790322, 0.06157115319219149),
+    ],
+)
+def test_an_instability_that_comes_and_goes_ends_the_delay(page, wall, gamma, delta):
+    """Eighths of a period step over it, and told of two to seven periods too many."""
+    state = {"alpha": wall[0], "beta": wall[1], "gamma": gamma, "delta": delta, "d": 0.0}
+    found = page.evaluate("n => explorer.limits(n, explorer.curve(n)).delay", state)
+    assert math.isclose(found, delay_margin(*wall, gamma, delta), rel_tol=1e-12)
+
+
 def test_the_passive_limit_at_a_damping_is_the_last_passive_wall(page):
     states = list(some_states(300))
     found = page.evaluate(ASK, states)

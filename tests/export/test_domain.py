@@ -150,6 +150,24 @@ def test_sizes_that_no_sum_survives_are_outside(size):
     assert not lambdify("is_stable")(size, 0.1, 0.0, 0.1, 1.0)
 
 
+@pytest.mark.parametrize(
+    ("wall", "gamma", "delta"),
+    [
+        ((3.117699031039136e38, 7.357226217621891e35), 3.878532944401891e36, 0.003),
+        ((6.50380989445945e54, 4.727867214732085e53), 4.2772030312227755e54, 1e-6),
+        ((9e15, 0.0), 1.1e15, 0.01),
+    ],
+)
+def test_a_plant_whose_swings_no_float_tells_is_outside(wall, gamma, delta):
+    """cos(sqrt(gamma)) was a guess there, and walls eighty times too stiff were called stable."""
+    for delay in (0.0, 0.5, 3.0):
+        assert not lambdify("is_stable")(*wall, gamma, delta, delay)
+        assert lambdify("unstable_roots")(*wall, gamma, delta, delay) == -1
+        assert np.isnan(lambdify("stability_boundary")(1.0, gamma, delta, delay)).all()
+    assert np.isnan(lambdify("discretize")(gamma, delta)).all()
+    assert not np.isnan(lambdify("discretize")(1e15, delta)).any()
+
+
 def test_what_is_stable_is_a_truth_value():
     wall = 0.01, 0.1, 0.001, 0.02
     verdict = lambdify("is_stable")(*wall, [1.0, 400.0])

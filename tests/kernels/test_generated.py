@@ -8,7 +8,9 @@ from scipy.linalg import expm
 
 from symhaptic.cli.main import main
 from symhaptic.export import kernels
+from symhaptic.export.precision import DOUBLE
 from symhaptic.kernels import haptic
+from symhaptic.numeric import arguments
 from symhaptic.numeric.boundary import point
 from symhaptic.numeric.plant import device
 
@@ -32,6 +34,11 @@ def exported():
 
 def test_the_committed_kernels_are_not_stale():
     assert kernels.differences() == ""
+
+
+def test_checks_and_kernels_end_at_the_same_sizes():
+    here = arguments.LARGEST, arguments.STIFFEST, arguments.LONGEST, arguments.FAINT
+    assert here == (DOUBLE.largest, DOUBLE.stiffest, DOUBLE.longest, float(DOUBLE.vanishing))
 
 
 def test_a_stale_kernel_is_told_and_written_anew(monkeypatch, tmp_path, capsys):

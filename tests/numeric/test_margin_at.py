@@ -8,6 +8,7 @@ import pytest
 
 import symhaptic
 from symhaptic import discretize, discretize_fractional, passivity_margin, passivity_margin_at
+from symhaptic.kernels import haptic
 
 RNG = np.random.default_rng(19)
 WALLS = [(1.0, 0.3, 0.4), (0.02, 0.5, 0.1), (0.3, -0.7, 1.0), (-0.2, 0.1, 0.5), (0.0, 0.0, 0.2)]
@@ -35,6 +36,19 @@ def test_whole_delays_are_as_printed(wall, delay):
         passivity_margin_at(angles, *wall, delay, sheet="principal"),
     ):
         assert np.abs(found - right).max() <= last
+
+
+@pytest.mark.parametrize("delay", [3e8, 1e10 + 1, 871244595628127.0, 1e15])
+def test_long_delays_lose_no_digits(delay):
+    """What rounding (d + 1) theta misses is no small angle there, and is turned back as it is."""
+    angles = RNG.uniform(0.5, 3.13, 40)
+    with mpmath.workdps(60):
+        right = np.array([float(printed(t, 1.0, 0.3, 0.4, delay)) for t in angles.tolist()])
+    for found in (
+        passivity_margin_at(angles, 1.0, 0.3, 0.4, delay),
+        haptic.passivity_margin_at(angles, *(np.array(v) for v in (1.0, 0.3, 0.4, delay))),
+    ):
+        assert np.abs(found - right).max() <= 8 * 2**-52 * 4
 
 
 @pytest.mark.parametrize("delay", [0.5, 1.25, 2.9])

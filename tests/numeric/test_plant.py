@@ -72,7 +72,7 @@ def test_beside_mpmath_and_scipy():
     assert float(discretize(gamma, delta)[0]) == pytest.approx(by_mpmath[0, 2], rel=1e-14)
 
 
-@pytest.mark.parametrize("delta", [1419.0, 4100.0, 1e5, 1e34])
+@pytest.mark.parametrize("delta", [1419.0, 4100.0, 1e5, 6e7])
 def test_damping_beyond_the_range_of_exp(delta):
     """Creep that is over within a period: the first sample is that of the spring, 1/gamma."""
     n1, n0, a, e = discretize(delta**2 / 4 * 0.9, delta)
@@ -81,6 +81,16 @@ def test_damping_beyond_the_range_of_exp(delta):
     assert abs(n0) <= 1e-15 * n1
     assert (a, e) == (0.0, 0.0) or max(abs(a), e) < 1e-15
     assert np.all(np.isfinite(discretize([0.0, delta, 4e6], delta)))
+
+
+@pytest.mark.parametrize("gamma", [1e12, 3.7e14, 1e15])
+def test_a_device_that_swings_millions_of_turns_in_a_period(gamma):
+    """Up to where a float tells the part of a turn that is left, it is told to the last place."""
+    n1, n0, a, _ = discretize(gamma, 0.0)
+    with mpmath.workdps(60):
+        swing = mpmath.cos(mpmath.sqrt(gamma))
+        assert abs(a - 2 * swing) <= 2**-51
+        assert max(abs(n1 - (1 - swing) / gamma), abs(n0 - (1 - swing) / gamma)) <= 2**-52 / gamma
 
 
 def test_a_subnormal_spring_is_none():

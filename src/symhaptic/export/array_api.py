@@ -35,11 +35,12 @@ from symhaptic.export.precision import SINGLE
 from symhaptic.export.routine import Routine, Step, Steps, fresh
 from symhaptic.export.target import Target, called, describe, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.form import Form
 
 _MOST = {
     LARGEST: Symbol("most.size"),
+    STIFFEST: Symbol("most.stiffness"),
     LONGEST: Symbol("most.periods"),
     BELOW_PI: Symbol("most.angle"),
 }

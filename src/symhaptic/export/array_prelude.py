@@ -5,7 +5,8 @@ from symhaptic.export.search import MOST
 
 
 def _limits(precision: Precision) -> str:
-    return f"{precision.largest!r}, {precision.longest!r}, {precision.below_pi!r}"
+    p = precision
+    return f"{p.largest!r}, {p.stiffest!r}, {p.longest!r}, {p.below_pi!r}"
 
 
 PRELUDE = '''import functools
@@ -36,6 +37,7 @@ class Limits(NamedTuple):
     """What an argument may be at most."""
 
     size: float
+    stiffness: float
     periods: float
     angle: float
     """The last float before pi."""

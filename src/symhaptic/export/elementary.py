@@ -188,7 +188,9 @@ def next_wave(precision: Precision = DOUBLE) -> Routine:
         angle, off, missed = _next_parts(do)
         off = do("off", off + missed * x)
         wave, still = do("sine", sin(angle)), do("cosine", cos(angle))
-        cosine, sine = still - off * wave, wave + off * still
+        small = sp.Abs(off) < sp.sqrt(precision.last) / 2
+        cosine = choose(small, still - off * wave, still * cos(off) - wave * sin(off))
+        sine = choose(small, wave + off * still, wave * cos(off) + still * sin(off))
     return do.routine("NextWave", "cos((k + 1) x) and sin((k + 1) x)", (k, x),
                       {"cosine": cosine, "sine": sine}, "CosSin")  # fmt: skip
 

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 
 _GUARD = 2.0**-12
 """A truncated series may miss this part of half a last place."""
@@ -32,6 +32,9 @@ class Precision:
     """The same above."""
     largest: float
     """Size of an argument up to which no sum or product of the formulas overflows."""
+    stiffest: float
+    """Stiffness of a plant up to which it is known how far it swings in a period: beyond, what the
+    last place of its frequency turns it by is no small angle."""
     longest: float
     """Delay up to which a phase is known: beyond, floats have no fractions to speak of."""
 
@@ -70,7 +73,12 @@ class Precision:
 
     def at(self, condition: Boolean) -> Boolean:
         """A condition on arguments with the numbers of this precision."""
-        ends = {LARGEST: self.largest, LONGEST: self.longest, BELOW_PI: self.below_pi}
+        ends = {
+            LARGEST: self.largest,
+            STIFFEST: self.stiffest,
+            LONGEST: self.longest,
+            BELOW_PI: self.below_pi,
+        }
         return condition.xreplace({s: sp.Rational(*v.as_integer_ratio()) for s, v in ends.items()})
 
     def nearest(self, number: float | Expr) -> float:
@@ -113,7 +121,7 @@ class Precision:
         return n
 
 
-DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, 1e70, 1e15)
-SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e6)
+DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, 1e70, 1e15, 1e15)
+SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e8, 1e6)
 
 PRECISIONS = {p.name: p for p in (DOUBLE, SINGLE)}

@@ -298,11 +298,18 @@ def beyond(form: Form) -> str:
 def sizes(form: Form, precision: Precision) -> str:
     """How large an argument has to be to be outside."""
     names = {symbol.name for symbol in form.arguments}
-    some = [f"larger than {precision.largest:g}".replace("e+0", "e").replace("e+", "e")] * bool(
-        names - {"d", "epsilon", "theta"}
-    )
-    long = f"d larger than {precision.longest:g}".replace("e+0", "e").replace("e+", "e")
-    return " or ".join([*some, *[long] * ("d" in names)] or ["infinite"])
+    some = [f"larger than {_short(precision.largest)}"] * bool(names - {"d", "epsilon", "theta"})
+    ends: dict[float, list[str]] = {precision.largest: []}
+    for name, end in (("gamma", precision.stiffest), ("d", precision.longest)):
+        ends.setdefault(end, []).extend({name} & names)
+    del ends[precision.largest]
+    some += [f"{' or '.join(of)} larger than {_short(end)}" for end, of in ends.items() if of]
+    return " or ".join(some or ["infinite"])
+
+
+def _short(number: float) -> str:
+    """A power of ten in few letters."""
+    return f"{number:g}".replace("e+0", "e").replace("e+", "e")
 
 
 @cache

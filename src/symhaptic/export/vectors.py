@@ -264,7 +264,7 @@ def _outside(form: Form, precision: Precision) -> Iterator[tuple[float, ...]]:
     results = (result, 0.0) * len(form.results)
     bad = float("nan"), float("inf"), float("-inf"), -1.0, *((1.5,) * form.whole)
     for i, (symbol, within) in enumerate(zip(form.arguments, form.within, strict=True)):
-        most = precision.longest if symbol == d else precision.largest
+        most = {d: precision.longest, gamma: precision.stiffest}.get(symbol, precision.largest)
         for value in (*bad, 4 * most, -4 * most):
             if math.isnan(value) or not precision.at(within).xreplace({symbol: sp.Float(value)}):
                 point = [ORDINARY[s] for s in form.arguments]

@@ -11,13 +11,13 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
-LARGEST, LONGEST, BELOW_PI = sp.symbols("LARGEST LONGEST BELOW_PI")
-"""The largest size of a number, the longest delay, and the last float before pi."""
+LARGEST, STIFFEST, LONGEST, BELOW_PI = sp.symbols("LARGEST STIFFEST LONGEST BELOW_PI")
+"""The largest size of a number, the stiffest plant, the longest delay, the last float before pi."""
 
 _RANGES: dict[Symbol, tuple[str, Boolean]] = {
     alpha: ("", sp.Abs(alpha) <= LARGEST),
     beta: ("", sp.Abs(beta) <= LARGEST),
-    gamma: ("gamma >= 0", And(gamma >= 0, gamma <= LARGEST)),
+    gamma: ("gamma >= 0", And(gamma >= 0, gamma <= STIFFEST)),
     delta: ("delta >= 0", And(delta >= 0, delta <= LARGEST)),
     d: ("d >= 0", And(d >= 0, d <= LONGEST)),
     epsilon: ("0 <= epsilon < 1", And(epsilon >= 0, epsilon < 1)),

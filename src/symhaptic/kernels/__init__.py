@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "ac05084b338c1b25"
+STAMP = "ae000cba68d9009c"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -74,7 +74,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "Domain: gamma >= 0, delta >= 0.\n"
-    "NaN outside, and where an argument is NaN or larger than 1e70.\n"),
+    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(discretize_fractional, 3, 5, 0,
     "m2, m1, m0, a, e of (gamma, delta, epsilon)\n"
     "\n"
@@ -83,7 +83,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "epsilon: rest of a delay, a fraction of a period [1]\n"
     "Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.\n"
-    "NaN outside, and where an argument is NaN or larger than 1e70.\n"),
+    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(is_stable, 5, 1, 1,
     "stable of (alpha, beta, gamma, delta, d)\n"
     "\n"
@@ -94,7 +94,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
-    "False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
+    "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
     "\n"
@@ -105,7 +105,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
-    "-1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
+    "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
     "\n"
@@ -115,7 +115,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.\n"
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
+    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(max_stable_stiffness, 3, 3, 0,
     "alpha, beta, theta of (gamma, delta, d)\n"
     "\n"
@@ -124,7 +124,7 @@ static Entry entries[] = {
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.\n"
-    "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
+    "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
     "\n"
@@ -197,7 +197,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "ac05084b338c1b25")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "ae000cba68d9009c")) return -1;
     return filled(module);
 }
 
@@ -260,7 +260,7 @@ static PyObject *one_discretize(
     const double gamma = x[0], delta = x[1];
     double y[4];
     haptic_discretize(gamma, delta, &y[0], &y[1], &y[2], &y[3]);
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
     return numbers(y, 4);
 }
 
@@ -273,7 +273,7 @@ static PyObject *one_discretize_fractional(
     double y[5];
     haptic_discretize_fractional(gamma, delta, epsilon, &y[0], &y[1], &y[2], &y[3], &y[4]);
     if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+70) && (gamma >= 0.0))) Py_RETURN_NONE;
+        (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
     return numbers(y, 5);
 }
 
@@ -285,7 +285,7 @@ static PyObject *one_is_stable(
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const int y = haptic_is_stable(alpha, beta, gamma, delta, d);
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
         (gamma >= 0.0))) Py_RETURN_NONE;
     return truth(y);
 }
@@ -298,7 +298,7 @@ static PyObject *one_unstable_roots(
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const double y = haptic_unstable_roots(alpha, beta, gamma, delta, d);
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) &&
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
         (gamma >= 0.0))) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
@@ -311,7 +311,7 @@ static PyObject *one_stability_boundary(
     const double theta = x[0], gamma = x[1], delta = x[2], d = x[3];
     double y[2];
     haptic_stability_boundary(theta, gamma, delta, d, &y[0], &y[1]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
     return numbers(y, 2);
 }
@@ -324,7 +324,7 @@ static PyObject *one_max_stable_stiffness(
     const double gamma = x[0], delta = x[1], d = x[2];
     double y[3];
     haptic_max_stable_stiffness(gamma, delta, d, &y[0], &y[1], &y[2]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0))) Py_RETURN_NONE;
     return numbers(y, 3);
 }

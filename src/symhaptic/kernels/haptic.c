@@ -805,7 +805,10 @@ static inline CosSin next_wave(double k, double x) {
     const double count = k + 1.0, before = count - 1.0, angle = count*x;
     const double missed = k - before, off = missed*x + fma(count, x, -(count*x));
     const double sine = sin(angle), cosine = cos(angle);
-    return (CosSin){cosine - off*sine, cosine*off + sine};
+    if (fabs(off) < 7.450580596923828e-09) {
+        return (CosSin){cosine - off*sine, cosine*off + sine};
+    }
+    return (CosSin){cosine*cos(off) - sine*sin(off), cosine*sin(off) + sine*cos(off)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -1248,7 +1251,7 @@ static inline double passive_angle(double l, double epsilon) {
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
     double *e_out) {
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
@@ -1259,7 +1262,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out) {
     if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (gamma <= 1e+15) && (gamma >= 0.0))) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
@@ -1272,7 +1275,7 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         return false;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1289,7 +1292,7 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
     if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0))) {
+        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
         return -1.0;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1306,7 +1309,7 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
@@ -1331,7 +1334,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) &&
+    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
         (gamma >= 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }

@@ -13,7 +13,7 @@ extern "C" {
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * Domain: gamma >= 0, delta >= 0.
- * NaN outside, and where an argument is NaN or larger than 1e70.
+ * NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
  */
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
     double *e_out);
@@ -25,7 +25,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
  * delta: physical damping, b T/m [1]
  * epsilon: rest of a delay, a fraction of a period [1]
  * Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
- * NaN outside, and where an argument is NaN or larger than 1e70.
+ * NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
  */
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out);
@@ -39,7 +39,7 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
  * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
- * False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+ * False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d);
 
@@ -52,7 +52,7 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
  * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
- * -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+ * -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d);
 
@@ -63,7 +63,7 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
- * NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+ * NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out);
@@ -76,7 +76,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 <
  * delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
- * NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+ * NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out);

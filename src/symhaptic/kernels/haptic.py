@@ -29,13 +29,14 @@ class Limits(NamedTuple):
     """What an argument may be at most."""
 
     size: float
+    stiffness: float
     periods: float
     angle: float
     """The last float before pi."""
 
 
-DOUBLE = Limits(1e+70, 1000000000000000.0, 3.141592653589793)
-SINGLE = Limits(100000000.0, 1000000.0, 3.141592502593994)
+DOUBLE = Limits(1e+70, 1000000000000000.0, 1000000000000000.0, 3.141592653589793)
+SINGLE = Limits(100000000.0, 100000000.0, 1000000.0, 3.141592502593994)
 
 
 def limits(xp, x):
@@ -1539,7 +1540,12 @@ def next_wave(xp, k, x):
     off = missed*x + two_prod_error(angle, count_halves, x_halves)
     sine = xp.sin(angle)
     cosine = xp.cos(angle)
-    return cosine - off*sine, cosine*off + sine
+
+    def no(cosine, off, sine):
+        return cosine*xp.cos(off) - sine*xp.sin(off), cosine*xp.sin(off) + sine*xp.cos(off)
+
+    return select(xp, xp.abs(off) < 7.450580596923828e-09, lambda cosine, off,
+        sine: (cosine - off*sine, cosine*off + sine), (cosine, off, sine), no)
 
 
 def cos_next(xp, k, x):
@@ -2095,7 +2101,7 @@ def passive_angle(xp, l, epsilon):
 
 
 INSIDE = {
-    "gamma": lambda xp, most, gamma: (gamma <= most.size) & (gamma >= 0.0),
+    "gamma": lambda xp, most, gamma: (gamma <= most.stiffness) & (gamma >= 0.0),
     "delta": lambda xp, most, delta: (delta <= most.size) & (delta >= 0.0),
     "epsilon": lambda xp, most, epsilon: (epsilon < 1.0) & (epsilon >= 0.0),
     "alpha": lambda xp, most, alpha: xp.abs(alpha) <= most.size,
@@ -2113,7 +2119,7 @@ def discretize(gamma, delta):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     Domain: gamma >= 0, delta >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70.
+    NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
     xp, gamma, delta = arrays(gamma, delta)
 
@@ -2133,7 +2139,7 @@ def discretize_fractional(gamma, delta, epsilon):
     delta: physical damping, b T/m [1]
     epsilon: rest of a delay, a fraction of a period [1]
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
-    NaN outside, and where an argument is NaN or larger than 1e70.
+    NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
     xp, gamma, delta, epsilon = arrays(gamma, delta, epsilon)
 
@@ -2168,7 +2174,8 @@ def is_stable(alpha, beta, gamma, delta, d):
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
     multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
-    False outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
     roots = unstable_roots(alpha, beta, gamma, delta, d)
@@ -2190,7 +2197,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
     multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
-    -1 outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
@@ -2234,7 +2241,8 @@ def stability_boundary(theta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    1e15.
     """
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
@@ -2276,7 +2284,8 @@ def max_stable_stiffness(gamma, delta, d):
     Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
     no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is
     stable.
-    NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
+    NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
+    1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
 

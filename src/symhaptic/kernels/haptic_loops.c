@@ -33,7 +33,7 @@ void haptic_discretize_loop(
         const double delta = *(double const *)x1;
         haptic_discretize(gamma, delta, (double *)y0, (double *)y1, (double *)y2, (double *)y3);
         if (*(double *)y0 != *(double *)y0 &&
-            !((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
+            !((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -57,7 +57,7 @@ void haptic_discretize_fractional_loop(
             (double *)y2, (double *)y3, (double *)y4);
         if (*(double *)y0 != *(double *)y0 &&
             !((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
+            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -80,7 +80,7 @@ void haptic_is_stable_loop(
         const double d = *(double const *)x4;
         *(npy_bool *)y0 = haptic_is_stable(alpha, beta, gamma, delta, d);
         within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0);
+            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -103,7 +103,7 @@ void haptic_unstable_roots_loop(
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_unstable_roots(alpha, beta, gamma, delta, d);
         within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+70) && (gamma >= 0.0);
+            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -126,7 +126,7 @@ void haptic_stability_boundary_loop(
         haptic_stability_boundary(theta, gamma, delta, d, (double *)y0, (double *)y1);
         if (*(double *)y0 != *(double *)y0 &&
             !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0) && (theta <= 3.141592653589793) &&
+            (gamma <= 1e+15) && (gamma >= 0.0) && (theta <= 3.141592653589793) &&
             (theta > 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
@@ -149,7 +149,7 @@ void haptic_max_stable_stiffness_loop(
         haptic_max_stable_stiffness(gamma, delta, d, (double *)y0, (double *)y1, (double *)y2);
         if (*(double *)y0 != *(double *)y0 &&
             !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+70) && (gamma >= 0.0))) within = 0;
+            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;

@@ -21,6 +21,13 @@ _BLOCK = 16384
 LARGEST = 1e70
 """Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
 
+STIFFEST = 1e15
+"""Of a stiffer plant a float64 does not tell how far it swings in a period."""
+
+FAINT = 2.0**-400
+"""Squares of such numbers are floats with all of their digits; of a wall and a damping that are
+smaller together, none is seen to lead."""
+
 LONGEST = 1e15
 """Delays beyond have no fractions of a period in float64."""
 
@@ -92,7 +99,8 @@ def _finite(name: str, array: Any, xp: Any) -> None:
 def _nonnegative(name: str, array: Any, xp: Any) -> None:
     refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0 are")
     if float(xp.finfo(array.dtype).max) > LARGEST:
-        refuse(name, array, array > LARGEST, f"numbers 0 <= {name} <= {LARGEST:g} are")
+        most = STIFFEST if name == "gamma" else LARGEST
+        refuse(name, array, array > most, f"numbers 0 <= {name} <= {most:g} are")
 
 
 def _periods(name: str, array: Any, xp: Any) -> None:
@@ -135,6 +143,13 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
     if bool(xp.any(bad)):
         value = float(xp.reshape(values, (-1,))[xp.reshape(bad, (-1,))][0])
         raise ValueError(f"{name}: {value!r} is not allowed; {allowed}")
+
+
+def unitless(name: str, values: Array, found: Array) -> Array:
+    """What an argument is without its unit; too large, it is refused by the argument's name."""
+    allowed = f"what is at most {LARGEST:g} in size without its unit is"
+    refuse(name, values, np.abs(found) > LARGEST, allowed)
+    return found
 
 
 def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:

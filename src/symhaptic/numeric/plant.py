@@ -128,10 +128,10 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
     ``gamma`` = k T^2/m >= 0 and the damping ``delta`` = b T/m >= 0; arrays broadcast.  Derived in
     chapter s4b_normalisation; the paper's (14), which is 0/0 where this is not.
 
-    n1, which is never negative, is right to 2 last places for ``gamma`` up to 2^52, also where the
-    device has just swung k turns and it nearly vanishes, ``gamma`` = (2 pi k)^2.  n0 changes its
-    sign there, at ``delta`` near (sqrt(gamma) - 2 pi k)^2, and is right to 2 last places and
-    ``delta`` times that of n1 + n0.  A last place of ``gamma`` itself moves both by far more.
+    n1, which is never negative, is right to 2 last places, also where the device has just swung k
+    turns and it nearly vanishes, ``gamma`` = (2 pi k)^2.  n0 changes its sign there, at ``delta``
+    near (sqrt(gamma) - 2 pi k)^2, and is right to 2 last places and ``delta`` times that of
+    n1 + n0.  A last place of ``gamma`` itself moves both by far more.
 
     Raises :class:`ValueError` for a negative or infinite argument; NaN gives NaN.
 

@@ -30,10 +30,6 @@ from symhaptic.numeric.plant import Device, device, discretize
 
 SHEETS = ("exact", "principal")
 
-_FAINT = 2.0**-400
-"""Squares of such numbers are floats with all of their digits; of a wall and a damping that are
-smaller together, none is seen to lead."""
-
 
 def _leads(terms: Terms) -> NDArray[np.bool_]:
     """Whether g leads next to the end of the half circle: the first nonzero coefficient < 0."""
@@ -147,7 +143,7 @@ def count(
     if on_circle is not None:
         return total
     size = np.abs(v.alpha) + np.abs(v.beta)
-    return np.where((size > 0) & (size + x.loss < _FAINT), -1.0, total)
+    return np.where((size > 0) & (size + x.loss < arguments.FAINT), -1.0, total)
 
 
 def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
@@ -185,7 +181,8 @@ def unstable_roots(
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
     within rounding of the circle may be counted on either side.  -1 is the answer to NaN, and to a
-    wall with ``abs(alpha) + abs(beta) + delta < 2**-400`` (single: 2^-40): their squares vanish.
+    wall with ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` (single: 2^-40): their squares
+    vanish.
 
     Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.

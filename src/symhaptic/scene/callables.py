@@ -16,7 +16,7 @@ from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import with_derivatives
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST
+from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.stable import STATEMENTS, Form, NoForm
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
@@ -130,7 +130,7 @@ def _in_digits(form: Form) -> Callable[..., Any]:
 
 
 _NOTHING = {sp.nan: mpmath.nan, sp.Integer(-1): mpmath.mpf(-1), sp.false: False}
-_NO_END = {LARGEST: sp.Float(10) ** 1000, LONGEST: sp.Float(10) ** 1000, BELOW_PI: sp.pi}
+_NO_END = {BELOW_PI: sp.pi, **dict.fromkeys((LARGEST, STIFFEST, LONGEST), sp.Float(10) ** 1000)}
 
 
 def _inside(within: Boolean, argument: tuple[Symbol, mpmath.mpf]) -> bool:

@@ -189,9 +189,8 @@ def limit_at(scene: Scene, B: Any) -> Limit:
     scale = scene.sampling_period / scene.mass
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
-        found = [
-            scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in (damping * scale).flat
-        ]
+        betas = arguments.unitless("B", damping, damping * scale).flat
+        found = [scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in betas]
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
 
@@ -203,7 +202,8 @@ def passive_limit_at(scene: Scene, B: Any) -> Limit:
     _, delta, delay = scene.dimensionless
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
-        beta = damping * (scene.sampling_period / scene.mass)
+        scale = scene.sampling_period / scene.mass
+        beta = arguments.unitless("B", damping, damping * scale)
         alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
         period = scene.sampling_period
         return np.stack([alpha * (scene.mass / period**2), theta / (2 * math.pi * period)])

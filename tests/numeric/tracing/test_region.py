@@ -176,3 +176,12 @@ def test_plot_draws_one_closed_line():
 def test_tolerance_is_checked(bad):
     with pytest.raises(ValueError, match=r"^tolerance: .* is not allowed; 1e-12 <= tolerance < 1"):
         stable_region(0.001, 0.02, 1, tolerance=bad)
+
+
+@pytest.mark.parametrize("damping", [1e-42, 1e-63, 1e-150])
+@pytest.mark.parametrize("delay", [0, 1, 2])
+def test_next_to_no_damping_is_as_good_as_none(damping, delay):
+    """Roots at -1 then belong to walls that no float holds, which border nothing that is stable."""
+    found, none = stable_region(0.3, damping, delay), stable_region(0.3, 0.0, delay)
+    assert found.area == pytest.approx(none.area, rel=1e-12)
+    assert np.allclose(found.corners, none.corners, rtol=1e-9, atol=1e-9)

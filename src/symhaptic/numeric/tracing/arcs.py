@@ -31,6 +31,10 @@ _LONGEST = 1e5
 _CLOSEST = 1e-6
 """Samples crowd at 0, at pi and at the plant's own frequency down to this distance."""
 
+_REMOTE = 1e20
+"""Walls that move the device so far in a period are too large to be stable: see
+:meth:`Loop._possible`."""
+
 _ROUNDS = 6
 """Searches for short pieces next to the ends of those found before."""
 
@@ -129,11 +133,14 @@ class Loop:
 
     @cached_property
     def line(self) -> float | None:
-        """alpha + 2 beta of the walls with a root at -1; None where there are none."""
-        if self.steps != np.floor(self.steps) or self.device.numerator_at_minus_one == 0:
+        """alpha + 2 beta of the walls with a root at -1; None where none is of any account."""
+        x = self.device
+        if self.steps != np.floor(self.steps) or x.numerator_at_minus_one == 0:
+            return None
+        if np.abs(x.numerator_at_minus_one) * _REMOTE < x.at_minus_one * x.numerator_at_one:
             return None
         sign = -1.0 if self.steps % 2 else 1.0
-        return sign * float(self.device.at_minus_one / self.device.numerator_at_minus_one)
+        return sign * float(x.at_minus_one / x.numerator_at_minus_one)
 
     @cached_property
     def end(self) -> Array | None:

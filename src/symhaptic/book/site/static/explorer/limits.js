@@ -2,7 +2,8 @@
 "use strict";
 (() => {
   const LONGEST = 200; // periods up to which a delay margin is looked for
-  const STEPS = 8; // to a period
+  // to a period; of a device that swings far in one, instability may come and go within an eighth
+  const steps = (gamma) => (gamma > 1 ? 32 : 8);
 
   // the largest x between two, where the first is inside and the second is not
   function halved(inside, low, high) {
@@ -36,8 +37,9 @@
   function delayMargin(n) {
     const stable = (d) => haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, d);
     if (!stable(0)) return 0;
-    for (let i = 1; i <= LONGEST * STEPS; ++i) {
-      if (!stable(i / STEPS)) return halved(stable, (i - 1) / STEPS, i / STEPS);
+    const each = steps(n.gamma);
+    for (let i = 1; i <= LONGEST * each; ++i) {
+      if (!stable(i / each)) return halved(stable, (i - 1) / each, i / each);
     }
     return Infinity;
   }
