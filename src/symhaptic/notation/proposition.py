@@ -148,17 +148,25 @@ def _check_lowest(number: sp.Rational) -> None:
 def _check(part: Expr) -> None:
     """Raise :class:`NoTerm` of what stands in no term."""
     if part.is_Symbol:
-        # an assumption would change what SymPy makes of an expression without saying so
-        if type(part) not in (Symbol, sp.Dummy) or part.assumptions0 != _PLAIN:
+        if type(part) not in (Symbol, sp.Dummy):
             raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
-        if part in _RESERVED:
-            raise NoTerm(f"the symbol {part} stands for bound ones where propositions are compared")
-        if not made_before(part, mark()):
-            raise NoTerm(f"the symbol {part} has a number by hand; another one may get it yet")
+        _check_symbol(part)
     elif isinstance(part, AppliedUndef) and set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
         raise NoTerm(f"the function {part.func} carries assumptions; hypotheses say them here")
     elif not _is_unknown(type(part)):
         raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
+
+
+@lru_cache(maxsize=1 << 12)
+def _check_symbol(symbol: Symbol) -> None:
+    """The same of a symbol; one that was made before stays so."""
+    # an assumption would change what SymPy makes of an expression without saying so
+    if symbol.assumptions0 != _PLAIN:
+        raise NoTerm(f"the symbol {symbol} carries assumptions; hypotheses say them here")
+    if symbol in _RESERVED:
+        raise NoTerm(f"the symbol {symbol} stands for bound ones where propositions are compared")
+    if not made_before(symbol, mark()):
+        raise NoTerm(f"the symbol {symbol} has a number by hand; another one may get it yet")
 
 
 def _is_unknown(function: type[Expr]) -> bool:
