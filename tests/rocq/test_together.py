@@ -1,6 +1,7 @@
 """Chapters that are asked together rest on no more than each of them does by the record."""
 
 import shutil
+import subprocess
 from dataclasses import replace
 
 import pytest
@@ -86,3 +87,13 @@ def test_an_axiom_that_nobody_named_is_found_among_others_too(folder):
     third = replace(third, module=hidden.module)
     found = together.asked([third, fourth], folder, known)
     assert "rule_hidden_1, which nobody named" in found["third"].statements["third-0"]
+
+
+def test_what_rocq_does_not_list_is_not_whole(folder, monkeypatch):
+    known = {"statements": {"fifth-0": recorded(), "sixth-0": recorded()}}
+    some = [taken(folder, "fifth", ADDED), taken(folder, "sixth", ADDED)]
+    failed = subprocess.CompletedProcess([], 1, "", "Out of\nmemory")
+    monkeypatch.setattr(compiled, "_compiled", lambda *a: failed)
+    for one in together.asked(some, folder, known).values():
+        [said] = one.statements.values()
+        assert said == "coqc: does not say on what it rests: Out of memory"

@@ -136,7 +136,7 @@ def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome | 
 def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
     """The same of a chapter that has been run, or of its leaves alone, and on what it rests."""
     found = begun(chapter, folder, leaves)
-    return found if isinstance(found, Outcome) else found.rests_on(listed(folder, [found.module]))
+    return found if isinstance(found, Outcome) else found.alone()
 
 
 @dataclass
@@ -150,6 +150,14 @@ class Taken:
     """Where it was compiled."""
     own: dict[str, list[str]]
     """By a full name, there or elsewhere, what is called so in its file."""
+
+    def alone(self) -> Outcome:
+        """With what Rocq lists for it; where it does not list it, nothing in it is whole."""
+        try:
+            return self.rests_on(listed(self.folder, [self.module]))
+        except NoRocq as wrong:
+            unsaid = dict.fromkeys(self.file.statements, str(wrong))
+            return replace(self.outcome, statements=self.outcome.statements | unsaid)
 
     def rests_on(self, said: str, others: Iterable[Taken] = ()) -> Outcome:
         """With what Rocq lists for it, or for it and others together."""
@@ -176,7 +184,8 @@ def listed(folder: Path, modules: Sequence[str]) -> str:
     for path in (folder / FOLDER).glob(f"*{name}*"):
         path.unlink()
     if done.returncode:
-        raise NoRocq(f"coqc does not say on what {', '.join(modules)} rest: {done.stderr.strip()}")
+        why = " ".join(done.stderr.split())[-200:]
+        raise NoRocq(f"coqc: does not say on what it rests: {why or done.returncode}")
     return done.stdout
 
 

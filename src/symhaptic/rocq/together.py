@@ -15,7 +15,7 @@ from typing import Any
 
 from symhaptic.book.foreign import INTEGERS, REALS
 from symhaptic.rocq.assumptions import axioms, rule_of
-from symhaptic.rocq.compiled import Outcome, Taken, listed
+from symhaptic.rocq.compiled import NoRocq, Outcome, Taken, listed
 from symhaptic.rocq.preludes import known_there, meant
 
 
@@ -71,8 +71,12 @@ def asked(
 
 def _asked(group: Sequence[Taken], folder: Path, known: Mapping[str, Any]) -> list[Outcome]:
     """The same of one group; of each alone where they do not rest on what is recorded of them."""
-    said = listed(folder, [one.module for one in group])
-    rests = _common() & set(map(rule_of, axioms(said)))
-    if len(group) > 1 and rests != expected(group[0].file.statements, known):
-        return [one.rests_on(listed(folder, [one.module])) for one in group]
+    if len(group) == 1:
+        return [group[0].alone()]
+    try:
+        said = listed(folder, [one.module for one in group])
+    except NoRocq:
+        return [one.alone() for one in group]
+    if _common() & set(map(rule_of, axioms(said))) != expected(group[0].file.statements, known):
+        return [one.alone() for one in group]
     return [one.rests_on(said, group) for one in group]
