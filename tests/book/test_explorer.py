@@ -74,6 +74,19 @@ def rest(page):
     page.evaluate(DRAWN)
 
 
+def go(page, hash):
+    """Open an address in the page, and wait until the page was told of it and has drawn it."""
+    page.evaluate(
+        """hash => new Promise((done) => {
+          if (location.hash === hash) return done();
+          addEventListener("hashchange", done, { once: true });
+          location.hash = hash;
+        })""",
+        hash,
+    )
+    rest(page)
+
+
 def told(page, id):
     return float(page.get_attribute(f"#{id}", "data-value"))
 
@@ -193,15 +206,15 @@ def test_the_motion_is_that_of_the_device_itself(page, d):
 
 def test_what_is_drawn_is_stable_and_what_is_left_out_is_not(page):
     """At a thousand places of the picture that are not next to an edge."""
-    page.evaluate("location.hash = '#m=1&b=2&k=500&T=0.001&t_d=0.002&K=3000&B=20'")
-    rest(page)
+    place = "#m=1&b=2&k=500&T=0.001&t_d=0.002&K=3000&B=20"
+    go(page, place)
     rng = random.Random(7)
     places = [[rng.random(), rng.random()] for _ in range(1000)]
     drawn = page.evaluate(
-        """places => {
+        """([place, places]) => {
           const svg = document.getElementById("region");
           const [stable, passive] = ["stable", "passive"].map(c => svg.querySelector(`path.${c}`));
-          const n = explorer.numbers(explorer.fromHash(location.hash));
+          const n = explorer.numbers(explorer.fromHash(place));
           const points = explorer.curve(n);
           const view = explorer.view(n, points, "stable", null);
           const inner = svg.querySelector("svg");
@@ -214,7 +227,7 @@ def test_what_is_drawn_is_stable_and_what_is_left_out_is_not(page):
               stable.isPointInFill(here), passive.isPointInFill(here)];
           });
         }""",
-        places,
+        [place, places],
     )
     alpha, beta, stable, passive = np.array(drawn, dtype=object).T
     n = without_units(
@@ -280,9 +293,22 @@ def test_the_usual_rule_is_shown_as_mathematics(page):
     assert "allows 1000 N/m" in page.inner_text("#told-short")
 
 
-def test_the_rules_are_those_in_print(page):
-    page.evaluate("location.hash = '#m=0.1&b=0.5&k=0&T=0.001&t_d=0.0015&K=1000&B=5'")
+def test_an_address_is_kept_though_the_old_one_is_written_before_the_page_is_told(page):
+    """What was changed is written into the address a little later: perhaps just then."""
+    page.evaluate(
+        """() => new Promise((done) => {
+          addEventListener("hashchange", done, { once: true });
+          const old = location.href;
+          location.hash = "#m=1&b=2&k=500&T=0.001&t_d=0.002&K=3000&B=20";
+          history.replaceState(null, "", old);
+        })"""
+    )
     rest(page)
+    assert page.input_value("#field-K") == "3000"
+
+
+def test_the_rules_are_those_in_print(page):
+    go(page, "#m=0.1&b=0.5&k=0&T=0.001&t_d=0.0015&K=1000&B=5")
     m, b, T, t_d, B = 0.1, 0.5, 0.001, 0.0015, 5
     wanted = {
         "twice-damping": 2 * b / T,

@@ -98,8 +98,8 @@ document.addEventListener("DOMContentLoaded", () => {
     measure();
     change({});
   }).observe(region.parentElement);
-  addEventListener("hashchange", () => {
-    state = explorer.fromHash(location.hash);
+  addEventListener("hashchange", (event) => {  // rest may have put the old address back by now
+    state = explorer.fromHash(new URL(event.newURL).hash);
     change({});
   });
   const copied = async (button, text) => {
