@@ -11,6 +11,7 @@ from command import symhaptic
 
 from symhaptic.book import foreign
 from symhaptic.rocq import compiled
+from symhaptic.rocq.outcome import longest_first
 
 
 def test_without_a_compiler_the_files_are_written_and_it_says_what_to_install(tmp_path):
@@ -73,7 +74,7 @@ def test_what_took_long_is_begun_first(tmp_path):
         (tmp_path / f"{name}.json").write_text(json.dumps(kept))
     (tmp_path / "new.json").write_text("[]")  # not of a chapter, as rocq.json is not
     (tmp_path / "newer.json").write_text("{")  # cut off
-    found = compiled.longest_first(paths, tmp_path)
+    found = longest_first(paths, tmp_path)
     assert [path.stem for path in found] == ["new", "newer", "long", "short"]
 
 

@@ -159,3 +159,22 @@ def test_a_chapter_that_takes_all_rests_on_the_same(folder):
         first.rests, first.statements, first.text,
     )  # fmt: skip
     assert foreign.REALS in next(iter(again.rests.values()))
+
+
+@pytest.mark.slow
+@needs_rocq
+def test_what_a_record_has_open_is_left_open_where_the_text_is_the_same(folder, monkeypatch):
+    """And nothing that rests on it is whole; of another text nothing is believed."""
+    one = chapter("s3b_envelope")
+    text = compiled.text_mark(compiled.printed(one).written())
+    name = next(s.name for s in compiled.printed(one).steps if s.kind == "Lemma")
+    why = "not checked: coqc: No applicable tactic."
+    monkeypatch.setattr(compiled, "failing", lambda *_: pytest.fail("tried again"))
+    (folder / "s3b_envelope.json").unlink(missing_ok=True)
+    left = {"text": text, "open": {f"open_{name}": why}}
+    found = compiled.begun(one, folder, recorded=left).alone()
+    assert found.open == left["open"]
+    assert found.text == text
+    assert "whole" not in found.statements.values()
+    (folder / "s3b_envelope.json").unlink()
+    assert compiled.begun(one, folder, recorded=left | {"text": "other"}).outcome.open == {}

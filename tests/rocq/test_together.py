@@ -11,7 +11,8 @@ from symhaptic.book import foreign
 from symhaptic.notation.proposition import proposition
 from symhaptic.rocq import compiled, together
 from symhaptic.rocq.chapter import File
-from symhaptic.rocq.compiled import Outcome, Taken
+from symhaptic.rocq.compiled import Taken
+from symhaptic.rocq.outcome import Outcome
 from symhaptic.rocq.steps import Step
 
 pytestmark = [

@@ -120,7 +120,8 @@ def verify(
         bool,
         typer.Option(
             "--as-recorded",
-            help="With --rocq: whole what the record has whole, and ID; leaves alone of the rest.",
+            help="With --rocq: whole what the record has whole, and ID; leaves alone of the rest; "
+            "what Rocq did not accept of the same text is left open.",
         ),
     ] = False,
 ) -> None:
@@ -168,7 +169,7 @@ def verify(
         as_json = format is ListFormat.json
         paths = own + (others if as_recorded else shipped)
         leaves = frozenset(others) - frozenset(shipped)
-        raise typer.Exit(judged(paths, wanted, rocq, workers, output, as_json, leaves))
+        raise typer.Exit(judged(paths, wanted, rocq, workers, output, as_json, leaves, as_recorded))
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)

@@ -14,7 +14,8 @@ from symhaptic.cli.shared import progress, write
 
 if TYPE_CHECKING:
     from symhaptic.book.ledger import Entry
-    from symhaptic.rocq.compiled import Outcome, Taken
+    from symhaptic.rocq.compiled import Taken
+    from symhaptic.rocq.outcome import Outcome
 
 
 def judged(
@@ -25,10 +26,12 @@ def judged(
     output: Path | None,
     as_json: bool,
     leaves: Container[Path],
+    as_recorded: bool = False,
 ) -> int:
     """Write the chapters for Rocq, compile them where it is there, and tell what was checked.
 
-    Of some chapters the leaves alone are.
+    Of some chapters the leaves alone are; ``as_recorded``, what the record says that Rocq does not
+    accept of the same text is left open.
 
     The exit status: 0, 1 where a statement is not checked as the record says, 2 where a chapter
     cannot be run.
@@ -38,9 +41,16 @@ def judged(
     from symhaptic.book.listing import replace
     from symhaptic.book.parallel import each
     from symhaptic.rocq import compiled, record, together
+    from symhaptic.rocq.outcome import Outcome, longest_first
 
+    known = recorded(expected_rocq())
     compiled.prepared(folder)
-    work: Callable[[Path], Outcome | Taken] = partial(compiled.judged, folder=folder, leaves=leaves)
+    work: Callable[[Path], Outcome | Taken] = partial(
+        compiled.judged,
+        folder=folder,
+        leaves=leaves,
+        recorded=known["chapters"] if as_recorded else None,
+    )
     version = None
     try:
         compiled.prelude_compiled(folder)
@@ -49,7 +59,7 @@ def judged(
         typer.echo(f"symhaptic: {missing}; the files are written, and nothing is checked", err=True)
         work = partial(compiled.written, folder=folder)
     done: dict[Path, Outcome | Taken] = {}
-    ordered = compiled.longest_first(paths, folder)  # so that all workers end together
+    ordered = longest_first(paths, folder)  # so that all workers end together
     status = 0
     with progress(len(paths)) as told:
         for i, one in each(work, ordered, workers or 2, told):
@@ -61,8 +71,8 @@ def judged(
     begun = [done[path] for path in paths if path in done]
     taken = [one for one in begun if isinstance(one, compiled.Taken)]
     with progress(len(taken)) as told:
-        rests = together.asked(taken, folder, recorded(expected_rocq()), workers or 2, told)
-    outcomes = [one if isinstance(one, compiled.Outcome) else rests[one.outcome.chapter]
+        rests = together.asked(taken, folder, known, workers or 2, told)
+    outcomes = [one if isinstance(one, Outcome) else rests[one.outcome.chapter]
                 for one in begun]  # fmt: skip
     found = record.record(outcomes, version)
     write(replace, folder / "rocq.json", record.text(found))
@@ -71,7 +81,6 @@ def judged(
         typer.echo(text, nl=False)
     else:
         write(replace, output, text)
-    known = recorded(expected_rocq())
     if version is not None and status == 0:
         ours = {"statements": {id: one for id, one in found["statements"].items()
                                if id in known["statements"]}}  # fmt: skip

@@ -6,26 +6,23 @@ fail become open leaves, and what then is accepted says what each statement rest
 
 from __future__ import annotations
 
-import json
-import math
 import os
 import re
 import shutil
 import subprocess
 import time
-from collections.abc import Container, Iterable, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
 from symhaptic.book.chapters import Chapter, run
-from symhaptic.book.foreign import INTEGERS, REALS, mark
-from symhaptic.rocq.assumptions import axioms, resting, rule_of, told
-from symhaptic.rocq.chapter import ALONE, File, printed
+from symhaptic.rocq.assumptions import axioms, resting, told
+from symhaptic.rocq.chapter import OPEN, File, printed
+from symhaptic.rocq.outcome import Outcome, keep, kept, marked, of_file, unasked
 from symhaptic.rocq.preludes import PRELUDES, text_mark
 from symhaptic.rocq.shared import FOLDER, Seen
-from symhaptic.rocq.steps import is_open
 
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
@@ -36,39 +33,6 @@ _ROOM = {"OCAMLRUNPARAM": "s=32M,o=1000"}
 
 class NoRocq(OSError):
     """No coqc, or one that does not take the prelude; the message is one line."""
-
-
-@dataclass
-class Outcome:
-    """What Rocq says of a chapter."""
-
-    chapter: str
-    statements: dict[str, str] = field(default_factory=dict)
-    """``whole``, or why it is not."""
-    rests: dict[str, list[str]] = field(default_factory=dict)
-    """What each printed statement rests on: of what ``Print Assumptions`` says of the chapter, all
-    of the library, and the axioms and predicates that its lemmas name."""
-    steps: dict[str, list[int]] = field(default_factory=dict)
-    """Of each rule, how many steps were checked and how many there are."""
-    pieces: list[int] = field(default_factory=lambda: [0, 0])
-    """Of all boxes, how many pieces were checked and how many there are."""
-    open: dict[str, str] = field(default_factory=dict)
-    """The leaves that are not checked, and why."""
-    leaves: bool = False
-    """Whether its leaves alone were asked, and not how they are joined."""
-    seconds: float = 0.0
-    """So long it took to run, print and compile it."""
-    kept: bool = False
-    """Whether it was known from before."""
-    text: str = ""
-    """A mark of the text that was compiled, and of the prelude."""
-    says: dict[str, str] = field(default_factory=dict)
-    """Of each statement by theorems, a mark of what these say."""
-
-    def rules(self, id: str) -> list[str]:
-        """What a statement rests on, by name: rules and axioms, predicates, Rocq's library."""
-        named = {rule_of(name) for name in self.rests.get(id, ()) if not is_open(name)}
-        return sorted(named, key=lambda name: (name in (REALS, INTEGERS), name))
 
 
 def coqc() -> str:
@@ -99,7 +63,7 @@ def prelude_compiled(folder: Path) -> None:
     """Compile the preludes; raises :class:`NoRocq` where that fails."""
     for path in PRELUDES:
         if not (folder / path.name).with_suffix(".vo").is_file():
-            done = _compiled(folder, path.stem)
+            done = _compiled(folder, path.stem, SECONDS * 10)
             if done.returncode:
                 last = (done.stderr.strip().splitlines() or ["no message"])[-1]
                 why = "is libcoq-interval installed?"
@@ -112,8 +76,8 @@ def version() -> str:
     return told.stdout.split(" ")[0]
 
 
-def _compiled(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    limit = f"Default Timeout={SECONDS}"
+def _compiled(folder: Path, name: str, seconds: int = SECONDS) -> subprocess.CompletedProcess[str]:
+    limit = f"Default Timeout={seconds}"
     command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
     return subprocess.run(
         command, cwd=folder, env=_ROOM | os.environ, capture_output=True, text=True, check=False
@@ -125,12 +89,20 @@ def written(path: Path, folder: Path) -> Outcome:
     chapter = run(path)
     file = printed(chapter)
     (folder / f"{file.name}.v").write_text(file.written(), encoding="utf-8")
-    return _outcome(file, chapter, dict.fromkeys(file.statements, "not compiled"))
+    return of_file(file, chapter, dict.fromkeys(file.statements, "not compiled"))
 
 
-def judged(path: Path, folder: Path, leaves: Container[Path] = ()) -> Outcome | Taken:
-    """A derivation's file, written, compiled and read back; known where the text is known."""
-    return begun(run(path), folder, path in leaves)
+def judged(
+    path: Path,
+    folder: Path,
+    leaves: Container[Path] = (),
+    recorded: Mapping[str, Any] | None = None,
+) -> Outcome | Taken:
+    """A derivation's file, written, compiled and read back; known where the text is known.
+
+    ``recorded`` has by their names what a record says of chapters, as :func:`begun` reads it.
+    """
+    return begun(run(path), folder, path in leaves, (recorded or {}).get(path.stem))
 
 
 def asked(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome:
@@ -165,7 +137,7 @@ class Taken:
         rests = resting(self.file, axioms(said) - theirs, self.own)
         found = told(self.file, rests)
         statements = {id: found.get(id, why) for id, why in self.outcome.statements.items()}
-        return _kept(replace(self.outcome, statements=statements, rests=rests), self.folder)
+        return keep(replace(self.outcome, statements=statements, rests=rests), self.folder)
 
 
 def listed(folder: Path, modules: Sequence[str]) -> str:
@@ -189,76 +161,60 @@ def listed(folder: Path, modules: Sequence[str]) -> str:
     return done.stdout
 
 
-def begun(chapter: Chapter, folder: Path, leaves: bool = False) -> Outcome | Taken:
-    """A chapter that has been run, compiled; what is known of it where the text is known."""
+def begun(
+    chapter: Chapter, folder: Path, leaves: bool = False, recorded: Mapping[str, Any] | None = None
+) -> Outcome | Taken:
+    """A chapter that has been run, compiled; what is known of it where the text is known.
+
+    ``recorded`` has what a record says of it: what Rocq did not accept of the same text is left
+    open, and is not tried again.
+    """
     begin = time.perf_counter()
     whole = printed(chapter)
     file = whole.leaves() if leaves else whole
-    text = file.written()
-    of, before = text_mark(text), _before(file.name, folder)
+    of, before = text_mark(file.written()), kept(file.name, folder)
     if before.get("text") == of:
-        return _marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
+        return marked(Outcome(**{**before["outcome"], "kept": True}), chapter, of)
     place = folder / f"{file.name}.v"
-    place.write_text(text, encoding="utf-8")
-    if not file.steps:
-        return _marked(_outcome(whole, chapter, _unasked(whole), leaves), chapter, of)
-    seen, done = _asked(file, folder)
-    if done.returncode:
-        whole = printed(chapter, failing(folder, seen.text))
+
+    def opened(failed: Mapping[str, str]) -> None:
+        nonlocal whole, file
+        whole = printed(chapter, failed) if failed else whole
         file = whole.leaves() if leaves else whole
         place.write_text(file.written(), encoding="utf-8")
+
+    failed = refused(recorded) if recorded and recorded["text"] == of else {}
+    opened(failed)
+    if not file.steps:
+        return marked(of_file(whole, chapter, unasked(whole), leaves), chapter, of)
+    seen, done = _asked(file, folder)
+    if done.returncode:
+        opened(failed | failing(folder, seen.text))
         seen, done = _asked(file, folder)
     if done.returncode:
         why = f"coqc: {' '.join(done.stderr.split())[-200:]}"
-        outcome = _outcome(whole, chapter, dict.fromkeys(whole.statements, why), leaves)
+        outcome = of_file(whole, chapter, dict.fromkeys(whole.statements, why), leaves)
         outcome.steps = {rule: [0, total] for rule, (_, total) in outcome.steps.items()}
         outcome.pieces[0], outcome.open = 0, {"the file": why}
-        return _marked(outcome, chapter, of)
+        return marked(outcome, chapter, of)
     seen.keep()
-    said = _unasked(whole) if leaves else dict.fromkeys(whole.statements, "not asked yet")
-    outcome = _marked(_outcome(whole, chapter, said, leaves), chapter, of)
+    said = unasked(whole) if leaves else dict.fromkeys(whole.statements, "not asked yet")
+    outcome = marked(of_file(whole, chapter, said, leaves), chapter, of)
     outcome.seconds = round(time.perf_counter() - begin, 1)
     if leaves or not file.statements:
-        return _kept(outcome, folder)
+        return keep(outcome, folder)
     return Taken(file, outcome, folder, seen.name, seen.names)
 
 
-def _kept(outcome: Outcome, folder: Path) -> Outcome:
-    """What was found, for the next time; what took too long may be quicker then."""
-    if not any("Timeout" in why or "not within" in why for why in outcome.open.values()):
-        kept = {"text": outcome.text, "outcome": asdict(outcome)}
-        name = f"{outcome.chapter}_leaves" if outcome.leaves else outcome.chapter
-        (folder / f"{name}.json").write_text(json.dumps(kept, indent=1), encoding="utf-8")
-    return outcome
+def refused(recorded: Mapping[str, Any]) -> dict[str, str]:
+    """The lemmas of a chapter that Rocq did not accept by a record, each with what it said.
 
-
-def _unasked(file: File) -> dict[str, str]:
-    """What is said of statements where leaves alone were asked: how much is left of each."""
-    if not any(step.rule in ALONE for step in file.steps):
-        return dict.fromkeys(file.statements, "not asked: each step of its chapter uses others")
-    others = {step.name for step in file.steps if step.rule not in ALONE or is_open(step.name)}
-    left = {id: len(file.named_by(id) & others) for id in file.statements}
-    return {id: f"{n} steps open: its chapter's leaves alone were asked" for id, n in left.items()}
-
-
-def longest_first(paths: Sequence[Path], folder: Path) -> list[Path]:
-    """Derivations in the order of how long each took the last time, those that are new first."""
-
-    def seconds(path: Path) -> float:
-        before = _before(path.stem, folder) or _before(f"{path.stem}_leaves", folder)
-        return float(before.get("outcome", {}).get("seconds", math.inf))
-
-    return sorted(paths, key=seconds, reverse=True)
-
-
-def _before(name: str, folder: Path) -> dict[str, Any]:
-    """What was found of a chapter the last time; nothing where another file has its name."""
-    path = folder / f"{name}.json"
-    try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-    except (FileNotFoundError, json.JSONDecodeError):
-        return {}
-    return found if isinstance(found, dict) and {"text", "outcome"} <= set(found) else {}
+    >>> never = {"open_step_2": "not checked: the rule gains"}  # which nobody prints
+    >>> refused({"open": never | {"open_step_3": "not checked: coqc: No tactic."}})
+    {'step_3': 'coqc: No tactic.'}
+    """
+    opened = ((name, why.removeprefix(f"{OPEN} ")) for name, why in recorded["open"].items())
+    return {name.removeprefix("open_"): why for name, why in opened if why.startswith("coqc: ")}
 
 
 def _asked(file: File, folder: Path) -> tuple[Seen, subprocess.CompletedProcess[str]]:
@@ -266,16 +222,6 @@ def _asked(file: File, folder: Path) -> tuple[Seen, subprocess.CompletedProcess[
     seen = Seen(folder, file)
     (folder / FOLDER / f"{seen.name}.v").write_text(seen.text, encoding="utf-8")
     return seen, _compiled(folder, f"{FOLDER}/{seen.name}")
-
-
-def _marked(outcome: Outcome, chapter: Chapter, text: str) -> Outcome:
-    """With what it is of."""
-    says = {
-        id: mark(one.settlement.judged)
-        for id, one in chapter.page.settled.items()
-        if one.settlement.judged is not None
-    }
-    return replace(outcome, text=text, says=says)
 
 
 _LEMMA = re.compile(r"^(Lemma ([\w']+) : .*?\.)\nProof\.\n.*?^Qed\.\n", re.S | re.M)
@@ -318,25 +264,3 @@ def _error(said: str) -> str:
         if line and not line.startswith(("No focused", "(in proof", "There are pending")):
             return f"coqc: {line[:160]}"
     return f"coqc: not within {SECONDS} s"
-
-
-def _outcome(file: File, chapter: Chapter, said: dict[str, str], leaves: bool = False) -> Outcome:
-    steps: dict[str, list[int]] = {}
-    for step in file.steps:
-        if not step.name.startswith(("rule_", "axiom_")):
-            count = steps.setdefault(step.rule, [0, 0])
-            count[0] += not is_open(step.name) and (step.rule in ALONE or not leaves)
-            count[1] += 1
-    boxes = [(0 if is_open(step.name) else step.pieces, step.pieces) for step in file.steps]
-    pieces = [sum(counts) for counts in zip(*boxes, strict=True)] or [0, 0]
-    statements = {}
-    for id, one in chapter.page.settled.items():
-        if one.settlement.judged is None:
-            statements[id] = "not printed: it is settled without a theorem"
-        elif id in file.missing:
-            statements[id] = f"not printed: {file.missing[id]}"
-        else:
-            statements[id] = said[id]
-    open_ = {s.name: s.why for s in file.steps if is_open(s.name)}
-    steps = dict(sorted(steps.items()))
-    return Outcome(file.name, statements, {}, steps, pieces, open_, leaves)

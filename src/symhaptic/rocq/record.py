@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from symhaptic.book.foreign import LEAVES, NOT, WHOLE
-from symhaptic.rocq.compiled import Outcome
+from symhaptic.rocq.outcome import Outcome
 
 GENERATED = "written by `symhaptic verify --rocq DIR --format json -o FILE`; do not edit"
 
@@ -49,7 +49,7 @@ KINDS = {
 def leaves(outcomes: Iterable[Outcome]) -> dict[str, list[int]]:
     """Of each kind of leaf how many were checked and how many there are; of boxes their pieces.
 
-    >>> from symhaptic.rocq.compiled import Outcome
+    >>> from symhaptic.rocq.outcome import Outcome
     >>> one = Outcome("mine", steps={"identity": [1, 2], "combined": [5, 5]}, pieces=[7, 9])
     >>> leaves([one, one])["identities"], leaves([one])["pieces of boxes"]
     ([2, 4], [7, 9])

@@ -15,7 +15,8 @@ from typing import Any
 
 from symhaptic.book.foreign import INTEGERS, REALS
 from symhaptic.rocq.assumptions import axioms, rule_of
-from symhaptic.rocq.compiled import NoRocq, Outcome, Taken, listed
+from symhaptic.rocq.compiled import NoRocq, Taken, listed
+from symhaptic.rocq.outcome import Outcome
 from symhaptic.rocq.preludes import known_there, meant
 
 
