@@ -45,6 +45,7 @@ def test_every_public_name_loads_when_used():
     assert python(code) == "True"
 
 
+@pytest.mark.slow
 @pytest.mark.early
 def test_the_types_agree():
     """mypy's answer, here and not before the tests, since it keeps one processor busy alone."""

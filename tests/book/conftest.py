@@ -5,6 +5,12 @@ import shutil
 import pytest
 
 
+def pytest_itemcollected(item):
+    """What opens a browser takes long by its nature."""
+    if "browser" in item.fixturenames:
+        item.add_marker(pytest.mark.slow)
+
+
 @pytest.fixture(scope="module")
 def browser():
     from playwright.sync_api import sync_playwright

@@ -22,9 +22,9 @@ def chapters():
 
 
 @pytest.fixture(scope="module")
-def some(chapters):
+def some():
     """Enough of them to write files and figures."""
-    return [one for one in chapters if one.name.startswith("s2")]
+    return [chapter(path.stem) for path in shipped() if path.stem.startswith("s2")]
 
 
 @pytest.fixture(scope="module")
@@ -32,23 +32,27 @@ def files(chapters):
     return build.text_files(chapters)
 
 
+@pytest.mark.slow
 def test_one_tex_file_per_chapter_and_a_book_that_includes_them(chapters, files):
     for one in chapters:
         assert f"{one.name}.tex" in files
         assert rf"\input{{{one.name}}}" in files["book.tex"]
 
 
+@pytest.mark.slow
 def test_every_statement_is_in_the_ledger(files):
     for id in STATEMENTS:
         assert id.replace("-", "-\\allowbreak ") in files["ledger.tex"]
 
 
+@pytest.mark.slow
 def test_the_undecided_are_counted_aloud(files):
     first = build.text_files([run(shipped()[0])])
     assert re.search(r"\d+ undecided", first["ledger.tex"])
     assert "undecided" not in files["ledger.tex"].split("longtable")[0].split("A statement")[0]
 
 
+@pytest.mark.slow
 def test_nothing_looks_like_a_program(files):
     for name, text in files.items():
         if name.endswith(".tex"):
@@ -57,6 +61,7 @@ def test_nothing_looks_like_a_program(files):
             assert "_eps" not in text
 
 
+@pytest.mark.slow
 def test_no_step_says_that_a_thing_is_itself(chapters):
     """Whose two sides are printed alike shows nothing, whatever it proves."""
 
@@ -79,6 +84,7 @@ def test_the_same_from_run_to_run(some):
     assert build.text_files(again) == build.text_files(some)
 
 
+@pytest.mark.slow
 def test_committed_text_is_what_is_derived(files):
     if not (ROOT / "reports" / "book.tex").is_file():
         pytest.skip("no committed report beside the package")

@@ -107,8 +107,7 @@ ASK = """states => states.map(state => {
 
 
 @pytest.mark.parametrize(
-    "share", [slice(250), pytest.param(slice(250, 1000), marks=pytest.mark.slow)],
-    ids=["first", "others"],
+    "share", [slice(250), slice(250, 1000)], ids=["first", "others"],
 )  # fmt: skip
 def test_a_thousand_states_agree_with_python(page, share):
     states = list(some_states(1000))[share]
@@ -438,7 +437,6 @@ def test_pictures_are_saved(page, tmp_path):
         assert (tmp_path / id).read_bytes().startswith(begin)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [360, 1280])
 def test_axe_finds_nothing_serious(site, browser, scheme, width):
@@ -470,7 +468,6 @@ def test_kernels_are_small():
     assert len(gzip.compress(explorer.kernels().encode())) < 150_000
 
 
-@pytest.mark.slow
 def test_a_redraw_fits_into_a_frame(page):
     """The quickest of several: how busy the machine is does not count."""
     quickest = page.evaluate(

@@ -181,7 +181,6 @@ def test_formulas_have_a_size(some, opened):
     assert all(width > 2 and height > 4 for width, height in boxes)
 
 
-@pytest.mark.slow
 @browser_needed
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(some, browser, scheme):
@@ -285,7 +284,6 @@ def test_the_whole_site_is_whole_and_small(whole):
     assert sum(path.stat().st_size for path in whole.rglob("*") if path.is_file()) < 15e6
 
 
-@pytest.mark.slow
 @browser_needed
 def test_the_search_finds_an_equation(whole, opened):
     opened.goto((whole / "search.html").as_uri() + "?q=eq11")
@@ -294,7 +292,6 @@ def test_the_search_finds_an_equation(whole, opened):
     assert any("s3c_stiffness_maximum" in link for link in links)
 
 
-@pytest.mark.slow
 @browser_needed
 def test_the_ledger_is_filtered_and_sorted(whole, opened):
     opened.goto((whole / "ledger.html").as_uri())
@@ -335,7 +332,6 @@ def test_public_docstrings_can_be_set():
         assert said.getvalue() == "", text
 
 
-@pytest.mark.slow
 @browser_needed
 @pytest.mark.parametrize("width", [360, 1280])
 def test_no_page_is_wider_than_the_screen(whole, opened, width):
@@ -348,7 +344,6 @@ def test_no_page_is_wider_than_the_screen(whole, opened, width):
     assert {name: by for name, by in found.items() if by > 0} == {}
 
 
-@pytest.mark.slow
 @browser_needed
 def test_no_formula_is_cut(whole, opened):
     """On a narrow screen it scrolls and says so; on a wide one nothing is wider than its column."""
@@ -363,7 +358,6 @@ def test_no_formula_is_cut(whole, opened):
         assert {name: cut for name, cut in found.items() if cut} == {}
 
 
-@pytest.mark.slow
 @browser_needed
 def test_the_errata_are_filtered(whole, opened):
     opened.goto((whole / "errata.html").as_uri())
