@@ -22,10 +22,10 @@ def rational(number: fmpq) -> Rational:
     return Rational(int(number.p), int(number.q))
 
 
-def falling(coefficients: Sequence[Rational]) -> fmpq_poly:
+def from_leading(coefficients: Sequence[Rational]) -> fmpq_poly:
     """The polynomial with these coefficients, of which the first leads.
 
-    >>> print(falling([Rational(1, 2), Rational(0), Rational(3)]))
+    >>> print(from_leading([Rational(1, 2), Rational(0), Rational(3)]))
     1/2*x^2 + 3
     """
     return fmpq_poly([fraction(c) for c in reversed(coefficients)])

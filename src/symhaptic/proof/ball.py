@@ -16,7 +16,7 @@ import sympy as sp
 from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
 
-from symhaptic.notation.exact import falling, fraction
+from symhaptic.notation.exact import fraction, from_leading
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
 
@@ -139,7 +139,7 @@ def largest_root(
     if coefficients == [0]:
         raise Unsupported(f"{polynomial} is zero, and every number a root of it")
     if all(c.is_Rational for c in coefficients):
-        exact = falling(coefficients)
+        exact = from_leading(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before, found = ctx.prec, None
     for bits in PRECISIONS:

@@ -13,7 +13,7 @@ import sympy as sp
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq_mat, fmpq_poly, fmpz_poly
 from sympy import Expr
 
-from symhaptic.notation.exact import falling
+from symhaptic.notation.exact import from_leading
 from symhaptic.proof.ball import At, ball
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.derivative import derivative
@@ -46,7 +46,7 @@ def rational_polynomial(expr: Expr) -> fmpq_poly:
     """
     symbols = sorted(expr.free_symbols, key=str) or [sp.Dummy()]
     coefficients = sp.Poly(expr, *symbols, domain=sp.QQ).all_coeffs()
-    return falling(coefficients)
+    return from_leading(coefficients)
 
 
 def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
