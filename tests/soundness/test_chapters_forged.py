@@ -550,3 +550,16 @@ def test_a_source_that_says_something_else_is_one_line(said: str, tmp_path: Path
     told = CliRunner().invoke(app, ["verify", "--source", str(tmp_path)])
     (line,) = str(told.exception).splitlines()
     assert "source.py" in line
+
+
+def test_a_verdict_arrives_from_a_python_that_would_have_it_looked_up(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As Pythons before 3.11.4 write a name of an enumeration: `getattr`, which nobody may name."""
+
+    def looked_up(kind: Kind, protocol: int) -> tuple[object, ...]:
+        return getattr, (type(kind), kind.name)
+
+    monkeypatch.setattr(Kind, "__reduce_ex__", looked_up)
+    assert b"getattr" in pickle.dumps(Kind.PROVED)
+    assert arrived(sent(Kind.PROVED), Path("a.py")) is Kind.PROVED

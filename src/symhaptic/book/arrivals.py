@@ -63,7 +63,8 @@ def sent(result: Any, known: Places = MappingProxyType({})) -> bytes:
 class _Writer(pickle.Pickler):
     """Writes the place of a theorem that is known where it arrives.
 
-    What is wrong with a chapter is written as it is made, however other packages would have it.
+    What is wrong with a chapter is written as it is made, however other packages would have it, and
+    an enumerated name by its value: Pythons before 3.11.4 would have who reads look it up.
     """
 
     def __init__(self, file: io.BytesIO, known: Places) -> None:
@@ -73,6 +74,8 @@ class _Writer(pickle.Pickler):
     def reducer_override(self, part: Any) -> Any:
         if type(part) is BadChapter:
             return BadChapter, part.args
+        if isinstance(part, Enum):
+            return type(part), (part.value,)
         place = self.places.get(id(part)) if type(part) is Theorem else None
         return NotImplemented if place is None else (_known, (place,))
 
