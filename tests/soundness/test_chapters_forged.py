@@ -359,7 +359,7 @@ def test_what_is_found_out_about_an_entry_does_not_arrive() -> None:
     proved = Verdict(Kind.PROVED, "identical")
     entry = Entry(Statement("mine", "here", "a number", ("x = 2",)), proved, None, 0.0, own=True)
     entry.__dict__["wrong"] = None
-    there = arrived(pickle.dumps(entry), Path())
+    there = arrived(sent(entry), Path())
     assert "wrong" not in vars(there)
     assert there.wrong == "mine: proved, of what was not compared again"
 
