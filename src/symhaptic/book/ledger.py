@@ -214,14 +214,14 @@ _SAID = {"counterexample": "counterexample", "rests": "ground", "claim": "claim"
 def _says_else(entry: Entry, found: Verdict, how: str) -> str | None:
     """What another process says of a verdict that was not found here, if anything is."""
     id, said = entry.statement.id, entry.verdict
-    enclosed = said.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
-    numbers = enclosed and _comes_with_the_package(id)
+    ours = _comes_with_the_package(id)
+    numbers = ours and said.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
     if (found.kind is not said.kind and not numbers) or found.condition != said.condition:
         return f"{id}: {how} it is {found.kind}"
     other = [w for name, w in _SAID.items() if getattr(found, name) != getattr(said, name)]
     if _corrected(found) != _corrected(said):
         other.append("correction")
-    if not numbers and (found.value, found.radius) != (said.value, said.radius):
+    if not ours and (found.value, found.radius) != (said.value, said.radius):
         other.append("value")
     return f"{id}: {how} it has another {other[0]}" if other else None
 
