@@ -5,11 +5,22 @@ import sympy as sp
 from sympy import I, Rational, S, exp
 
 from symhaptic.notation import X, s, z
-from symhaptic.notation.proposition import ForAll, Relation
+from symhaptic.notation.proposition import ForAll, Predicate, Relation
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x
+from symhaptic.proof.theorems.definitions import loop, loop_substituted
 from symhaptic.proof.theorems.energy import toeplitz
-from symhaptic.proof.theorems.kernel import NotShown, Theorem, assume, instance, unfolded
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    assume,
+    discharged,
+    general,
+    instance,
+    unfolded,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.roots import (
     all_inside,
     degree,
@@ -66,6 +77,21 @@ def test_a_response_does_not_capture(device: tuple[sp.Expr, ...], answer: sp.Exp
 def test_a_device_does_not_change_where_its_sum_stays() -> None:
     with pytest.raises(NotShown, match="changes with t"):
         held_answer((1 + t, 1 - t, 0), (0, 0), s, z, X, [1, 0, 0, 1, 0, 0], t)
+
+
+@pytest.mark.parametrize("values", [(10 * z, 0, 1, 1, 0), (0, z, 1, 1, 0), (0, 0, 1, 1, z)])
+def test_a_loop_of_z_is_not_one_of_its_bound_symbol(values: tuple[sp.Expr, ...]) -> None:
+    # stable_loop(0, ...) would be what 10 w for alpha says, for z = 0
+    for made in (lambda: loop(values, w), lambda: loop_substituted(values, w, 2)):
+        with pytest.raises(NotShown, match="is bound"):
+            made()
+
+
+def test_what_a_predicate_binds_is_not_the_symbol_of_that_name() -> None:
+    # all zeros of x lie inside, and that says nothing of the x in 1/x
+    inside = Predicate("stable", (x,), (x,))
+    claim = general(discharged(weakened(identity(x, x), inside), inside), x)
+    assert instance(claim, {x: 1 / y}).hypotheses == {Relation(y, "!=", S.Zero)}
 
 
 CANCELS = (x**2 - 1) / (4 * (x - 1))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import json
 import pickle
 import subprocess
 import sys
@@ -9,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from sympy import S, Symbol, floor, sin
-from typer.testing import CliRunner
+from typer.testing import CliRunner, Result
 
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
@@ -563,3 +565,107 @@ def test_a_verdict_arrives_from_a_python_that_would_have_it_looked_up(
     monkeypatch.setattr(Kind, "__reduce_ex__", looked_up)
     assert b"getattr" in pickle.dumps(Kind.PROVED)
     assert arrived(sent(Kind.PROVED), Path("a.py")) is Kind.PROVED
+
+
+SOURCE = r"""
+from symhaptic.paper.quoted import Quoted
+from symhaptic.paper.statement import Source, Statement
+SOURCE = Source("KEY", "On a number")
+STATEMENTS = (
+    Statement("KEY:sum", "(1)", "a sum", (r"\alpha = \beta + \beta",)),
+    Statement("KEY:two", "(2)", "another sum", (r"\alpha = 3 \beta",)),
+    Statement("KEY:size", "(3)", "its size", quoted=(Quoted("about", "3.15"),)),
+)
+"""
+SENDS = r"""
+import os, sys
+from dataclasses import replace
+from pathlib import Path
+from sympy import Eq, pi
+from symhaptic.book import ledger
+from symhaptic.book.arrivals import sent
+from symhaptic.book.chapters import Chapter
+from symhaptic.book.ledger import Entry
+from symhaptic.book.sources import STATEMENTS
+from symhaptic.notation import alpha, beta
+from symhaptic.paper import Statement
+from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.verdict import Kind, Verdict
+SUM, SIZE = STATEMENTS["KEY:sum"], STATEMENTS["KEY:size"]
+def derive(page):
+    page.define("Sum", alpha, 2 * beta)
+    page.settle("KEY:sum", Eq(alpha, 2 * beta))
+    right, at = [r"\alpha = 2 \beta"], {alpha: 1, beta: 1}
+    page.settle("KEY:two", Eq(alpha, 2 * beta), corrected=right, unless=at)
+    sum_, two = ledger.of_chapter(Chapter(Path(__file__), "T", "", page, 0.0))
+    sum_, two = (
+        replace(e, verdict=replace(v, corrected=None, corrected_latex=ledger._corrected(v)))
+        for e in (sum_, two)
+        for v in (e.verdict,)
+    )
+    def said(entry, **other):
+        return [replace(entry, verdict=replace(entry.verdict, **other))]
+    frame = sys._getframe()
+    while "connection" not in frame.f_locals:
+        frame = frame.f_back
+    frame.f_locals["connection"].send_bytes(sent(FORGED))
+    os._exit(0)
+"""
+SENT = {
+    "sum_, two": None,
+    "said(two, corrected_latex='x = 7')": "another correction",
+    "said(two, counterexample={'x': '5'})": "another counterexample",
+    "said(sum_, rests=('jury',))": "another ground",
+    "said(sum_, kind=Kind.ENCLOSED, value='3')": "compared again it is proved",
+    "[Entry(SIZE, Verdict(Kind.ENCLOSED, '', value='3.15'), None, 0.0)]": "not compared again",
+    "said(two, kind='proved\\u200b')": "is no result",
+    "said(sum_, value='1\\nproved')": "is no result",
+    "[replace(sum_, statement=Statement('a\\nb', '', ''))]": "is no result",
+    "[replace(sum_, statement=Statement('own', '', '', (r'\\frac{',)), own=True)]": "is no result",
+    "[replace(sum_, judged=Judged(7))]": "is no result",
+    "[replace(sum_, verdict=None)]": "is no result",
+    "[1, 2]": "is no result",
+    "7": "is no result",
+}
+
+
+KEYS = (f"source{i}" for i in itertools.count())
+"""A source is known once in a process."""
+
+
+def told_of(folder: Path, body: str, source: str = SOURCE, *more: str) -> Result:
+    """What `verify` says of a source with one chapter."""
+    key = next(KEYS)
+    (folder / "source.py").write_text(source.replace("KEY", key))
+    chapter(folder, "chapter", body.replace("KEY", key))
+    return CliRunner().invoke(app, ["verify", "--source", str(folder), *more])
+
+
+@pytest.mark.parametrize("forged", SENT)
+def test_what_is_sent_is_held_against_what_is_found_where_it_arrives(
+    forged: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """A chapter sends verdicts of its own making, or nothing like verdicts."""
+    wrong = SENT[forged]
+    told = told_of(tmp_path, SENDS.replace("FORGED", forged if wrong else "[sum_, two]"))
+    assert told.exit_code == (0 if wrong is None else 2 if wrong == "is no result" else 1)
+    assert wrong is None or wrong in told.output
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def test_what_is_shown_of_a_statement_is_what_is_known_of_it(tmp_path: Path) -> None:
+    """The verdict is right, and the statement beside it another one."""
+    other = "[replace(sum_, derivation='x', statement=Statement('KEY:sum', '', '', ('0 = 1',)))]"
+    told = told_of(tmp_path, SENDS.replace("FORGED", other), SOURCE, "--format", "json")
+    first = json.loads(told.stdout)["statements"][0]
+    assert (first["statement"], first["derivation"]) == (r"\alpha = \beta + \beta", "chapter.py")
+
+
+@pytest.mark.parametrize(("digits", "kind"), [("3.14", "enclosed"), ("3.15", "refuted")])
+def test_a_number_that_a_source_quotes_is_measured_again(
+    digits: str, kind: str, tmp_path: Path
+) -> None:
+    body = SENDS.partition("    page.define")[0] + '    page.settle("KEY:size", value=pi)\n'
+    told = told_of(tmp_path, body, SOURCE.replace("3.15", digits))
+    assert told.exit_code == 0
+    assert kind in told.output

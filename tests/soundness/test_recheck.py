@@ -135,3 +135,17 @@ def test_what_is_no_certificate_is_named():
     for nothing in (None, "Positive", {}, Largest):
         with pytest.raises(TypeError, match="is no certificate"):
             recheck(nothing)
+
+
+def test_nothing_but_symbols_has_values():
+    # with -2 for the number 1, x^2 + 1 would have the zero of x^2 - 2
+    root = zero(x**2 - 2, x, S.One, S(2))
+    assert recheck(root)
+    assert not recheck(replace(root, expr=x**2 + 1, at={S.One: S(-2)}))
+    assert not recheck(replace(root, expr=x**2 - 2, variable=x**2, between=(S.One, S(3))))
+    assert not recheck(Zero(5 + sqrt(2), sqrt(2), (S(-6), S(-4)), arb("-5 +/- 1e-20"), 96))
+
+
+@pytest.mark.parametrize("bits", [0, -5, "x", None, 10**12])
+def test_no_zero_has_a_precision_beyond_reason(bits):
+    assert not recheck(replace(zero(x**2 - 2, x, S.One, S(2)), bits=bits))

@@ -112,6 +112,18 @@ def test_a_motion_in_steps_is_refused() -> None:
             law(forms=[strange, *forms[1:]])
 
 
+TURNS = sp.log(exp(4 * I * t)) - 4 * I * t
+"""0 up to t = pi/4 and -2 pi j from there on: its slope is 0 wherever it has one."""
+
+
+@pytest.mark.parametrize("jump", [TURNS, sp.sqrt(exp(4 * I * t)) * exp(-2 * I * t) - 1])
+def test_a_motion_that_jumps_is_refused(jump) -> None:
+    """A step t -> t^2/2 - 2 pi j has the slopes of the motion, and would be a second answer."""
+    forms = list(motion(FREE))
+    with pytest.raises(NotShown):
+        law(forms=[*forms[:4], forms[4] + jump, forms[5]])
+
+
 def test_the_fraction_of_a_delay_lies_within_a_period() -> None:
     found = law(delay=(d, x)).hypotheses
     assert {whole(d), proposition(x >= 0), proposition(x <= 1)} <= found

@@ -41,7 +41,10 @@ _SYMBOLS = {sp.Symbol, sp.Dummy}
 _ATOMS = (sp.pi, sp.E, sp.I, sp.S.Zero, sp.S.One, sp.S.NegativeOne, sp.S.Half)
 _TERMS = {sp.Add, sp.Mul, sp.Pow, sp.Integer, sp.Rational, *FUNCTIONS, *map(type, _ATOMS)}
 _PLAIN = {Counter, Path, PosixPath, WindowsPath, set, frozenset}
-_WRONG = (pickle.UnpicklingError, AttributeError, ImportError, LookupError, TypeError, ValueError)
+_WRONG = (
+    *(pickle.UnpicklingError, AttributeError, ImportError, LookupError, TypeError, ValueError),
+    RecursionError,
+)
 
 
 Places: TypeAlias = Mapping[int, int]

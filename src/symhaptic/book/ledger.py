@@ -17,14 +17,24 @@ from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
 from symhaptic.book.grounds import not_defined, typed_again
 from symhaptic.book.record import Settled
-from symhaptic.book.sources import CLAIMED, PAPER, SOURCES, STATEMENTS, of_source, source_of
+from symhaptic.book.sources import (
+    CLAIMED,
+    PAPER,
+    SHIPPED,
+    SOURCES,
+    STATEMENTS,
+    is_id,
+    of_source,
+    source_of,
+)
 from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
 from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source
 from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
-from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.theorems.judge import Case, Judged
+from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.units import of_another_unit
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
@@ -142,9 +152,10 @@ def _own_claim(settled: Settled) -> Proposition | None:
 def _to_be_compared(entry: Entry, grounds: Settlement) -> Entry:
     """With what the print was compared with; *argued* where that cannot be sent to be compared."""
     kind = entry.verdict.kind
-    if grounds.judged is not None or not grounds.derived or kind not in WEIGHED:
+    numbers = bool(grounds.values) and not _comes_with_the_package(entry.statement.id)
+    if grounds.judged is not None or not (grounds.derived or numbers) or kind not in WEIGHED:
         return entry
-    compared = _forms(grounds)
+    compared = replace(_forms(grounds), values=tuple(grounds.values) if numbers else ())
     try:
         arrives = isinstance(arrived(pickle.dumps(compared), Path()), Settlement)
     except (pickle.PicklingError, AttributeError, TypeError):
@@ -167,12 +178,19 @@ def _forms(grounds: Settlement) -> Settlement:
         misprint=grounds.misprint,
         definitions=tuple(grounds.definitions),
         signs=tuple(grounds.signs),
+        values=tuple(grounds.values),
     )
+
+
+def _comes_with_the_package(id: str) -> bool:
+    """Whether a statement's chapter is one of ours."""
+    return id in STATEMENTS and source_of(id) in SHIPPED
 
 
 def _compared_again(entry: Entry, printed: Printed) -> str | None:
     """What is wrong with the verdict that another process gives by comparing, if anything is."""
     id, kind, compared = entry.statement.id, entry.verdict.kind, entry.compared
+    quoted = STATEMENTS[id].quoted if id in STATEMENTS else ()
     if compared is None:
         return None if entry.source is PAPER else f"{id}: {kind}, of what was not compared again"
     try:
@@ -181,15 +199,31 @@ def _compared_again(entry: Entry, printed: Printed) -> str | None:
         for name, meaning in compared.given.items():
             if wrong := of_another_unit(name, meaning):
                 return f"{id}: compared again: {wrong}"
-        forms = _forms(compared)
+        forms = replace(_forms(compared), quoted=quoted)
         own = id not in STATEMENTS
         found = replace(forms, assumed=own and typed_again(printed, forms)).decide(printed)
-    except (AttributeError, TypeError, ValueError) as wrong_data:
+    except (ArithmeticError, AttributeError, TypeError, ValueError) as wrong_data:
         return f"{id}: compared again: {' '.join(str(wrong_data).split())}"
-    same = found.kind is kind or (kind is Kind.ENCLOSED and found.kind is Kind.PROVED)
-    if not same or found.condition != entry.verdict.condition:
-        return f"{id}: compared again it is {found.kind}"
-    return None
+    return _says_else(entry, found, "compared again")
+
+
+_SAID = {"counterexample": "counterexample", "rests": "ground", "claim": "claim"}
+"""What a verdict says that is found here as well, and how it is called."""
+
+
+def _says_else(entry: Entry, found: Verdict, how: str) -> str | None:
+    """What another process says of a verdict that was not found here, if anything is."""
+    id, said = entry.statement.id, entry.verdict
+    ours = _comes_with_the_package(id)
+    numbers = ours and said.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
+    if (found.kind is not said.kind and not numbers) or found.condition != said.condition:
+        return f"{id}: {how} it is {found.kind}"
+    other = [w for name, w in _SAID.items() if getattr(found, name) != getattr(said, name)]
+    if _corrected(found) != _corrected(said):
+        other.append("correction")
+    if not ours and (found.value, found.radius) != (said.value, said.radius):
+        other.append("value")
+    return f"{id}: {how} it has another {other[0]}" if other else None
 
 
 def judged_again(entry: Entry) -> str | None:
@@ -202,8 +236,11 @@ def judged_again(entry: Entry) -> str | None:
     known, claim = STATEMENTS.get(statement.id), entry.claim
     if judged is None:
         printed, free = (known or statement).printed, statement.id not in CLAIMED
-        if kind not in WEIGHED or (free and not printed and known and known.quoted):
+        if kind not in WEIGHED:
             return None
+        if free and not printed and known and known.quoted:
+            ours = _comes_with_the_package(statement.id)
+            return None if ours else _compared_again(entry, printed)
         if free and printed:
             return _compared_again(entry, printed)
         return f"{statement.id}: {kind} without a theorem, of what is not compared with a formula"
@@ -213,18 +250,25 @@ def judged_again(entry: Entry) -> str | None:
         found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
     except Unfounded as wrong:
         return f"{statement.id}: {wrong}"
-    numbers = kind is Kind.ENCLOSED and found.kind is Kind.PROVED
-    same = found.kind is kind or numbers
-    if not same or found.condition != entry.verdict.condition:
-        return f"{statement.id}: judged again it is {found.kind}"
-    return None
+    return _says_else(entry, found, "judged again")
+
+
+class NoEntries(ValueError):
+    """What came from a chapter's process, and is nothing that our code sends."""
 
 
 def looked_at(entries: list[Entry]) -> list[Entry]:
-    """What came from a chapter's process, judged again, without the theorems that came with it."""
+    """What came from a chapter's process, judged again, without the theorems that came with it.
+
+    A statement that is known here is the one that is known, whatever came.  Raises
+    :class:`NoEntries` for what are no entries.
+    """
+    if type(entries) is not list or not all(map(_is_entry, entries)):
+        raise NoEntries("no statements with their verdicts")
     return [
         replace(
             entry,
+            statement=STATEMENTS.get(entry.statement.id, entry.statement),
             verdict=replace(entry.verdict, corrected=None),
             look=Look(judged_again(entry), checked(entry.statement.id, entry.judged)),
             judged=None,
@@ -233,6 +277,65 @@ def looked_at(entries: list[Entry]) -> list[Entry]:
         )
         for entry in entries
     ]
+
+
+def _is_entry(entry: Any) -> bool:
+    """Whether it has what is listed, each in a line."""
+    if type(entry) is not Entry:
+        return False
+    statement, verdict = entry.statement, entry.verdict
+    if type(statement) is not Statement or type(verdict) is not Verdict:
+        return False
+    lines = [verdict.condition, verdict.corrected_latex, verdict.value, verdict.radius]
+    point = verdict.counterexample or {}
+    return (
+        _is_read(statement)
+        and all(type(t) is str for t in (statement.location, statement.says, statement.domain))
+        and _are_text(statement.latex)
+        and (statement.reading is None or _are_text(statement.reading))
+        and type(verdict.kind) is Kind
+        and (verdict.argued_for is None or type(verdict.argued_for) is Kind)
+        and type(verdict.method) is str
+        and all(t is None or type(t) is str for t in (verdict.shows, verdict.note, *lines))
+        and type(point) is dict
+        and _are_text((*point.keys(), *point.values()))
+        and _are_text(verdict.rests)
+        and all(t is None or t.isprintable() for t in (*lines, *point.keys(), *point.values()))
+        and type(entry.seconds) in (int, float)
+        and type(entry.own) is bool
+        and (entry.claim is None or isinstance(entry.claim, Proposition))
+        and (entry.judged is None or _is_judged(entry.judged))
+    )
+
+
+def _is_read(statement: Statement) -> bool:
+    """Whether a statement can be named and read."""
+    try:
+        return is_id(statement.id) and isinstance(statement.printed, tuple)
+    except (AttributeError, TypeError, ValueError, RecursionError):
+        return False
+
+
+def _is_judged(judged: Any) -> bool:
+    """Whether theorems came, and points with theorems."""
+    if type(judged) is not Judged or type(judged.unless) is not tuple:
+        return False
+    if not (judged.corrected is None or _are_text(judged.corrected)):
+        return False
+    cases = [*judged.unless, *(() if judged.example is None else (judged.example,))]
+    stated = judged.instead is None or isinstance(judged.instead, Proposition)
+    return (
+        stated
+        and type(judged.theorem) is Theorem
+        and all(
+            type(case) is Case and type(case.theorem) is Theorem and type(case.values) is dict
+            for case in cases
+        )
+    )
+
+
+def _are_text(parts: Any) -> bool:
+    return type(parts) is tuple and all(type(part) is str for part in parts)
 
 
 def of_derivation(path: Path) -> list[Entry]:

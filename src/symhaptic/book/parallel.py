@@ -11,7 +11,7 @@ from __future__ import annotations
 import gc
 import os
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
@@ -25,6 +25,7 @@ from symhaptic.book.chapters import (
     keep,
     known_sources,
     said_beside,
+    source,
 )
 from symhaptic.book.ledger import Entry, looked_at, of_derivation
 from symhaptic.book.reader import context, ended, reads
@@ -67,7 +68,7 @@ def settled(
         if isinstance(result, BadChapter):
             failed(result)
         else:
-            found[i] = result
+            found[i] = [replace(entry, derivation=source(paths[i])) for entry in result]
     return [entry for i in sorted(found) for entry in found[i]]
 
 

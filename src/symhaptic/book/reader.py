@@ -23,6 +23,7 @@ from symhaptic.book import SELDOM
 from symhaptic.book.arrivals import Places, arrived, places, sent, without_text
 from symhaptic.book.beforehand import Beforehand
 from symhaptic.book.chapters import BadChapter, Said, keep, untouched
+from symhaptic.book.ledger import NoEntries
 from symhaptic.proof.theorems.kernel import Theorem, at_hand
 
 GRACE = 0.5
@@ -72,8 +73,11 @@ def reads(
             known = at_hand()
             there = places(known)  # so that the chapter's process need not touch each theorem
         result = _of_chapter(how, work, paths[number], known, there, asked)
-        with without_text():
-            found = result if isinstance(result, BadChapter) else then(result)
+        try:
+            with without_text():
+                found = result if isinstance(result, BadChapter) else then(result)
+        except NoEntries as wrong:
+            found = BadChapter(paths[number], f"what its process sent is no result: {wrong}")
         asked.send_bytes(sent(found))
 
 

@@ -21,7 +21,8 @@ PAPER = Source(
     "2014",
     "IEEE Transactions on Control Systems Technology",
 )
-SOURCES = [PAPER, rules.SOURCE]
+SHIPPED = (PAPER, rules.SOURCE)
+SOURCES = [*SHIPPED]
 
 STATEMENTS: dict[str, Statement] = {**paper.STATEMENTS, **rules.STATEMENTS}
 """Of all sources, in their order."""
@@ -76,6 +77,7 @@ __all__ = [
     "CLAIMED",
     "NO_ID",
     "PAPER",
+    "SHIPPED",
     "SOURCES",
     "STATEMENTS",
     "add",

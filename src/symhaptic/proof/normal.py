@@ -240,6 +240,7 @@ class Field:
             ring.relate(
                 self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
             )
+            ring.folds[names.index(self._zeta)] = self._order // 2, fmpq(-1)
         self._bases: dict[int, Expr] = {}
         for i, (exponent, _) in enumerate(self._basis):
             if exponent in log_of:

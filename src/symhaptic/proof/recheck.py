@@ -101,9 +101,8 @@ def _sound(claim: Positive) -> bool:
     """Whether it speaks of real numbers, of which the box alone says where they lie."""
     meanings = claim.given.meanings if claim.given else {}
     known = set(claim.box) | set(meanings)
-    sensible = isinstance(claim.bits, int) and 2 <= claim.bits <= _BITS
     return (
-        sensible
+        _sensible(claim.bits)
         and not set(claim.box) & set(meanings)
         and all(
             isinstance(expr, Expr)
@@ -112,6 +111,10 @@ def _sound(claim: Positive) -> bool:
             for expr in (claim.expr, *claim.defined)
         )
     )
+
+
+def _sensible(bits: int) -> bool:
+    return isinstance(bits, int) and 2 <= bits <= _BITS
 
 
 def _interval(ends: tuple[Expr, Expr]) -> Interval | None:
@@ -178,7 +181,9 @@ def _given(given: Given | None) -> Numbers:
 
 
 def _zero(claim: Zero) -> bool:
-    if claim.variable in claim.at:
+    # of anything but symbols the expression would be taken for another one
+    symbols = all(isinstance(s, sp.Symbol) for s in (claim.variable, *claim.at))
+    if claim.variable in claim.at or not symbols or not _sensible(claim.bits):
         return False
     with ctx.workprec(claim.bits):
         run = program(claim.expr, [claim.variable, *claim.at])

@@ -14,7 +14,7 @@ from sympy import Expr
 from symhaptic.notation.exact import fraction
 from symhaptic.proof.budget import spend
 
-_ONE = fmpq(1)
+_ONE, _ZERO = fmpq(1), fmpq(0)
 
 
 @dataclass(slots=True)
@@ -35,10 +35,19 @@ class Fractional:
             plain = terms == 1 and all(abs(c) == 1 for c in poly.coeffs())
             if not plain:
                 spend(abs(n) * terms)
-                spend(comb(abs(n) + terms - 1, terms - 1))
+                spend(comb(abs(n) + terms - 1, terms - 1) * (1 + abs(n) * _bits(poly) // _DIGIT))
         if n < 0:
             return Fractional(self.den ** (-n), self.num ** (-n))
         return Fractional(self.num**n, self.den**n)
+
+
+_DIGIT = 256
+"""Numbers of so many bits are as dear as short ones."""
+
+
+def _bits(poly: fmpq_mpoly) -> int:
+    """Each time that a power of it is multiplied by it, a coefficient may grow by so many bits."""
+    return max((c.height_bits() for c in poly.coeffs()), default=1) + len(poly).bit_length()
 
 
 @cache
@@ -59,6 +68,8 @@ class Ring:
         self.relations: list[tuple[int, dict[int, fmpq_mpoly]]] = []
         self.moduli: dict[int, fmpq_mpoly] = {}
         """The relations that are monic and have numbers as coefficients, by their generator."""
+        self.folds: dict[int, tuple[int, fmpq]] = {}
+        """A power of a generator, and the number that it is by its relation."""
         self.small: int | None = None
         """Index of the variable in which polynomials are cut off, in a series."""
 
@@ -73,12 +84,18 @@ class Ring:
             spend(len(right.num) * len(left.den))
             return Fractional(left.num + right.num * left.den, left.den)
         spend(len(left.den) * len(right.den))
-        common = left.den.gcd(right.den)
+        common = self.gcd(left.den, right.den)
         if self.small is not None and any(m[self.small] for m in common.to_dict()):
             common = self.one
         ours, theirs = right.den / common, left.den / common
         spend(len(left.num) * len(ours) + len(right.num) * len(theirs) + len(left.den) * len(ours))
         return Fractional(left.num * ours + right.num * theirs, left.den * ours)
+
+    def gcd(self, one: fmpq_mpoly, other: fmpq_mpoly) -> fmpq_mpoly:
+        """The largest common divisor; of more than single terms it may have one for each power."""
+        if min(len(one), len(other)) > 1:
+            spend(max(*one.degrees(), *other.degrees()))
+        return one.gcd(other)
 
     def constant(self, value: sp.Rational) -> Fractional:
         """A rational number as an element."""
@@ -119,10 +136,14 @@ class Ring:
         """Impose sum of coefficient times name**power = 0."""
         index = self.names.index(name)
         self.relations.append((index, coefficients))
-        if all(c.is_constant() for c in coefficients.values()):
-            main, zero = self.gen[name], self.ctx.constant(0)
-            if coefficients[max(coefficients)] == self.one:
-                self.moduli[index] = sum((c * main**p for p, c in coefficients.items()), zero)
+        monic = coefficients[max(coefficients)] == self.one
+        if monic and all(c.is_constant() for c in coefficients.values()):
+            places = range(max(1, len(self.names)))
+            terms = {p: tuple(p * (i == index) for i in places) for p in coefficients}
+            numbers = {p: c.leading_coefficient() for p, c in coefficients.items()}
+            self.moduli[index] = self.ctx.from_dict({terms[p]: c for p, c in numbers.items()})
+            if len(numbers) == 2 and 0 in numbers:
+                self.folds[index] = max(numbers), -numbers[0]
 
     def reduce(self, poly: fmpq_mpoly) -> fmpq_mpoly:
         """The polynomial modulo all relations, up to a factor that is not zero."""
@@ -130,8 +151,7 @@ class Ring:
             degree = max(relation)
             main = self.gen[self.names[index]]
             if index in self.moduli:
-                spend(len(poly) * len(relation))
-                poly = poly % self.moduli[index]
+                poly = self._remainder(poly, index)
                 continue
             while True:
                 parts = self.by_power(poly, index)
@@ -147,12 +167,35 @@ class Ring:
                 poly = relation[degree] * lower - parts[top] * rest
         return poly
 
+    def _remainder(self, poly: fmpq_mpoly, index: int) -> fmpq_mpoly:
+        """The polynomial modulo a monic relation; each term is divided once for each power."""
+        modulus = self.moduli[index]
+        if index in self.folds:
+            poly = self._folded(poly, index, *self.folds[index])
+        powers = poly.degrees()[index] - modulus.degrees()[index] + 1
+        if powers < 1:
+            return poly
+        spend(len(poly) * (len(modulus) + powers))
+        return poly % modulus
+
+    def _folded(self, poly: fmpq_mpoly, index: int, degree: int, number: fmpq) -> fmpq_mpoly:
+        """With a number for a power of a generator, wherever that is a factor of a term."""
+        times = poly.degrees()[index] // degree
+        if times < 1:
+            return poly
+        spend(len(poly) * (1 + times * number.height_bits() // _DIGIT))
+        found: dict[tuple[int, ...], fmpq] = {}
+        for monomial, value in poly.to_dict().items():
+            turns, left = divmod(int(monomial[index]), degree)
+            rest = (*monomial[:index], left, *monomial[index + 1 :])
+            found[rest] = found.get(rest, _ZERO) + value * number**turns
+        return self.ctx.from_dict(found)
+
     def shortened(self, quotient: Fractional) -> Fractional:
         """An equal quotient, of remainders modulo the monic relations where its divisor has one."""
         num, den = quotient.num, quotient.den
-        for modulus in reversed(self.moduli.values()):
-            spend(len(num) + len(den))
-            num, den = num % modulus, den % modulus
+        for index in reversed(self.moduli):
+            num, den = self._remainder(num, index), self._remainder(den, index)
         return quotient if den.is_zero() else Fractional(num, den)
 
     def by_power(self, poly: fmpq_mpoly, index: int) -> dict[int, fmpq_mpoly]:

@@ -24,7 +24,8 @@ from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 
 _DIVISORS = {sp.tan: sp.cos, sp.cot: sp.sin, sp.tanh: sp.cosh}
-_REAL = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.atan)
+_SMOOTH = (sp.exp, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh)
+_REAL = (*_SMOOTH, sp.atan)
 _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
@@ -135,6 +136,23 @@ def real(expr: Expr) -> bool:
         return is_zero(expr - expr.xreplace({sp.I: -sp.I}))
     except (Unsupported, Undefined):
         return False
+
+
+def smooth(expr: Expr, symbol: Symbol) -> bool:
+    """Whether an expression has a slope wherever it has a value, by its form alone.
+
+    An absolute value has a corner; logarithms, arcs and roots have cuts, across which they jump.
+
+    >>> x, y = sp.symbols("x y")
+    >>> smooth(sp.exp(sp.sqrt(y)*x)/x, x), smooth(sp.log(sp.exp(sp.I*x)), x)
+    (True, False)
+    """
+    if symbol not in symbols_in(expr) or expr == symbol:
+        return True
+    if expr.is_Pow and not expr.exp.is_Integer:
+        return symbol not in symbols_in(expr.base) and smooth(expr.exp, symbol)
+    known = expr.is_Add or expr.is_Mul or expr.is_Pow or isinstance(expr, _SMOOTH)
+    return known and all(smooth(part, symbol) for part in expr.args)
 
 
 @lru_cache(maxsize=1 << 16)

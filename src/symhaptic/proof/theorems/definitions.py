@@ -48,8 +48,8 @@ def loop_polynomial(
 ) -> tuple[set[Proposition], Predicate]:
     """A loop's polynomial in w, with z = w^share, has its zeros inside; and its divisors."""
     found = [term(v) for v in values]
-    if any(variable in t.free_symbols for t in found):
-        raise NotShown(f"{variable} is bound")
+    if any({variable, z} & t.free_symbols for t in found):
+        raise NotShown(f"{variable} or {z} is bound")
     if (not stiffness and found[2] != 0) or (not damping and found[3] != 0):
         raise NotShown("a part that is not modelled is zero")
     if term(share).is_number and not (term(share).is_Integer and share >= 1):

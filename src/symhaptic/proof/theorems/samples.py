@@ -14,13 +14,12 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 from sympy import ImmutableMatrix as Matrix
-from sympy.core.function import AppliedUndef
 
 from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term, whole
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.axioms import answers, transfer
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, real, smooth
 from symhaptic.proof.theorems.kernel import (
     Judgement,
     NotShown,
@@ -97,7 +96,7 @@ def _moves(
     forms = [*phi, *held]
     if any(time in v.free_symbols for v in (mass, damping, stiffness)):
         raise NotShown(f"the device changes with {time}")
-    if any(f.has(sp.Abs, sp.re, sp.im, sp.conjugate, AppliedUndef) for f in forms):
+    if not all(smooth(f, time) for f in forms):
         raise NotShown("a motion is not differentiable by its form")
     law = Matrix([[0, 1], [-stiffness / mass, -damping / mass]])
     start = {time: _ZERO}
