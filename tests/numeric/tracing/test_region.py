@@ -185,3 +185,19 @@ def test_next_to_no_damping_is_as_good_as_none(damping, delay):
     found, none = stable_region(0.3, damping, delay), stable_region(0.3, 0.0, delay)
     assert found.area == pytest.approx(none.area, rel=1e-12)
     assert np.allclose(found.corners, none.corners, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("device", "delay", "sheet", "wall"),
+    [
+        ((9.869604401089358, 2e-8), 0.5, "exact", (10.0, -3.0)),  # half a swing in a period
+        ((1.9340278253360927, 2.78), 1 + 2**-30, "principal", None),
+        ((6.82, 0.7), 2 + 1e-11, "principal", None),
+    ],
+)
+def test_pieces_that_do_not_meet_are_no_empty_region(device, delay, sheet, wall):
+    """There are stable walls: the empty region that was once the answer is wrong."""
+    if wall is not None:
+        assert radius(*wall, *device, delay) < 1
+    with pytest.raises(ValueError, match=r"^gamma: .* the pieces of its boundary do not meet"):
+        stable_region(*device, delay, sheet)

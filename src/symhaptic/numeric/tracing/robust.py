@@ -51,7 +51,8 @@ def robust_region(
     less than the last move.  Without damping there is no such wall (proved for whole and half
     delays in chapter s5c_robust, no other was found), and the polygon is empty.
 
-    Raises :class:`ValueError` for an impossible damping, delay or tolerance.
+    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and where
+    :func:`stable_region` does.
 
     >>> region = robust_region(0.02, 0)  # a triangle for d = 0; passive walls fill 0.0008 of it
     >>> region.area > 0.0008, len(region.outline)
