@@ -196,3 +196,52 @@ def test_what_xml_has_no_character_for_is_replaced(tmp_path):
     symhaptic("verify", "--source", folder, "--format", "junit", "-o", out)
     [error] = ElementTree.parse(out).getroot().iter("error")
     assert "ValueError: a\ufffdb\ufffd\ufffd" in error.get("message")
+
+
+CLAIMS = """
+from sympy import Eq, Symbol
+from symhaptic.notation.proposition import ForAll, proposition
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.statement import Source, Statement
+x = Symbol("x")
+SOURCE = Source("odd", "Odd notes", "A. Author", "2026")
+STATEMENTS = (Statement("odd:words", "p. 1", "a square of a sum has three terms"),)
+
+@claims("odd:words")
+def _squared(printed):
+    return ForAll((x,), proposition(Eq((x + 1)**2, x**2 + 2*x + 1)))
+"""
+SQUARED = """
+from symhaptic.proof.theorems.kernel import general
+from symhaptic.proof.theorems.leaves import identity
+def derive(page):
+    page.settle("odd:words", general(identity((x + 1)**2, x**2 + 2*x + 1), x))
+"""
+
+
+def test_what_a_source_claims_in_words_is_settled_by_a_theorem(tmp_path):
+    folder = odd(tmp_path, SQUARED)
+    (folder / "source.py").write_text(CLAIMS, encoding="utf-8")
+    assert verdicts(folder, "--strict")["odd:words"]["verdict"] == "proved"
+
+
+@pytest.mark.parametrize(
+    ("claims", "chapter", "told"),
+    [
+        # a theorem of something else
+        (("2*x + 1", "2*x + 2"), ("", ""), "chapter.py"),
+        (("", ""), ("(x + 1)**2, x**2 + 2*x + 1", "(x + 2)**2, x**2 + 4*x + 4"), "chapter.py"),
+        # claimed of what is not stated, of what the paper states, and not a proposition
+        (('@claims("odd:words")', '@claims("odd:other")'), ("", ""), "'odd:other', which it does"),
+        (('@claims("odd:words")', '@claims("eq11")'), ("", ""), "eq11 is claimed twice"),
+        (("return ForAll", "return str"), ("", ""), "source.py"),
+    ],
+)
+def test_what_it_does_not_claim_is_not_settled_so(tmp_path, claims, chapter, told):
+    folder = odd(tmp_path, SQUARED.replace(*chapter))
+    (folder / "source.py").write_text(CLAIMS.replace(*claims), encoding="utf-8")
+    run = symhaptic("verify", "--source", folder, "--strict")
+    assert run.returncode == 2
+    assert told in run.stderr
+    assert run.stderr.count("\n") == 1
+    assert "proved" not in run.stdout

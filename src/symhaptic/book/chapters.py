@@ -15,7 +15,8 @@ from typing import TypeAlias
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import PACKAGE
-from symhaptic.book.sources import add
+from symhaptic.book.sources import add, claimed
+from symhaptic.notation.proposition import Proposition
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.recheck import confirm
 
@@ -120,8 +121,8 @@ def shipped() -> list[Path]:
 
 SOURCE_FILE = "source.py"
 
-Said: TypeAlias = tuple[Source, tuple[Statement, ...]]
-"""A source and its statements, as a ``source.py`` has them."""
+Said: TypeAlias = tuple[Source, tuple[Statement, ...], dict[str, Proposition]]
+"""A source, its statements and what it claims of them by their ids, as a ``source.py`` has them."""
 
 _sources: dict[Path, Said] = {}
 """Folders whose source is known."""
@@ -144,7 +145,8 @@ def said_beside(path: Path) -> Said | None:
     with _SomebodyElses(file):
         if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
             raise BadChapter(file, "has no SOURCE or no STATEMENTS")
-        return module.SOURCE, tuple(module.STATEMENTS)
+        statements = tuple(module.STATEMENTS)
+        return module.SOURCE, statements, claimed(module.SOURCE, statements)
 
 
 def keep(folder: Path, said: Said) -> Source:
@@ -154,11 +156,12 @@ def keep(folder: Path, said: Said) -> Source:
     """
     if folder not in _sources:
         file = folder / SOURCE_FILE
-        source, statements = said
+        with _SomebodyElses(file):
+            source, statements, claims = said
         if type(source) is not Source or any(type(s) is not Statement for s in statements):
             raise BadChapter(file, "SOURCE is no Source, or STATEMENTS are no Statements")
         with _SomebodyElses(file):
-            add(source, statements)
+            add(source, statements, claims)
         _sources[folder] = said
     return _sources[folder][0]
 

@@ -6,11 +6,14 @@ beside it the chapters that settle these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 
 from symhaptic import paper, rules
+from symhaptic.notation.proposition import Proposition
 from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.rules import claims as _claims  # noqa: F401  registered in CLAIMED
 
@@ -36,8 +39,30 @@ def source_of(id: str) -> Source | None:
     return next(source for source in SOURCES if source.key == key)
 
 
-def add(source: Source, statements: Iterable[Statement]) -> Source:
+def claimed(source: Source, statements: Iterable[Statement]) -> dict[str, Proposition]:
+    """What a source that was read in this process claims of its statements, as they are printed.
+
+    Raises ``ValueError`` for a claim of what it does not state.
+    """
+    own = {s.id: replace(s, notation=source.notation) for s in statements}
+    for id in CLAIMED.keys() - STATEMENTS.keys() - own.keys():
+        raise ValueError(f"something is claimed of {id!r}, which it does not state")
+    return {id: CLAIMED[id](s.printed) for id, s in own.items() if id in CLAIMED}
+
+
+def _of_its_print(claim: Proposition, own: Printed, printed: Printed) -> Proposition:
+    """What was claimed of a statement, whose print this is to be."""
+    if tuple(printed) != tuple(own):
+        raise ValueError("what the source claims was told of the print as it stands")
+    return claim
+
+
+def add(
+    source: Source, statements: Iterable[Statement], claims: Mapping[str, Proposition]
+) -> Source:
     """Another source, with its statements, whose ids begin with its key and a colon.
+
+    ``claims`` has what it claims of some of them, by their ids.
 
     Raises ``ValueError`` with one line on what is wrong with it.
     """
@@ -53,8 +78,14 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
             )
         found[statement.id] = replace(statement, notation=source.notation)
         found[statement.id].printed  # noqa: B018  raises where it cannot be read
+    if not claims.keys() <= found.keys() or any(
+        not isinstance(claim, Proposition) for claim in claims.values()
+    ):
+        raise ValueError("what is claimed is no proposition on a statement of it")
     SOURCES.append(source)
     STATEMENTS.update(found)
+    for id, claim in claims.items():
+        CLAIMED.setdefault(id, partial(_of_its_print, claim, found[id].printed))
     return source
 
 
