@@ -193,6 +193,9 @@ def test_next_to_no_damping_is_as_good_as_none(damping, delay):
         ((9.869604401089358, 2e-8), 0.5, "exact", (10.0, -3.0)),  # half a swing in a period
         ((1.9340278253360927, 2.78), 1 + 2**-30, "principal", None),
         ((6.82, 0.7), 2 + 1e-11, "principal", None),
+        # not one piece is found, and nothing is loose
+        ((6.909924236901929, 2.677593357711269), 1e-8, "principal", None),
+        ((0.0, 5.116789492756621), 2**-52, "principal", None),
     ],
 )
 def test_pieces_that_do_not_meet_are_no_empty_region(device, delay, sheet, wall):

@@ -123,7 +123,22 @@ def stable_region(
         inner = face.representative_point()
         if is_stable(inner.x, inner.y, loop.gamma, loop.delta, loop.delay, loop.sheet):
             stable.append(face)
+    if not stable and _hardly_held(loop):
+        raise _not_traced(loop)
     return Region(loop, shapely.unary_union(stable), corners, max(error, moved))
+
+
+def _hardly_held(loop: Loop) -> bool:
+    """Whether a wall far below the passive ones, alpha = delta/(4 + 8 d), is stable."""
+    wall = loop.delta / (4 + 8 * loop.delay), 0.0
+    return bool(is_stable(*wall, loop.gamma, loop.delta, loop.delay, loop.sheet))
+
+
+def _not_traced(loop: Loop) -> ValueError:
+    return ValueError(
+        f"gamma: {loop.gamma!r} with delta={loop.delta!r} behind {loop.delay!r} periods is not "
+        "traced, since the pieces of its boundary do not meet; is_stable tells of each wall"
+    )
 
 
 def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
@@ -141,10 +156,7 @@ def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
         if sum(shapely.length(rest)) <= share * size:
             moved = 0.0 if share == _SAME[0] else share * size
             return corners, list(polygons.geoms), moved
-    raise ValueError(
-        f"gamma: {loop.gamma!r} with delta={loop.delta!r} behind {loop.delay!r} periods is not "
-        "traced, since the pieces of its boundary do not meet; is_stable tells of each wall"
-    )
+    raise _not_traced(loop)
 
 
 # -- the sides ------------------------------------------------------------------------------
