@@ -13,7 +13,8 @@ from typer.testing import CliRunner
 from symhaptic import prove
 from symhaptic.book.arrivals import arrived
 from symhaptic.cli.main import app
-from symhaptic.notation.proposition import NoTerm, Relation, term
+from symhaptic.notation.proposition import Relation
+from symhaptic.notation.terms import NoTerm, term
 from symhaptic.proof.ball import ball
 from symhaptic.proof.program import Uncheckable, program
 from symhaptic.proof.rewriting import Unsupported

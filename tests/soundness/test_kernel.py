@@ -16,14 +16,13 @@ from symhaptic.notation.proposition import (
     ForAll,
     Implies,
     Not,
-    NoTerm,
     Or,
     Predicate,
     Relation,
     proposition,
-    term,
     whole,
 )
+from symhaptic.notation.terms import NoTerm, term
 from symhaptic.proof.theorems import kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.derivation import leaves_of, replayed

@@ -10,7 +10,6 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     ForAll,
-    NoTerm,
     Predicate,
     Relation,
     both,
@@ -18,6 +17,7 @@ from symhaptic.notation.proposition import (
     proposition,
     whole,
 )
+from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.box import positive as on_pieces
 from symhaptic.proof.certificate import Known, Positive
 from symhaptic.proof.theorems.analysis import (

@@ -5,7 +5,8 @@ import sympy as sp
 from sympy import I, Rational, pi, sqrt, symbols
 
 from symhaptic.notation import s, z
-from symhaptic.notation.proposition import And, ForAll, Implies, Not, NoTerm, Relation
+from symhaptic.notation.proposition import And, ForAll, Implies, Not, Relation
+from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.theorems.kernel import NotShown
 from symhaptic.proof.theorems.leaves import none_right, one_right, root_outside, roots_inside

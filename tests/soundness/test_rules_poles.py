@@ -6,7 +6,8 @@ import pytest
 import sympy as sp
 from sympy import I, S, exp, pi, symbols
 
-from symhaptic.notation.proposition import Not, NoTerm, Predicate, Relation, whole
+from symhaptic.notation.proposition import Not, Predicate, Relation, whole
+from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.theorems.familiar import held_by_a_pole, swinging
 from symhaptic.proof.theorems.kernel import NotShown, assume
 from symhaptic.proof.theorems.leaves import identity, number

@@ -12,13 +12,13 @@ from symhaptic.notation.proposition import (
     FALSE,
     ForAll,
     Not,
-    NoTerm,
     Predicate,
     Relation,
     implied,
     proposition,
     whole,
 )
+from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import (
     amplified,

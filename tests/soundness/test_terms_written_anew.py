@@ -7,7 +7,8 @@ import sympy as sp
 from sympy import I, Rational, S
 
 from symhaptic.notation import proposition as language
-from symhaptic.notation.proposition import ForAll, NoTerm, Relation, both, term, whole
+from symhaptic.notation.proposition import ForAll, Relation, both, whole
+from symhaptic.notation.terms import NoTerm, term
 from symhaptic.proof.theorems.analysis import induction
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x

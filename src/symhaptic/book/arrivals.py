@@ -31,7 +31,8 @@ from sympy.parsing import sympy_parser
 
 from symhaptic.book.chapters import BadChapter
 from symhaptic.notation.fresh import made_before, mark
-from symhaptic.notation.proposition import FUNCTIONS, Proposition
+from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.terms import FUNCTIONS
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.theorems import kernel
 from symhaptic.proof.theorems.kernel import Theorem

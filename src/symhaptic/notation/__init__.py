@@ -2,7 +2,7 @@
 
 The symbols are plain SymPy symbols without assumptions, so that a formula typed with
 ``sympy.symbols("K B T")`` is the same formula; domains are data, used when a counterexample is
-looked for.  Here also are the order of terms, LaTeX in and out, quantities with units, and the
+looked for.  Here also are terms and their order, LaTeX in and out, quantities with units, and the
 language of propositions.  Imports no other room; used by all of them.
 """
 

@@ -17,7 +17,7 @@ import sympy as sp
 from flint import acb, arb, ctx
 from sympy import Expr
 
-from symhaptic.notation.proposition import symbols_in
+from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative

@@ -14,7 +14,7 @@ import sympy as sp
 from flint import acb, acb_series, arb, ctx
 from sympy import Expr
 
-from symhaptic.notation.proposition import symbols_in
+from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.certificate import Balls, Box, Certificate, Given, Largest, Positive, Zero
 from symhaptic.proof.program import Uncheckable, program, real, value

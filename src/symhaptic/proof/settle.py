@@ -11,7 +11,7 @@ from flint import arb
 from sympy import Expr
 from sympy.core.relational import Relational
 
-from symhaptic.notation.proposition import NoTerm
+from symhaptic.notation.terms import NoTerm
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read

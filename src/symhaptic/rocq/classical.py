@@ -9,7 +9,8 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Relation, proposition, term
+from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Theorem

@@ -11,7 +11,8 @@ import sympy as sp
 from sympy import Expr, floor
 
 from symhaptic.notation import a, e, n_0, n_1
-from symhaptic.notation.proposition import Predicate, Relation, term
+from symhaptic.notation.proposition import Predicate, Relation
+from symhaptic.notation.terms import term
 from symhaptic.proof.ball import sign
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.plants import AT_ONE, LATE, LOSS, TOGETHER

@@ -16,10 +16,9 @@ from symhaptic.notation.proposition import (
     Or,
     Proposition,
     Terms,
-    is_complex,
     proposition,
-    term,
 )
+from symhaptic.notation.terms import is_complex, term
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.steps import Proof, premises, said

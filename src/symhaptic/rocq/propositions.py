@@ -22,8 +22,8 @@ from symhaptic.notation.proposition import (
     Predicate,
     Proposition,
     Relation,
-    is_complex,
 )
+from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text

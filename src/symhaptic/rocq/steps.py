@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 
 from sympy import Symbol
 
-from symhaptic.notation.proposition import And, Proposition, is_complex
+from symhaptic.notation.proposition import And, Proposition
+from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.propositions import text, typed
 from symhaptic.rocq.terms import Names, NotPrinted

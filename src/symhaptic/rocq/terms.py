@@ -16,7 +16,7 @@ from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
-from symhaptic.notation.proposition import is_complex, symbols_in
+from symhaptic.notation.terms import is_complex, symbols_in
 
 
 class NotPrinted(ValueError):

@@ -7,7 +7,8 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import Proposition, Relation, is_complex
+from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import real
 from symhaptic.proof.theorems.kernel import (
     Theorem,

@@ -17,13 +17,13 @@ from symhaptic.notation.proposition import (
     Iff,
     Implies,
     Not,
-    NoTerm,
     Or,
     Predicate,
     Proposition,
     Relation,
     implied,
 )
+from symhaptic.notation.terms import NoTerm
 from symhaptic.notation.written import written
 from symhaptic.proof.change import Change
 from symhaptic.proof.mutants import few

@@ -21,9 +21,9 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     both,
-    term,
     whole,
 )
+from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import (

@@ -26,9 +26,9 @@ from symhaptic.notation.proposition import (
     Relation,
     both,
     implied,
-    term,
     whole,
 )
+from symhaptic.notation.terms import term
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 
 

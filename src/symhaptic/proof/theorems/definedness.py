@@ -12,13 +12,8 @@ from functools import lru_cache
 import sympy as sp
 from sympy import Expr, Symbol
 
-from symhaptic.notation.proposition import (
-    Predicate,
-    Proposition,
-    Relation,
-    is_complex,
-    symbols_in,
-)
+from symhaptic.notation.proposition import Predicate, Proposition, Relation
+from symhaptic.notation.terms import is_complex, symbols_in
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported

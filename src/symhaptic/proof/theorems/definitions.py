@@ -15,14 +15,8 @@ from sympy import Expr, Symbol
 from symhaptic.model.loop import characteristic
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import (
-    Iff,
-    Not,
-    Predicate,
-    Proposition,
-    term,
-    whole,
-)
+from symhaptic.notation.proposition import Iff, Not, Predicate, Proposition, whole
+from symhaptic.notation.terms import term
 from symhaptic.proof.ball import sign
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule

@@ -12,16 +12,8 @@ from typing import Any
 import sympy as sp
 from sympy import Symbol
 
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Iff,
-    Implies,
-    Predicate,
-    Relation,
-    term,
-    whole,
-)
+from symhaptic.notation.proposition import And, ForAll, Iff, Implies, Predicate, Relation, whole
+from symhaptic.notation.terms import term
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, relation, rule, without
 from symhaptic.proof.theorems.roots import summands

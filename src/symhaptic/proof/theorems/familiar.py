@@ -11,15 +11,8 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, S, Symbol
 
-from symhaptic.notation.proposition import (
-    Exists,
-    Iff,
-    Implies,
-    Predicate,
-    Relation,
-    proposition,
-    term,
-)
+from symhaptic.notation.proposition import Exists, Iff, Implies, Predicate, Relation, proposition
+from symhaptic.notation.terms import term
 from symhaptic.proof.theorems.axioms import AXIOMS, known
 from symhaptic.proof.theorems.kernel import (
     NotShown,

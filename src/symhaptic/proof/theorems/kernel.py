@@ -38,14 +38,11 @@ from symhaptic.notation.proposition import (
     both,
     conjuncts,
     field_names,
-    is_complex,
     negated,
     proposition,
     replaced,
-    symbols_in,
-    term,
-    without_value,
 )
+from symhaptic.notation.terms import is_complex, symbols_in, term, without_value
 from symhaptic.proof.theorems.definedness import conditions, differs, needed, real
 
 

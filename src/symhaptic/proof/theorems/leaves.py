@@ -23,10 +23,9 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     proposition,
-    symbols_in,
-    term,
     whole,
 )
+from symhaptic.notation.terms import symbols_in, term
 from symhaptic.proof.ball import largest_root, sign, zeros_inside
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.normal import Field, is_zero

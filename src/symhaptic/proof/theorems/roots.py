@@ -22,9 +22,9 @@ from symhaptic.notation.proposition import (
     Predicate,
     Proposition,
     Relation,
-    term,
     whole,
 )
+from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.proof.theorems.definitions import loop_polynomial

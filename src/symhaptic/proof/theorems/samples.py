@@ -15,7 +15,8 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy import ImmutableMatrix as Matrix
 
-from symhaptic.notation.proposition import And, Iff, Proposition, Relation, term, whole
+from symhaptic.notation.proposition import And, Iff, Proposition, Relation, whole
+from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.axioms import answers, transfer
