@@ -13,8 +13,9 @@ from symhaptic.numeric.stability import is_stable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from symhaptic.scene.limit import Stiffness
     from symhaptic.scene.safe import SafeWalls
-    from symhaptic.scene.scene import Scene, Stiffness
+    from symhaptic.scene.scene import Scene
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
 

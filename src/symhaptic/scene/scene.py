@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from symhaptic.model.parts import Parts
 from symhaptic.notation.quantities import decimal, nearest, number, shown
-from symhaptic.scene.limit import Limit
+from symhaptic.scene.limit import Limit, Stiffness, one_or_many
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -35,34 +35,6 @@ class Dimensionless(NamedTuple):
     """b T/m."""
     delay: float
     """t_d/T."""
-
-
-class Stiffness(float):
-    """A stiffness in N/m, with the damping that it needs: ``K``, ``B`` and ``frequency_hz``."""
-
-    B: float
-    """Virtual damping in Ns/m."""
-    frequency_hz: float
-    """The frequency in Hz at which this wall is just at its limit."""
-
-    def __new__(cls, K: float, B: float, frequency_hz: float) -> Stiffness:
-        """A number with two more beside it."""
-        self = super().__new__(cls, K)
-        self.B, self.frequency_hz = B, frequency_hz
-        return self
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Stiffness, (self.K, self.B, self.frequency_hz)
-
-    @property
-    def K(self) -> float:
-        """The stiffness in N/m."""
-        return float(self)
-
-
-def _stiffness(limit: Limit) -> Stiffness | Limit:
-    """One limit as a number; many as they are."""
-    return Stiffness(*limit) if isinstance(limit.K, float) else limit
 
 
 UNITS = {
@@ -362,7 +334,7 @@ class Scene:
         9512.195
         """
         if B is not None:
-            return _stiffness(self.limit_at(B))
+            return one_or_many(self.limit_at(B))
         from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
         return Stiffness(*self._wall(*max_stable_stiffness(*self.dimensionless)))
@@ -389,7 +361,7 @@ class Scene:
         if B is not None:
             from symhaptic.scene.walls import passive_limit_at
 
-            return _stiffness(passive_limit_at(self, B))
+            return one_or_many(passive_limit_at(self, B))
         from symhaptic.numeric.passivity import max_passive_stiffness
 
         _, delta, delay = self.dimensionless

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from symhaptic.numeric.extremum import Extremum
-    from symhaptic.scene.scene import Scene, Stiffness
+    from symhaptic.scene.limit import Stiffness
+    from symhaptic.scene.scene import Scene
 
 
 def is_stable(scene: Scene, K: Any, B: Any) -> Any:
