@@ -13,6 +13,7 @@ from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import assumptions, compiled, preludes, together
 from symhaptic.rocq.chapter import ALONE, MEANING, PROVED, File, printed
+from symhaptic.rocq.outcome import unasked
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
 
@@ -159,7 +160,7 @@ def test_leaves_leave_open_what_is_made_of_them():
     assert {step.rule for step in alone.steps} <= ALONE
     assert len(alone.steps) < len(whole.steps)
     assert "Print Assumptions" not in alone.written()
-    left = {id: int(said.split()[0]) for id, said in compiled._unasked(whole).items()}
+    left = {id: int(said.split()[0]) for id, said in unasked(whole).items()}
     assert left.keys() == whole.statements.keys()
     assert all(0 < n <= len(whole.steps) - len(alone.steps) for n in left.values())
 
