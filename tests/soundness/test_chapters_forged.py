@@ -7,12 +7,14 @@ import json
 import pickle
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from sympy import S, Symbol, floor, sin
 from typer.testing import CliRunner, Result
 
+from symhaptic.book import chapters, sources
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
@@ -32,6 +34,18 @@ pytestmark = pytest.mark.early
 """Chapters are forked from this process as long as it has run none, and else import all anew."""
 
 HEAD = '"""A title\n\nAn introduction.\n"""\n'
+
+
+@pytest.fixture(autouse=True)
+def _sources_as_they_were() -> Iterator[None]:
+    """What a command in this process was told of a source is not known to the next test."""
+    known = [*sources.SOURCES], {**sources.STATEMENTS}, {**sources.CLAIMED}, {**chapters._sources}
+    yield
+    sources.SOURCES[:] = known[0]
+    kept = (sources.STATEMENTS, sources.CLAIMED, chapters._sources)
+    for now, before in zip(kept, known[1:], strict=True):
+        now.clear()
+        now.update(before)
 
 
 def chapter(folder: Path, name: str, body: str) -> Path:
