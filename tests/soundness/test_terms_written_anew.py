@@ -6,9 +6,8 @@ import pytest
 import sympy as sp
 from sympy import I, Rational, S
 
-from symhaptic.notation import proposition as language
 from symhaptic.notation.proposition import ForAll, Relation, both, whole
-from symhaptic.notation.terms import NoTerm, term
+from symhaptic.notation.terms import PLACES, NoTerm, term
 from symhaptic.proof.theorems.analysis import induction
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x
@@ -50,7 +49,7 @@ def test_no_subclass_of_a_function_is_one() -> None:
 
 def test_the_places_of_bound_symbols_are_no_symbols() -> None:
     # for all x: x = bound_0 would be equal to for all x: x = x
-    place = language._PLACES[0]
+    place = PLACES[0]
     true = general(identity(x, x), x)
     with pytest.raises(NoTerm, match="stands for bound ones"):
         part(true, ForAll((x,), Relation(x, "=", place)))
