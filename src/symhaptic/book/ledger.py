@@ -17,13 +17,13 @@ from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
 from symhaptic.book.grounds import not_defined, typed_again
 from symhaptic.book.record import Settled
+from symhaptic.book.shapes import is_judged, is_statement, is_verdict
 from symhaptic.book.sources import (
     CLAIMED,
     PAPER,
     SHIPPED,
     SOURCES,
     STATEMENTS,
-    is_id,
     of_source,
     source_of,
 )
@@ -33,8 +33,7 @@ from symhaptic.paper import Statement
 from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source
 from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
-from symhaptic.proof.theorems.judge import Case, Judged
-from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import of_another_unit
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
@@ -281,61 +280,15 @@ def looked_at(entries: list[Entry]) -> list[Entry]:
 
 def _is_entry(entry: Any) -> bool:
     """Whether it has what is listed, each in a line."""
-    if type(entry) is not Entry:
-        return False
-    statement, verdict = entry.statement, entry.verdict
-    if type(statement) is not Statement or type(verdict) is not Verdict:
-        return False
-    lines = [verdict.condition, verdict.corrected_latex, verdict.value, verdict.radius]
-    point = verdict.counterexample or {}
     return (
-        _is_read(statement)
-        and all(type(t) is str for t in (statement.location, statement.says, statement.domain))
-        and _are_text(statement.latex)
-        and (statement.reading is None or _are_text(statement.reading))
-        and type(verdict.kind) is Kind
-        and (verdict.argued_for is None or type(verdict.argued_for) is Kind)
-        and type(verdict.method) is str
-        and all(t is None or type(t) is str for t in (verdict.shows, verdict.note, *lines))
-        and type(point) is dict
-        and _are_text((*point.keys(), *point.values()))
-        and _are_text(verdict.rests)
-        and all(t is None or t.isprintable() for t in (*lines, *point.keys(), *point.values()))
+        type(entry) is Entry
+        and is_statement(entry.statement)
+        and is_verdict(entry.verdict)
         and type(entry.seconds) in (int, float)
         and type(entry.own) is bool
         and (entry.claim is None or isinstance(entry.claim, Proposition))
-        and (entry.judged is None or _is_judged(entry.judged))
+        and (entry.judged is None or is_judged(entry.judged))
     )
-
-
-def _is_read(statement: Statement) -> bool:
-    """Whether a statement can be named and read."""
-    try:
-        return is_id(statement.id) and isinstance(statement.printed, tuple)
-    except (AttributeError, TypeError, ValueError, RecursionError):
-        return False
-
-
-def _is_judged(judged: Any) -> bool:
-    """Whether theorems came, and points with theorems."""
-    if type(judged) is not Judged or type(judged.unless) is not tuple:
-        return False
-    if not (judged.corrected is None or _are_text(judged.corrected)):
-        return False
-    cases = [*judged.unless, *(() if judged.example is None else (judged.example,))]
-    stated = judged.instead is None or isinstance(judged.instead, Proposition)
-    return (
-        stated
-        and type(judged.theorem) is Theorem
-        and all(
-            type(case) is Case and type(case.theorem) is Theorem and type(case.values) is dict
-            for case in cases
-        )
-    )
-
-
-def _are_text(parts: Any) -> bool:
-    return type(parts) is tuple and all(type(part) is str for part in parts)
 
 
 def of_derivation(path: Path) -> list[Entry]:
