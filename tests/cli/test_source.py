@@ -245,3 +245,19 @@ def test_what_it_does_not_claim_is_not_settled_so(tmp_path, claims, chapter, tol
     assert told in run.stderr
     assert run.stderr.count("\n") == 1
     assert "proved" not in run.stdout
+
+
+def test_a_chapter_does_not_say_what_its_source_claims(tmp_path):
+    """It may in its own process; the verdict is judged by what the source says, and is none."""
+    other = "(x + 2)**2, x**2 + 4*x + 4"
+    forged = (
+        "from symhaptic.notation.proposition import ForAll, proposition\n"
+        "from symhaptic.paper.propositions.registry import CLAIMED\n"
+        f'CLAIMED["odd:words"] = lambda printed: ForAll((x,), proposition(Eq({other})))\n'
+    )
+    folder = odd(tmp_path, forged + SQUARED.replace("(x + 1)**2, x**2 + 2*x + 1", other))
+    (folder / "source.py").write_text(CLAIMS, encoding="utf-8")
+    run = symhaptic("verify", "--source", folder)
+    assert run.returncode == 1
+    assert run.stdout.splitlines()[0].split()[:2] == ["odd:words", "undecided"]
+    assert "DIFFERS  odd:words: the theorem says" in run.stdout

@@ -264,18 +264,22 @@ def looked_at(entries: list[Entry]) -> list[Entry]:
     """
     if type(entries) is not list or not all(map(_is_entry, entries)):
         raise NoEntries("no statements with their verdicts")
-    return [
-        replace(
-            entry,
-            statement=STATEMENTS.get(entry.statement.id, entry.statement),
-            verdict=replace(entry.verdict, corrected=None),
-            look=Look(judged_again(entry), checked(entry.statement.id, entry.judged)),
-            judged=None,
-            claim=None,
-            compared=None,
-        )
-        for entry in entries
-    ]
+    return [_looked_at(entry) for entry in entries]
+
+
+def _looked_at(entry: Entry) -> Entry:
+    """The same of one; what was found wrong decides nothing."""
+    wrong = judged_again(entry)
+    said = entry.verdict if wrong is None else Verdict(Kind.UNDECIDED, wrong)
+    return replace(
+        entry,
+        statement=STATEMENTS.get(entry.statement.id, entry.statement),
+        verdict=replace(said, corrected=None),
+        look=Look(wrong, checked(entry.statement.id, entry.judged)),
+        judged=None,
+        claim=None,
+        compared=None,
+    )
 
 
 def _is_entry(entry: Any) -> bool:
@@ -357,10 +361,8 @@ def by_source(entries: Iterable[Entry]) -> str:
 
 
 def counted(entries: Sequence[Entry]) -> str:
-    """The verdicts counted, the undecided ones aloud; one that was found wrong decides nothing."""
-    wrong = (entry.look is not None and entry.look.wrong is not None for entry in entries)
-    kinds = (entry.verdict.kind for entry in entries)
-    counts = Counter(Kind.UNDECIDED if w else kind for w, kind in zip(wrong, kinds, strict=True))
+    """The verdicts counted, the undecided ones aloud."""
+    counts = Counter(entry.verdict.kind for entry in entries)
     return ", ".join(f"{counts[kind]} {kind}" for kind in Kind if counts[kind])
 
 
