@@ -317,11 +317,11 @@ def test_a_sign_that_the_page_shows_is_derived_again_where_it_arrives(tmp_path: 
 
 OF_ANOTHER_UNIT = """
 from sympy import Eq, symbols
-import symhaptic.book.page as pages
+import symhaptic.book.steps as steps
 from symhaptic.notation import K, T, m
 x = symbols("x")
 def derive(page):
-    pages.of_another_unit = lambda name, meaning: None
+    steps.of_another_unit = lambda name, meaning: None
     page.define("A stiffness", K, m / T)
     page.step("What it gives", 2 * T - T, T, name=x)
     page.state("forged", "a period", r"x = K T^2 / m")

@@ -1,359 +1,41 @@
 """A chapter: steps that are proved as they are written down, and the verdicts they lead to.
 
 A derivation file has a docstring (title, blank line, introduction) and a function
-``derive(page)``.  It talks to the :class:`Page`, whose steps are proved or raise
-:class:`FalseStep`.  Names are the author's word: what ``name`` calls an expression, and the symbols
-in which :meth:`Page.show` writes what was proved just before, are not checked.
+``derive(page)``.  It talks to the :class:`Page`, whose steps (:mod:`symhaptic.book.steps`) are
+proved or raise :class:`FalseStep`, and which finds the verdicts of statements on what they show.
 """
 
 from __future__ import annotations
 
-import itertools
-import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 import sympy as sp
-from flint import arb
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import not_defined, retyped, shows, unproved, written_twice
-from symhaptic.book.record import Block, Evidence, FalseStep, Record
+from symhaptic.book.grounds import not_defined, retyped, shows, unproved
+from symhaptic.book.record import Evidence, FalseStep
 from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
-from symhaptic.notation.latex import latex
+from symhaptic.book.steps import Steps
 from symhaptic.notation.proposition import Proposition, of_print
 from symhaptic.paper import Statement
 from symhaptic.paper.reading import read
-from symhaptic.proof.ball import bound
-from symhaptic.proof.checks import (
-    AllZeros,
-    Check,
-    Decimals,
-    Free,
-    Minimal,
-    Roots,
-    Sign,
-    Units,
-    confirmed,
-)
+from symhaptic.proof.checks import Check, Sign
 from symhaptic.proof.decide import Form, parts
-from symhaptic.proof.enclosed import Source, enclosed
+from symhaptic.proof.enclosed import Source
 from symhaptic.proof.points import Point
-from symhaptic.proof.roots import Algebraic, decimals
-from symhaptic.proof.seal import KEY
 from symhaptic.proof.settle import ACCEPTED, Settlement, Truth, Witness
 from symhaptic.proof.sign import Fact, recipe
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined
-from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown
 from symhaptic.proof.verdict import Verdict
 
 
-class Page(Record):
+class Page(Steps):
     """What a derivation writes on; see the module for what is proved."""
-
-    # -- prose and definitions ----------------------------------------------------------
-
-    def say(self, text: str) -> None:
-        """A paragraph; formulas between dollar signs."""
-        self.blocks.append(Block("prose", text=text))
-
-    def define(self, title: str, name: Expr | str, meaning: Expr, because: str = "") -> Expr:
-        """``name`` stands for ``meaning`` from here on; its units must agree."""
-        try:
-            unit = shown(dimension_of(meaning))
-        except UnitError as wrong:
-            raise FalseStep(f"{title}: {wrong}") from None
-        if isinstance(name, Expr) and (other := of_another_unit(name, meaning)):
-            raise FalseStep(f"{title}: {other}")
-        self.checks.append((title, Units(meaning)))
-        self._defined(name, meaning)
-        note = "units agree" if unit == "1" else f"units agree: {unit}"
-        self._equation(title, [(name, "=", meaning)], "definition", note, because)
-        return meaning
-
-    def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
-        if isinstance(name, Expr):
-            self.definitions.append((name, meaning))
-
-    # -- steps --------------------------------------------------------------------------
-
-    def step(
-        self,
-        title: str,
-        *chain: Expr,
-        because: str = "",
-        name: Expr | str | None = None,
-        boxed: bool = False,
-        paper: str = "",
-    ) -> Expr:
-        """A chain of equal expressions, each proved equal to the one before; the last is returned.
-
-        With a ``name`` the first expression is what the name stands for and is not written;
-        ``paper`` is the number of the paper's equation, shown beside ours.
-        """
-        if len(chain) < 2:
-            raise FalseStep(f"{title}: a step needs two sides")
-        method = ""
-        for left, right in itertools.pairwise(chain):
-            method = self._proved(title, left, right)
-        self._defined(name, chain[0])
-        written = chain if name is None else chain[1:]
-        left = written[0] if name is None else name
-        rights = written[1:] if name is None else written
-        lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
-        self._equation(title, lines, "proved", method, because, boxed, paper=paper)
-        return chain[-1]
-
-    def show(
-        self,
-        title: str,
-        name: Expr | str,
-        expr: Expr | str,
-        proof: Evidence,
-        because: str = "",
-        boxed: bool = False,
-        paper: str = "",
-    ) -> Expr | str:
-        """``name = expr``, proved by evidence found before, such as :meth:`same`."""
-        lines = [(name, "=", expr)]
-        self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
-        return expr
-
-    def lemma(
-        self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
-    ) -> Theorem:
-        """A theorem of the kernel: its hypotheses, and what they imply."""
-        self._equation(
-            title,
-            (),
-            "proved",
-            "a theorem of the kernel",
-            because,
-            boxed,
-            kind="theorem",
-            theorem=theorem,
-        )
-        return theorem
-
-    def minimal(
-        self, title: str, numbers: Sequence[tuple[str, Algebraic]], because: str = ""
-    ) -> None:
-        """Minimal polynomials of numbers, each the smallest positive root of its own."""
-        for name, number in numbers:
-            if number.positive_roots_below:
-                raise FalseStep(f"{title}: {name} has a smaller positive root")
-            if not confirmed(Minimal(number)):
-                raise FalseStep(f"{title}: {name} has another minimal polynomial")
-            self.checks.append((title, Minimal(number)))
-        lines = [(name, "=", number.minimal) for name, number in numbers]
-        method = r"irreducible over $\mathbb{Q}$; balls around the roots"
-        self._equation(title, lines, "proved", method, because)
-
-    def enclosed(
-        self,
-        title: str,
-        values: Sequence[tuple[Expr | str, Source]],
-        because: str = "",
-        places: int = 24,
-    ) -> None:
-        """Positive numbers by their first decimals, which the balls around them settle.
-
-        A number is given by what shows it, and a name that is a number has these decimals, too.
-        """
-        rows = []
-        for pair in values:
-            if not (isinstance(pair, tuple) and len(pair) == 2):
-                raise FalseStep(f"{title}: {pair!r} is no pair of a name and what shows its number")
-            name, source = pair
-            value = self._shown(source)
-            text = decimals(value, places)
-            if isinstance(name, Expr) and not name.free_symbols:
-                own = Decimals(enclosed(name).ball, text)
-                if not (own.holds() and own.value.overlaps(value)):
-                    raise FalseStep(f"{title}: {name} is not {text}...")
-            self.checks.append((title, Decimals(value, text)))
-            rows.append((name, "=", text + r"\ldots"))
-        self._equation(title, rows, "enclosed", "ball arithmetic", because)
-
-    def _shown(self, source: Source) -> arb:
-        """A ball, whose certificates are kept."""
-        number = enclosed(source)
-        self.certificates += number.certificates
-        return number.ball
-
-    def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
-        """A limit proved without being written on the page."""
-        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),), KEY)
-
-    def limit(
-        self,
-        title: str,
-        expr: Expr,
-        variable: sp.Symbol,
-        at: Expr,
-        value: Expr,
-        because: str = "",
-        name: Expr | str | None = None,
-    ) -> Expr:
-        """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
-        self._tends(title, expr, variable, at, value)
-        inner = name if isinstance(name, str) else latex(expr if name is None else name)
-        left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
-        self._equation(title, [(left, "=", value)], "proved", "exact series", because)
-        return value
-
-    def positive(
-        self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
-    ) -> Fact:
-        """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
-        if fact.made is None:
-            raise FalseStep(f"{title}: {fact.expr} is assumed, not proved")
-        self._keep(fact)
-        self.supposed |= fact.rests
-        sign = ">" if fact.strict else r"\ge"
-        left = latex(fact.expr) if name is None else name
-        right = rf"0\qquad ({on})"
-        self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
-        self.checks.append((title, Sign(fact)))
-        return fact
-
-    def result(
-        self,
-        text: str,
-        relation: Expr | Sequence[Expr],
-        equal_to: Form,
-        because: str = "",
-        paper: str = "",
-    ) -> Form:
-        """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
-        method = self._proved(text, relation, equal_to)
-        lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(
-            text, lines, "proved", method, because, boxed=True, kind="result", paper=paper
-        )
-        return relation
-
-    def inside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Evidence:
-        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
-
-        Symbols of the polynomial may stand for expressions ``given`` in those of the point.  With
-        ``half`` only roots that may have a positive real part are asked for: where z stands for
-        the square root, that is the principal sheet.
-        """
-        check = Roots(polynomial, dict(at or {}), dict(given or {}), half)
-        largest = check.largest()
-        if not largest < 1:
-            raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True), check)
-        return Evidence("balls around the roots", (check,), KEY)
-
-    def outside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Witness:
-        """A root of such a polynomial lies outside; what this contradicts is false at the point.
-
-        With ``half`` it has a positive real part.
-        """
-        check = Roots(polynomial, dict(at or {}), dict(given or {}), half, inside=False)
-        largest = check.largest()
-        if not largest > 1:
-            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False), check)
-        return Witness(dict(at or {}), "balls around the roots", check, KEY)
-
-    def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
-        """The line that says on which side of 1 the largest root lies."""
-        self.checks.append((title, check))
-        name = r"\max_{\Re\zeta>0}|\zeta|" if check.half else r"\max|z|"
-        self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
-
-    def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
-        """``expr`` contains the symbols and does not change with them.
-
-        Its difference for two values of a symbol is zero in the normal form.
-        """
-        checks = tuple(Free(sp.sympify(expr), symbol) for symbol in symbols)
-        for check in checks:
-            if check.symbol not in check.expr.free_symbols:
-                raise FalseStep(
-                    f"{what}: {check.symbol} is not in it, so nothing is shown to drop out"
-                )
-            if not confirmed(check):
-                raise FalseStep(f"{what}: it changes with {check.symbol}")
-        self.checks += [(what, check) for check in checks]
-        names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"the same for any two values of {names}", checks, KEY)
-
-    def all_zeros(
-        self, what: str, coefficients: Sequence[arb], lower: arb, upper: arb, zeros: Sequence[arb]
-    ) -> Evidence:
-        """A real polynomial (lowest power first) has these zeros in an interval, and no other."""
-        check = AllZeros(tuple(coefficients), (lower, upper), tuple(zeros))
-        if not check.holds():
-            raise FalseStep(f"{what}: these are not all the zeros")
-        self.checks.append((what, check))
-        return Evidence("balls around all roots of the polynomials", (check,), KEY)
-
-    def same(self, what: str, *forms: Form) -> Evidence:
-        """All the forms are proved equal, without being written on the page.
-
-        A form beside itself is refused.  Where SymPy makes one expression of two forms as it
-        evaluates them, the method says so.
-        """
-        method, before = "", len(self.checks)
-        if len(forms) < 2:
-            raise FalseStep(f"{what}: a comparison needs two sides")
-        caller = sys._getframe(1)
-        if again := written_twice(caller.f_code, caller.f_lasti, skipped=1):
-            raise FalseStep(f"{what}: {again} compared with itself proves nothing")
-        for left, right in itertools.pairwise(forms):
-            method = self._proved(what, left, right)
-            if parts(left) == parts(right):
-                method = "both sides evaluate to one expression"
-        return Evidence(method, tuple(check for _, check in self.checks[before:]), KEY)
-
-    def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
-        for row in rows:
-            if len(row) != len(head):
-                raise ValueError(f"table: {len(row)} cells under {len(head)} heads: {row}")
-        cells = (tuple(head), *(tuple(row) for row in rows))
-        self.blocks.append(Block("table", text=caption, rows=cells))
-
-    def figure(
-        self,
-        name: str,
-        caption: str,
-        draw: Callable[..., None],
-        panels: tuple[int, int] = (1, 1),
-        height: float = 0.62,
-    ) -> None:
-        """A plot: ``draw(axes)`` is called by the report, with Matplotlib's axes.
-
-        ``panels`` are rows and columns, ``height`` is in widths of the text; ``draw`` gets the
-        array of axes where there are several panels.
-        """
-        self.blocks.append(
-            Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
-        )
-
-    # -- statements ---------------------------------------------------------------------
 
     def state(
         self, id: str, says: str, *printed: str, claim: Proposition | None = None
@@ -533,7 +215,3 @@ def _checks(ground: Any) -> tuple[Check, ...]:
         case Fact():
             return (Sign(ground),)
     return ()
-
-
-def _sign(relation: Expr) -> str:
-    return {"==": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}[relation.rel_op]
