@@ -47,9 +47,9 @@ def written(claim: Proposition) -> str:
         return _quantified(claim)
     if isinstance(claim, And):
         return listed(conjuncts(claim)) or r"\text{true}"
-    parts = [_bracketed(p) for p in claim.parts]
     if isinstance(claim, Or):
-        return r"\ \text{or}\ ".join(parts) or r"\text{false}"
+        return _cases(claim.of)
+    parts = [_bracketed(p) for p in claim.parts]
     if isinstance(claim, Not):
         return _denied(claim.of[0])
     if isinstance(claim, Implies):
@@ -78,6 +78,23 @@ def _denied(claim: Proposition) -> str:
     if isinstance(claim, Predicate) and claim.name == "whole":
         return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
     return rf"\text{{not}}\ {_bracketed(claim)}"
+
+
+def _cases(claims: Sequence[Proposition]) -> str:
+    r"""Propositions of which one holds; what has to hold together in one of them is bracketed.
+
+    >>> from symhaptic.notation import K, T
+    >>> from symhaptic.notation.proposition import proposition
+    >>> positive, one = proposition(K > 0), proposition(T >= 1)
+    >>> print(_cases((And((positive, one)), proposition(K < 0))))
+    (K>0,\ T\ge1)\ \text{or}\ K<0
+    >>> print(_cases((one,)))
+    T\ge1
+    """
+    if len(claims) == 1:
+        return written(claims[0])
+    parts = [rf"({written(p)})" if len(conjuncts(p)) > 1 else _bracketed(p) for p in claims]
+    return r"\ \text{or}\ ".join(parts) or r"\text{false}"
 
 
 def _bracketed(claim: Proposition) -> str:

@@ -184,6 +184,9 @@ def correction(verdict: Verdict) -> str:
 LONG = 70.0
 """Width of a correction in em from which on a reader is told what shows it instead."""
 
+RIGHT = 22.0
+"""Width of the column of what is right, in em."""
+
 
 def right_is(verdict: Verdict) -> str:
     """What is right: for a condition, or a correction; empty where what is printed is right."""
@@ -192,7 +195,11 @@ def right_is(verdict: Verdict) -> str:
     text = verdict.corrected_latex or ""
     if width(text) > LONG and verdict.shows:
         return verdict.shows
-    return _in_words(text) if r"\text" in text else f"\\fitting{{{correction(verdict)}}}"
+    if r"\text" in text:
+        return _in_words(text)
+    parts = text.split(r",\quad ")
+    one_by_one = len(parts) > 1 and width(text) > RIGHT
+    return f"\\fitting{{{stack(parts) if one_by_one else correction(verdict)}}}"
 
 
 def _in_words(text: str) -> str:

@@ -1,4 +1,4 @@
-"""The results on two pages: which formula to use and when, and what is wrong with what is right.
+"""The results: which formula to use and when, and what is wrong with what is right.
 
 The choice is made here; formulas, conditions and corrections come from statements and verdicts.
 """
@@ -14,7 +14,6 @@ from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import condition, correction, printed, reference, right_is
 from symhaptic.book.tex.words import prose
-from symhaptic.proof.verdict import Kind
 
 USE = (
     ("The largest passive stiffness, and the damping that it takes", ("eq11",)),
@@ -33,7 +32,7 @@ USE = (
 
 
 def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, Any]:
-    """What the template of the two pages needs; ``chapters`` are numbers by source."""
+    """What the template needs; ``chapters`` are numbers by source."""
     found = {entry.statement.id: entry for entry in entries}
     use = [
         (question, [_use(found[id], chapters) for id in ids if id in found and _settled(found[id])])
@@ -44,13 +43,10 @@ def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, 
         kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind]
         for kind, _ in CLASSES
     }
-    conditions = listed.pop(Kind.QUALIFIED)
     titles = dict(CLASSES)
     return {
         "use": [(question, rows) for question, rows in use if rows],
         "wrong": [(titles[kind], rows) for kind, rows in listed.items() if rows],
-        "conditions": conditions,
-        "unstated": titles[Kind.QUALIFIED],
     }
 
 

@@ -24,6 +24,7 @@ from symhaptic.notation.proposition import (
     Proposition,
     Relation,
     Terms,
+    both,
     conjuncts,
     negated,
 )
@@ -133,7 +134,7 @@ class Judged:
                 raise Unfounded(f"no counterexample violates just {written(condition)}")
         found = self._verdict(Kind.QUALIFIED, claim)
         return replace(
-            found, condition=listed(extra), counterexample=point(dict(self.unless[0].values))
+            found, condition=written(both(extra)), counterexample=point(dict(self.unless[0].values))
         )
 
     def _wrong(self, claim: Proposition, right: Proposition) -> Verdict:
@@ -143,7 +144,7 @@ class Judged:
         self._check_example(self.theorem.conclusion)
         return replace(
             self._verdict(Kind.MISPRINT if self.misprint else Kind.REFUTED, claim),
-            condition=listed(extra) if extra else None,
+            condition=written(both(extra)) if extra else None,
             counterexample=point(dict(self.unless[0].values)),
             corrected_latex=r",\quad ".join(self.corrected or ()) or written(right),
         )
