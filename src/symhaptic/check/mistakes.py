@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 from itertools import islice, permutations
-from typing import Any
+from typing import Any, cast
 
 import flint
 import numpy as np
@@ -186,12 +187,11 @@ def _values(checked: Checked, exprs: Sequence[sp.Expr]) -> Callable[[Columns], C
     """Expressions at points, complex as square roots may be; none where they fail."""
     names = {s.name: s for e in exprs for s in e.free_symbols}
     names |= {"theta": names["omega_hat"]} if "omega_hat" in names else {}
-    arguments = [names.get(name, sp.Dummy(name)) for name in checked.ranges]
+    arguments = tuple(names.get(name, sp.Symbol(name)) for name in checked.ranges)
     known = {s for e in exprs for s in e.free_symbols} <= set(arguments)
     if not known or any(e.has(sp.zoo, sp.oo, sp.nan) for e in exprs):
         return lambda columns: []
-    down = {"floor": lambda x: np.floor(np.real(x))}
-    function = sp.lambdify(arguments, list(exprs), [down, "numpy"], cse=True)
+    function = _function(arguments, tuple(exprs))
 
     def given(columns: Columns) -> Columns:
         try:
@@ -200,6 +200,13 @@ def _values(checked: Checked, exprs: Sequence[sp.Expr]) -> Callable[[Columns], C
             return []
 
     return given
+
+
+@cache
+def _function(arguments: tuple[sp.Symbol, ...], exprs: tuple[sp.Expr, ...]) -> Callable[..., Any]:
+    """Expressions as a function of arrays, made once for all that are checked."""
+    down = {"floor": lambda x: np.floor(np.real(x))}
+    return cast("Callable[..., Any]", sp.lambdify(arguments, exprs, [down, "numpy"], cse=True))
 
 
 def _share(values: Sequence[Any], mine: Any, by: float) -> float:
