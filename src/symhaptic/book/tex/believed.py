@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable
 from typing import Any
@@ -52,9 +53,33 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
 def symbols() -> list[tuple[str, str, str]]:
     """Every symbol of the notation with its unit and what it means."""
     return [
-        (one.latex, f" in {one.unit}" if one.unit != "1" else "", plain(one.meaning))
+        (one.latex, "" if one.unit == "1" else one.unit, with_formulas(one.meaning))
         for one in SYMBOLS.values()
     ]
+
+
+_NAME = re.compile(r"[A-Za-z]\w*")
+_KNOWN = {name: one.latex for name, one in SYMBOLS.items()}
+_KNOWN |= {"pi": r"\pi", "tan": r"\tan", "sqrt": "sqrt"}
+
+
+def with_formulas(meaning: str) -> str:
+    r"""What a symbol means, with what is a formula between its commas as one.
+
+    >>> with_formulas("virtual stiffness, K T^2/m")
+    'virtual stiffness, $K T^2/m$'
+    >>> with_formulas("frequency, sqrt(gamma)")
+    'frequency, $\\sqrt{\\gamma}$'
+    """
+    return ", ".join(_in_symbols(part) or plain(part) for part in meaning.split(", "))
+
+
+def _in_symbols(text: str) -> str:
+    """A formula, if nothing else is in it than symbols."""
+    if not (found := set(_NAME.findall(text))) or not found <= _KNOWN.keys():
+        return ""
+    text = re.sub(r"sqrt\(([^()]*)\)", r"\\sqrt{\1}", text)
+    return f"${_NAME.sub(lambda name: _KNOWN[name[0]], text)}$"
 
 
 def _row(name: str, text: str, counts: Counter[str]) -> tuple[str, str, int]:
