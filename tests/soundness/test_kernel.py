@@ -83,6 +83,20 @@ def test_a_theorem_that_was_forged_is_not_derived_again() -> None:
         replayed(anything(forged, x > 0))
 
 
+class Looks(Theorem):
+    """A theorem to who asks whether it is one; it says what nothing has shown."""
+
+    hypotheses = frozenset()
+    conclusion = FALSE
+
+
+def test_what_a_rule_is_given_is_a_theorem_and_nothing_that_passes_for_one() -> None:
+    looks = object.__new__(Looks)
+    for given in (looks, [looks]):
+        with pytest.raises(NotShown, match="looks like a theorem"):
+            anything(given, x > 0)
+
+
 def test_a_theorem_that_was_changed_is_derived_again_as_it_was() -> None:
     theorem = number(sp.Lt(2, 3, evaluate=False))
     was = theorem.conclusion
@@ -234,6 +248,7 @@ def test_no_complex_term_for_a_real_symbol() -> None:
 def test_rules_of_logic_refuse_what_does_not_follow() -> None:
     p, q = assume(x > 0), assume(y > 0)
     refused = [
+        lambda: discharged(p),
         lambda: applied(discharged(p, x > 0), q),
         lambda: applied(p, q),
         lambda: part(conjoined(p, q), x > 1),
