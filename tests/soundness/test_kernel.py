@@ -44,6 +44,7 @@ from symhaptic.proof.theorems.kernel import (
     instance,
     part,
     placed,
+    substituted,
     unfolded,
     widened,
     witnessed,
@@ -272,6 +273,26 @@ def test_rules_of_logic_refuse_what_does_not_follow() -> None:
     for wrong in refused:
         with pytest.raises(NotShown):
             wrong()
+
+
+def test_a_witness_has_a_value_for_each_bound_symbol_and_for_no_other() -> None:
+    """z = 2 and x = 1 at (1, 2) is no reason for an x with z = 2, whatever z is."""
+    both = conjoined(identity(S(2), 2), identity(S.One, 1))
+    wanted = Exists((x,), And((proposition(sp.Eq(z, 2)), proposition(sp.Eq(x, 1)))))
+    for values in ({x: S.One, z: S(2)}, {z: S(2)}, {}):
+        with pytest.raises(NotShown, match="no value for each"):
+            witnessed(both, wanted, values)
+    with pytest.raises(NotShown, match="no value for each"):
+        witnessed(ONE, ONE.conclusion, {})
+
+
+def test_what_is_substituted_into_is_what_was_shown() -> None:
+    """0 < 1 and x = y say nothing of x < 1."""
+    equation = assume(sp.Eq(x, y))
+    with pytest.raises(NotShown, match="is not"):
+        substituted(Relation(z, "<", S.One), z, ONE, equation)
+    with pytest.raises(NotShown, match="no relation with ="):
+        substituted(Relation(z, ">=", S.Zero), z, assume(x >= 0), assume(x < y))
 
 
 def test_a_case_may_use_its_own_disjunct_only() -> None:
