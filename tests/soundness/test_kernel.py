@@ -292,7 +292,7 @@ def test_what_is_substituted_into_is_what_was_shown() -> None:
     with pytest.raises(NotShown, match="is not"):
         substituted(Relation(z, "<", S.One), z, ONE, equation)
     with pytest.raises(NotShown, match="no relation with ="):
-        substituted(Relation(z, ">=", S.Zero), z, assume(x >= 0), assume(x < y))
+        substituted(Relation(S.Zero, "<=", z), z, assume(x >= 0), assume(x < y))
 
 
 def test_a_case_may_use_its_own_disjunct_only() -> None:
