@@ -10,6 +10,7 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     ForAll,
+    Or,
     Predicate,
     Relation,
     both,
@@ -52,6 +53,7 @@ from symhaptic.proof.theorems.leaves import (
     factor,
     identity,
     is_whole,
+    mirrored,
     number,
     on_box,
     root_outside,
@@ -120,6 +122,24 @@ def test_arithmetic_of_signs() -> None:
         lambda: combined(Relation(z, "<", x + z), [p]),
         lambda: combined(Relation(sp.I, "<", x + sp.I), [p]),
     )
+
+
+def test_what_is_not_negative_is_no_equation() -> None:
+    """The sides of 0 = x differ by x, of which x >= 0 does not say that it is 0."""
+    for given in (assume(x >= 0), assume(x > 0)):
+        with pytest.raises(NotShown, match="from equations only"):
+            combined(Relation(S.Zero, "=", x), [given])
+
+
+def test_only_relations_are_combined() -> None:
+    no_relation = assume(Or((proposition(x > 0), proposition(y > 0))))
+    with pytest.raises(NotShown, match="is no relation"):
+        combined(x > 0, [no_relation])
+    with pytest.raises(NotShown, match="is no relation"):
+        combined(no_relation.conclusion, [assume(x > 0)])
+    for claim in (x > 0, Or((proposition(x > 0),))):
+        with pytest.raises(NotShown, match="is no equation"):
+            mirrored(assume(claim))
 
 
 def test_a_divisor_of_the_goal_is_open() -> None:

@@ -35,7 +35,7 @@ _CLOSED = frozenset({"nonnegative", "[0, 1]"})
 def unproved(fact: Fact, written: Iterable[Rest]) -> str | None:
     """What a fact assumes without its being on the page, or nothing.
 
-    Assumptions are ``written`` with a fact that :meth:`~symhaptic.book.page.Page.positive` showed;
+    Assumptions are ``written`` with a fact that :meth:`~symhaptic.book.steps.Steps.positive` showed;
     those that the notation makes, and that squares are not negative, need not be.
     """
     if fact.made is None:
