@@ -143,9 +143,9 @@ def test_the_slope_of_something_else_is_refused():
 
 def test_a_box_has_the_plant_s_parameters_for_sides_and_none_of_its_numbers():
     held = rising(-n_1)
-    for box in (RANGES | {n_1: (0, 1)}, {s: v for s, v in RANGES.items() if s != delta}):
+    for sides in (RANGES | {n_1: (0, 1)}, {s: v for s, v in RANGES.items() if s != delta}):
         with pytest.raises(NotShown, match="no side of the box"):
-            more_damped(replace(held, box=box), -n_1, LARGER, OTHERS)
+            more_damped(replace(held, box=sides), -n_1, LARGER, OTHERS)
     for given in (None, replace(held, given={})):
         with pytest.raises(NotShown, match="box of plants is wanted"):
             more_damped(given, -n_1, LARGER, OTHERS)
