@@ -35,8 +35,8 @@ _CLOSED = frozenset({"nonnegative", "[0, 1]"})
 def unproved(fact: Fact, written: Iterable[Rest]) -> str | None:
     """What a fact assumes without its being on the page, or nothing.
 
-    Assumptions are ``written`` with a fact that :meth:`~symhaptic.book.steps.Steps.positive` showed;
-    those that the notation makes, and that squares are not negative, need not be.
+    Assumptions are ``written`` with a fact that :meth:`~symhaptic.book.steps.Steps.positive`
+    showed; those that the notation makes, and that squares are not negative, need not be.
     """
     if fact.made is None:
         return f"{fact.expr} is assumed, not proved"
