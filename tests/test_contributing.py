@@ -54,6 +54,7 @@ def test_a_wrong_step_in_it_is_named(tmp_path):
         run(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("part", VERIFY.split("```yaml\n")[1:], ids=["GitHub", "GitLab"])
 def test_the_ci_of_somebody_else_checks_their_chapter(part, tmp_path):
     """In a repository that is not this one: installed by name, then their chapter, their tests."""

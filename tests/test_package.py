@@ -99,6 +99,7 @@ def unpacked(source, tmp_path_factory):
     return wheel_of(source, tmp_path_factory.mktemp("wheel"))
 
 
+@pytest.mark.slow
 def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     code = (
         "import symhaptic, symhaptic.cli.main; print(symhaptic.__file__, flush=True); "

@@ -145,6 +145,7 @@ def test_a_wall_one_part_in_a_million_larger_is_not_passive():
     assert (passivity_margin(*larger)[there] < 0).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "precision"),
     every_value(TARGETS, [DOUBLE, SINGLE]),

@@ -127,6 +127,7 @@ def test_the_pdf_has_every_chapter(chapters, typeset):
         assert re.search(rf"CHAPTER {number}\b", text)
 
 
+@pytest.mark.slow
 def test_plain_words_are_typeset_as_they_stand(tmp_path):
     path = tmp_path / "my_chapter.py"
     path.write_text(

@@ -27,6 +27,7 @@ def test_a_program_is_short_and_says_what_it_shows(name):
     assert len([line for line in code if not line.startswith(("import", "from"))]) <= 15
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", gallery.ORDER)
 def test_a_program_draws(name, tmp_path):
     """Axes that say what they show, and their units where there are any."""

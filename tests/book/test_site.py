@@ -163,6 +163,7 @@ def test_a_folder_of_somebody_else_stays(tmp_path):
     assert (tmp_path / "site" / "index.html").read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_a_site_is_replaced_as_a_whole(tmp_path):
     target = tmp_path / "site"
     for names in (SOME[:1], SOME[1:2]):

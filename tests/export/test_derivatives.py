@@ -72,6 +72,7 @@ def test_the_self_test_of_every_target_passes_with_derivatives(language, scene, 
     assert any(name.endswith("_and_derivatives") for name in lines)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["c"])
 def test_the_self_test_passes_in_single_precision_with_derivatives(language, tmp_path):
     target = TARGETS[language].at(SINGLE)

@@ -75,6 +75,7 @@ def test_every_self_test_asks_for_it(form, precision):
             assert all(nothing(form, r) for r in found), (symbol, value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", TARGETS)
 def test_a_self_test_notices_that_nobody_asks(language, tmp_path, monkeypatch):
     """A mutant: the same functions without a guard."""

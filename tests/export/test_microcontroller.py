@@ -85,6 +85,7 @@ def test_no_double_and_no_memory_is_linked(core, folder):
     assert not re.search(r"\bexpf\b", asked)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SIZES)
 def test_the_bytes_are_those_that_the_readme_says(name, tmp_path):
     needs(COMPILER)
@@ -138,6 +139,7 @@ inline C atan2f(C x, C y) { ++C::functions; return std::atan2(x.value, y.value);
 """
 
 
+@pytest.mark.slow
 def test_no_function_takes_more_operations_than_the_readme_says(tmp_path):
     """All are counted where the self-test goes, with a float that counts; the bounds are near."""
     needs("g++")

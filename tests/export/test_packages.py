@@ -54,6 +54,7 @@ def installed(request, folders):
     return request.param, folder
 
 
+@pytest.mark.slow
 def test_cmake_finds_it(installed, tmp_path):
     language, folder = installed
     (tmp_path / "main.cpp").write_text(USERS[language])
@@ -130,6 +131,7 @@ SCENES = ["no-stiffness", "no-damping", "no-virtual-damping", "no-delay",
           "no-stiffness,no-damping,no-delay"]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("target", "scene"), every_value(["c", "microcontroller"], SCENES))
 def test_si_units_in_every_scene(scene, target, tmp_path):
     """What the scene lacks, the device lacks; all warnings are errors, in C and in C++."""
@@ -171,6 +173,7 @@ def test_what_has_no_si_units_has_no_header(tmp_path):
 OFFLINE = ["--offline", "--quiet"]
 
 
+@pytest.mark.slow
 def test_a_crate_is_tested_and_documented(tmp_path, monkeypatch):
     """`cargo test` runs the self-test and the example, and rustdoc finds nothing to warn of."""
     needs("cargo")

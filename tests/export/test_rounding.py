@@ -79,6 +79,7 @@ def test_gappa_proves_a_bound_and_refuses_half_of_it(name):
     assert gappa(half).returncode == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FOUND)
 @NEEDS_GAPPA
 def test_gappa_refuses_what_is_changed_in_one_place(name):

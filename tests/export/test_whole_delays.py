@@ -30,6 +30,7 @@ def test_the_form_of_a_fraction_is_left_out_and_refused_by_name():
         request.chosen([], request.scene("no-delay"), whole_delays=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", one_of(TARGETS, "numpy", "c", "fortran", "javascript"))
 def test_the_self_test_passes_and_asks_a_fraction_too(language, tmp_path):
     """In every language its vectors have d = 1.5 among what is outside."""

@@ -125,6 +125,7 @@ def test_root_counts_of_jax_compiled():
     assert np.asarray(counted).tolist() == [*outside, -1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FORMS)
 def test_every_function_can_be_traced(name):
     """No number is looked at: shapes alone come out, of what no compiler has seen."""
@@ -135,6 +136,7 @@ def test_every_function_can_be_traced(name):
     assert [v.shape for v in found] == [row.shape for row in expected]
 
 
+@pytest.mark.slow
 def test_vectors_of_a_traced_search_step_by_step(monkeypatch):
     """What `jax.jit` compiles, searches and all, but without the minute of its compiler."""
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
@@ -201,6 +203,7 @@ def test_slopes_by_jax():
                 assert found[i, k] == pytest.approx(float(want), rel=1e-9, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_torch_slopes_and_compiled():
     """Gradients through the gathering; a whole graph where torch compiles, without a break.
 

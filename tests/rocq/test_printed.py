@@ -105,6 +105,7 @@ def test_every_statement_is_printed_or_said_not_to_be(name):
     assert max(map(len, text.splitlines())) <= 100
 
 
+@pytest.mark.slow
 def test_the_text_is_the_same_from_run_to_run():
     """Lemmas of the last two are cut in the order of a set, which each process has for itself."""
     code = (

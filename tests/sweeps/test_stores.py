@@ -55,6 +55,7 @@ def marks(place):
     return sum(1 for _ in place.glob("block-*"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["zarr", pytest.param("parquet", marks=pytest.mark.slow)])
 def test_a_killed_process_goes_on_to_the_same_bytes(kind, tmp_path):
     whole, killed = tmp_path / f"whole.{kind}", tmp_path / f"killed.{kind}"

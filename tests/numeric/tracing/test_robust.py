@@ -9,7 +9,8 @@ from oracle import radius
 
 from symhaptic.numeric.tracing.robust import robust_region
 
-WHOLE = (0, 1, 2)
+LONG = pytest.mark.slow
+WHOLE = (0, 1, pytest.param(2, marks=LONG))
 region = cache(robust_region)
 
 
@@ -38,7 +39,9 @@ def test_passive_walls_lie_inside(d):
     assert np.all(shapely.contains_xy(shape, alpha[kept], beta[kept]))
 
 
-@pytest.mark.parametrize("delay", [0, 1, 2, 0.5])
+@pytest.mark.parametrize(
+    "delay", [0, 1, pytest.param(2, marks=LONG), pytest.param(0.5, marks=LONG)]
+)
 def test_inside_is_stable_with_every_spring_and_outside_is_not(delay):
     """Walls a little inside and outside of the outline; eigenvalues for 600 springs each."""
     found = region(0.02, delay)
