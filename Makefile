@@ -14,10 +14,10 @@ test: .venv/ready
 	$(BIN)/pytest $(SIDE_BY_SIDE)
 
 # the same, and what takes long by its nature: exports in every pair of a language, a scene, a delay
-# and a precision, with sanitizers, as packages and for microcontrollers; the wheel; errors at ten times as many points, and with musl; all that
-# Rocq has checked, and the text of it; all chapters typeset, the whole site and the PDF; what opens
-# a browser; mypy; a `verify` from nothing; what JAX has to compile; the array kernels behind public
-# functions; all changed statements; random identities
+# and a precision, with sanitizers, as packages and for microcontrollers; the wheel; errors at ten
+# times as many points, and with musl; all that Rocq has checked, and the text of it; all chapters
+# typeset, the whole site and the PDF; what opens a browser; mypy; a `verify` from nothing; what JAX
+# has to compile; the array kernels behind public functions; all changed statements; random identities
 check: .venv/ready
 	$(BIN)/ruff check
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest $(SIDE_BY_SIDE) -m 'slow or not slow'
