@@ -63,7 +63,7 @@ from symhaptic.proof.theorems.leaves import (
 from symhaptic.proof.theorems.roots import zero_on_circle
 from symhaptic.proof.theorems.tactics import closed, over, positive, zero_beyond
 
-x, y, n, z, theta, c = symbols("x y n z theta q")
+x, y, n, z, theta, c, K = symbols("x y n z theta q K")
 
 
 def lt(a: object, b: object) -> Relation:
@@ -313,6 +313,15 @@ def test_weak_in_the_limit() -> None:
     )
 
 
+def test_a_limit_is_of_the_difference_and_at_an_end() -> None:
+    """x (1 - x) > 0 on (0, 1), whose ends are no place of another limit, nor is the middle."""
+    inside = kernel_cut(positive(x * (1 - x) > 0, [x > 0, 1 - x > 0]))
+    half = Rational(1, 2)
+    for end in (tends(x, x, S.Zero, S.Zero), tends(x * (1 - x), x, half, Rational(1, 4))):
+        with pytest.raises(NotShown, match="no limit of"):
+            in_the_limit(inside, x, S.Zero, S.One, end)
+
+
 def test_between_two_signs_lies_a_zero() -> None:
     """Each hypothesis dropped: a limit, its sign, continuity between, ends in their order."""
     low, high = tends(x**2 - 2, x, S.One, -S.One), tends(x**2 - 2, x, S(2), S(2))
@@ -373,8 +382,27 @@ def test_induction() -> None:
     refused(lambda: induction(claim, n, step, start))
 
 
+def test_an_induction_begins_and_goes_on_with_its_claim() -> None:
+    claim, other = proposition(n >= 0), Relation(S.Zero, "<=", S.Zero)
+    step = discharged(positive(n + 1 >= 0, [n >= 0], [ONE]), both([whole(n), claim]))
+    start = number(other)
+    assert induction(claim, n, start, step).conclusion == claim
+    wrong = discharged(assume(other), both([whole(n), other]))
+    for begun, gone in ((ONE, step), (start, wrong), (start, start), (step, step)):
+        with pytest.raises(NotShown, match="another claim"):
+            induction(claim, n, begun, gone)
+
+
+def test_the_angle_and_the_variable_of_an_energy_are_bound() -> None:
+    for response, damping in ((K / z, theta), (K * theta / z, c)):
+        with pytest.raises(NotShown, match="bound"):
+            toeplitz(response, z, damping, theta)
+    with pytest.raises(NotShown, match="bound"):
+        toeplitz(K / y, y, y, theta)
+
+
 def test_energy() -> None:
-    d, K = symbols("d K")
+    d = symbols("d")
     found = toeplitz(K * z**-d, z, c, theta)
     assert whole(d) in found.hypotheses
     assert whole(d) in whole_delay((K, 0, 1, 1, d)).hypotheses
@@ -447,6 +475,21 @@ def test_a_store_does_not_matter() -> None:
         lambda: stored(wall, x, positive(c * x**2 > 0, [c > 0, x > 0, x > 0]), nothing),
         lambda: stored((x, 0, 1, 1, 0), x, some, nothing),
     )
+
+
+def test_a_store_is_of_the_speed_alone() -> None:
+    some, nothing = positive(c * x**2 >= 0, [c > 0, square(x)]), identity(S.Zero, S.Zero)
+    for wall in ((x, 0, 1, y, 0), (1, 0, 1, y, x), (1, 0, 1, y)):
+        with pytest.raises(NotShown, match="a wall K, B, b, T, d without x"):
+            stored(wall, x, some, nothing)
+
+
+def test_a_zero_on_the_circle_has_a_real_angle() -> None:
+    """z - 1/e has a zero at exp(j j), which is inside."""
+    inside = z - exp(-1)
+    zero = identity(inside.xreplace({z: exp(sp.I * sp.I)}), S.Zero)
+    with pytest.raises(NotShown, match="not real by its form"):
+        zero_on_circle(inside, z, sp.I, zero)
 
 
 def test_a_motion_in_algebraic_numbers() -> None:
