@@ -5,7 +5,9 @@ from __future__ import annotations
 import errno
 import os
 import re
-from typing import Annotated
+import warnings
+from functools import cache
+from typing import Annotated, Any
 
 import typer
 
@@ -56,8 +58,19 @@ def clearer(said: str) -> str:
     return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
 
 
+def _warned(message: Warning | str, *_: Any, **__: Any) -> None:
+    """One line for a warning as for a bad input, without the place in our code."""
+    _said_once(" ".join(str(message).split()))
+
+
+@cache
+def _said_once(warning: str) -> None:
+    typer.echo(f"symhaptic: warning: {warning}", err=True)
+
+
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
+    warnings.showwarning = _warned
     command = typer.main.get_command(app)
     try:
         status = command.main(standalone_mode=False)
