@@ -6,6 +6,7 @@ import errno
 import os
 import re
 import warnings
+from difflib import get_close_matches
 from functools import cache
 from typing import Annotated, Any
 
@@ -53,7 +54,13 @@ def clearer(said: str) -> str:
         return f"{said[: choice.start()]}{choice[1]!r} is not known; {suggested(choice[1], names)}"
     if not said.startswith(("No such", "Got unexpected")):
         return said
-    said = re.sub(r" \(Possible options: (.*)\)", r"; did you mean \1?", said)
+    if option := re.match(r"No such option: --([\w-]+)", said):
+        near = [
+            name
+            for name in re.findall(r"--([\w-]+)", said[option.end() :])
+            if get_close_matches(option[1], [name])
+        ]  # dashes alone are no likeness
+        said = option[0] + (f"; did you mean {', '.join(f'--{n}' for n in near)}?" if near else "")
     said = re.sub(r"\. Did you mean (.*)\?", r"; did you mean \1?", said).rstrip(".")
     return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
 
