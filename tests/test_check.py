@@ -297,6 +297,24 @@ def test_a_table_of_exact_values():
     assert abs(float(found[3]) - 100000) < 1e-9
 
 
+def test_what_counts_in_coarse_units_is_said():
+    """Of a maximum that is flat; an error of half of the digits, which nobody would see else."""
+    checked = CHECKED["max_stable_stiffness"]
+
+    def told_of(change):
+        mine = callers.called(lambda *plant: change(*checked.near(*plant)), 3)
+        return told.text(told.Report(compared(checked, mine, 8, 20), "mine", 0.0))
+
+    coarse = f"in beta and theta a unit is {math.ulp(1e8):.2g}, half of the digits"
+    agrees = told_of(lambda alpha, beta, theta: (alpha, beta + 1e-8, theta))
+    assert "agrees" in agrees
+    assert coarse in agrees
+    assert coarse in told_of(lambda alpha, beta, theta: (alpha, beta + 1e-6, theta))
+    alone = told_of(lambda alpha, beta, theta: (alpha,))
+    assert "agrees" in alone
+    assert coarse not in alone
+
+
 def test_a_function_may_give_the_first_of_several_results():
     def stiffness(b, T, d):  # (11) of the paper
         return 2 * b / T * math.tan(math.pi / (4 * (d + 1)))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from symhaptic.check.checked import Checked
+from symhaptic.check.checked import FLAT, Checked
 from symhaptic.check.compare import Found, Point, points, shown
 from symhaptic.check.compare import exact as exact_at
 
@@ -43,12 +44,14 @@ def lines(report: Report) -> list[str]:
     out = [
         f"{found.checked.id}: {found.points} points, {len(found.looked)} of them in balls, {worst}"
     ]
+    flat = " and ".join(name for name in found.checked.flat if name in found.checked.results)
+    coarse = [f"in {flat} a unit is {math.ulp(FLAT):.2g}, half of the digits: a maximum is flat"]
     if found.agrees:
-        return [f"{out[0]}; agrees"]
+        return [f"{out[0]}; agrees", *(coarse if flat else [])]
     out += [f"at {named(found, found.at)}", values(found)]
     if found.missing:
         out += [f"NaN at {len(found.missing)} points, such as {named(found, found.missing[0])}"]
-    return [*out, *found.names, "differs"]
+    return [*out, *(coarse if flat else []), *found.names, "differs"]
 
 
 def text(report: Report) -> str:
