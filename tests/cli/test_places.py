@@ -38,3 +38,28 @@ def test_a_delay_may_be_a_fraction():
         run = symhaptic("trace", "--gamma", "0.001", "--delta", "0.02", "--delay", wrong)
         assert run.returncode == 2
         assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; a number is\n"
+
+
+LEFT = """
+import sys
+
+
+class Left:
+    def find_spec(self, name, *_):
+        if name == sys.argv[1]:
+            raise KeyboardInterrupt
+
+
+sys.meta_path.insert(0, Left())
+from symhaptic.__main__ import main
+
+main()
+"""
+
+
+@pytest.mark.parametrize("at", ["typer", "symhaptic.cli.main", "symhaptic.cli.limits"])
+def test_left_while_it_loads_it_says_so_in_one_line(at):
+    run = subprocess.run(
+        [sys.executable, "-c", LEFT, at], capture_output=True, text=True, check=False
+    )
+    assert (run.returncode, run.stderr) == (130, "symhaptic: interrupted\n")
