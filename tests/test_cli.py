@@ -152,6 +152,33 @@ def test_a_chapter_of_ones_own(tmp_path):
     assert "proved" in run.stdout
 
 
+def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    other = chapter(tmp_path, GOOD.replace("my-own", "my-other"), "other.py")
+    silent = chapter(tmp_path, GOOD.partition("    page.state(")[0], "silent.py")
+    run = symhaptic("verify", "--derivation", path, "--derivation", other)
+    assert run.returncode == 0, run.stderr
+    assert [line.split()[0] for line in run.stdout.splitlines()] == ["my-own", "my-other", "2"]
+    run = symhaptic("verify", "--derivation", silent)
+    assert (run.returncode, run.stdout) == (0, "0 statements\n")
+    committed = GOOD.replace("my-own", "eq11").replace(
+        '    page.state("eq11", "doubling",', "    ("
+    )
+    run = symhaptic("verify", "--derivation", chapter(tmp_path, committed))
+    assert run.returncode == 2
+    assert "'eq11' has a verdict in my.py and in derivations/" in run.stderr
+
+
+def test_what_is_read_is_not_written_over(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    for place in (path, tmp_path / "no" / ".." / "my.py"):
+        (tmp_path / "no").mkdir(exist_ok=True)
+        run = symhaptic("verify", "my-own", "--derivation", path, "-o", place)
+        assert run.returncode == 2
+        assert run.stderr.endswith(": is what is read here; another file is allowed\n")
+        assert path.read_text(encoding="utf-8") == GOOD
+
+
 def test_a_wrong_statement_of_ones_own_fails(tmp_path):
     path = chapter(tmp_path, GOOD.replace("x = 2\\sin", "x = 3\\sin"))
     run = symhaptic("verify", "my-own", "--derivation", path)

@@ -102,7 +102,8 @@ def text(
     lines += [f"DIFFERS  {line}" for line in surprises]
     lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
-    lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
+    kinds = f": {counted(entries)}" if entries else ""
+    lines.append(f"{len(entries)} statement{plural}{kinds}")
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
     if argued:
         lines.append(f"{argued} argued: words join what was checked, which is not a pass")
