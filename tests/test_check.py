@@ -180,10 +180,56 @@ def test_a_command(tmp_path):
     assert len(done.stderr.splitlines()) == 1
 
 
+BAD = """
+def nothing(b, T, d):
+    return None
+
+def unknown(b, T, d):
+    return nowhere
+
+def one_of_two(b, T, d):
+    return {0.0: 1.0}[d] if b else (0.0, 0.0)
+
+def two(b, T):
+    return b
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("mine:none", "--python: 'mine:none' is not found (module 'mine' has no attribute 'none')"),
+        (
+            "./mine.py:right",
+            "--python: './mine.py:right' is not allowed; MODULE:NAME is, such as m",
+        ),
+        (
+            "mine.py:right",
+            "--python: 'mine.py:right' is not allowed; MODULE:NAME is, such as mine:",
+        ),
+        (":right", "--python: ':right' is not allowed; MODULE:NAME is"),
+        ("broken:f", "--python: 'broken' fails (SyntaxError: "),
+        ("ending:f", "--python: 'ending' ends the program (3)"),
+        ("mine:nothing", "it gives None; numbers are allowed"),
+        ("mine:unknown", "it fails (NameError: name 'nowhere' is not defined)"),
+        ("mine:one_of_two", "it fails (KeyError: "),
+        ("mine:two", "it fails (TypeError: two() takes 2 positional arguments but 3 were given)"),
+    ],
+)
+def test_a_function_that_cannot_be_used_is_one_line(mine, name, said):
+    (mine / "mine.py").write_text(MINE + BAD)
+    (mine / "broken.py").write_text("def f(\n")
+    (mine / "ending.py").write_text("raise SystemExit(3)")
+    done = symhaptic("check", "--formula", "eq11", "--python", name, cwd=mine)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
 def test_bad_usage_is_one_line(mine):
-    (mine / "mine.py").write_text(f"{MINE}\ndef nothing(b, T, d):\n    return None\n")
-    for options in (("eq99", "right"), ("eq11", "none"), ("eq11", "nothing")):
-        done = checked(mine, *options)
+    asked = (("--formula", "eq99"), (), ("--formula", "eq11", "--points", "1000000000000"))
+    for options in asked:
+        done = symhaptic("check", *options, "--python", "mine:right", cwd=mine)
         assert done.returncode == 2
         assert len(done.stderr.splitlines()) == 1
 
