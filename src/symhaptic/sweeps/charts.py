@@ -218,9 +218,7 @@ def _parts(names: Sequence[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     )
 
 
-def _arms(
-    scene: Scene | None, stiffness: Range | None, damping: Range | None
-) -> dict[str, Any]:
+def _arms(scene: Scene | None, stiffness: Range | None, damping: Range | None) -> dict[str, Any]:
     """Springs and dampers of a range: the paper's, or from none to those of the scene."""
     names = ("gamma", "delta") if scene is None else _SI[2:]
     paper = (STIFF, DAMPED) if scene is None else (_own(scene, _SI[2]), _own(scene, _SI[3]))
