@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 from command import symhaptic
 
+from symhaptic.book.listing import replace
 from symhaptic.cli.main import main
 
 ROOT = Path(__file__).parents[1]
@@ -418,3 +419,19 @@ def test_a_pipe_is_written_to_and_a_link_stays_one(tmp_path):
     assert symhaptic("verify", "eq1", "-o", link).returncode == 0
     assert link.is_symlink()
     assert there.read_text().startswith("eq1")
+    told = started("verify", "eq1", "-o", "/dev/stdout")  # a pipe without a name
+    assert (told.returncode, told.stdout[:3]) == (0, "eq1"), told.stderr
+
+
+def test_who_may_read_a_file_may_read_what_is_written_over_it(tmp_path):
+    path, new = tmp_path / "mine.csv", tmp_path / "new.csv"
+    path.write_text("old")
+    path.chmod(0o600)
+    masked = os.umask(0o027)
+    try:
+        for place in (path, new):
+            replace(place, "text")
+    finally:
+        os.umask(masked)
+    assert [oct(place.stat().st_mode & 0o777) for place in (path, new)] == ["0o600", "0o640"]
+    assert path.read_text() == new.read_text() == "text"
