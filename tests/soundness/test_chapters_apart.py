@@ -249,7 +249,7 @@ def test_a_report_says_what_is_found_of_each_chapter_alone(tmp_path):
 
 
 def test_who_interrupts_is_left_alone_by_all_processes(tmp_path):
-    """The process of the chapter and its reader end with that one, and say nothing."""
+    """The process of the chapter and its reader end with that one, which alone says so."""
     begun = tmp_path / "begun"
     path = chapter(
         tmp_path,
@@ -271,7 +271,7 @@ def test_who_interrupts_is_left_alone_by_all_processes(tmp_path):
     while not (begun.exists() and begun.read_text()) and time.monotonic() < until:
         time.sleep(0.1)
     os.killpg(run.pid, signal.SIGINT)
-    assert run.communicate(timeout=60)[1] == b""
+    assert run.communicate(timeout=60)[1] == b"symhaptic: interrupted\n"
     assert run.returncode == 130
     with pytest.raises(ProcessLookupError):
         os.kill(int(begun.read_text()), 0)

@@ -23,6 +23,9 @@ ParserError: type[Exception] = next(
 )
 
 
+_INTERRUPTED = 130
+"""The exit status of what a user leaves."""
+
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
 """A place that takes no more."""
 
@@ -81,6 +84,8 @@ def main() -> None:
     command = typer.main.get_command(app)
     try:
         status = command.main(standalone_mode=False)
+        if status == _INTERRUPTED:  # so newer Typers say it
+            raise KeyboardInterrupt
     except (ParserError, Unusable) as wrong:
         said = getattr(wrong, "format_message", wrong.__str__)()
         said = said.replace("Value error, ", "")
@@ -91,7 +96,7 @@ def main() -> None:
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("symhaptic: interrupted", err=True)
-        raise SystemExit(130) from None
+        raise SystemExit(_INTERRUPTED) from None
     except OSError as wrong:
         if wrong.errno not in _FULL or wrong.filename is not None:
             raise
