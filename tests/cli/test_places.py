@@ -63,3 +63,23 @@ def test_left_while_it_loads_it_says_so_in_one_line(at):
         [sys.executable, "-c", LEFT, at], capture_output=True, text=True, check=False
     )
     assert (run.returncode, run.stderr) == (130, "symhaptic: interrupted\n")
+
+
+def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
+    path = tmp_path / "my.py"
+    path.write_text(
+        '"""A title."""\nfrom sympy import Eq, cos, sin\n'
+        "from symhaptic.notation import theta, x\n\n"
+        "def derive(page):\n    page.step('A step', sin(theta) ** 2, 1 - cos(theta) ** 2)\n"
+        "    page.state('my-λ', 'doubling', r'x = 2\\sin(\\theta)\\cos(\\theta)')\n"
+        "    page.settle('my-λ', Eq(x, sin(2 * theta)))\n",
+        encoding="utf-8",
+    )
+    run = subprocess.run(
+        [sys.executable, "-m", "symhaptic", "verify", "--derivation", path],
+        capture_output=True,
+        env={**os.environ, "PYTHONIOENCODING": "cp1252"},
+        check=False,
+    )
+    assert (run.returncode, run.stderr) == (0, b"")
+    assert run.stdout.startswith(b"my-\\u03bb")

@@ -5,9 +5,11 @@ from __future__ import annotations
 import errno
 import os
 import re
+import sys
 import warnings
 from difflib import get_close_matches
 from functools import cache
+from io import TextIOWrapper
 from typing import Annotated, Any
 
 import typer
@@ -81,6 +83,8 @@ def _said_once(warning: str) -> None:
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
     warnings.showwarning = _warned
+    if isinstance(sys.stdout, TextIOWrapper):  # an id may have letters that a terminal has not
+        sys.stdout.reconfigure(errors="backslashreplace")
     command = typer.main.get_command(app)
     try:
         status = command.main(standalone_mode=False)
