@@ -303,3 +303,9 @@ def test_a_device_of_which_a_float_tells_nothing_is_told_by_what_was_given(more,
     for ask in asked:
         with pytest.raises(ValueError, match=told):
             ask()
+
+
+@pytest.mark.parametrize("name", ["mass", "sampling_period"])
+def test_without_a_mass_or_a_period_there_is_no_loop(name):
+    with pytest.raises(ValueError, match=f"^{name}: None is not allowed; finite numbers > 0 are$"):
+        Scene(**{"mass": 0.1, "sampling_period": 1e-3, name: None})

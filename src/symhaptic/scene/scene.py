@@ -95,8 +95,8 @@ class Scene:
     def __post_init__(self) -> None:
         for name, unit in UNITS.items():
             value = getattr(self, name)
-            if value is not None:
-                least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+            if value is not None or least == "> 0":  # without these there is no loop
                 object.__setattr__(self, name, number(name, value, unit, least))
         if self.delay is not None and self.delay_samples is not None:
             raise ValueError(
