@@ -308,6 +308,16 @@ def test_junit_and_json(mine):
     assert found["balls"] == 2000
 
 
+def test_an_annotation_is_whole_whatever_the_command_is_called(tmp_path):
+    """GitHub ends a property at a comma and all of them at two colons; by number they are text."""
+    (tmp_path / "mine.sh").write_text("while read line; do echo 1; done")
+    asked = ("--formula", "linear_limit", "--command", "sh mine.sh a,b::50%", "--points", 20)
+    done = symhaptic("check", *asked, "--format", "github", cwd=tmp_path)
+    head, said = done.stdout.removeprefix("::error ").split("::")
+    assert head == "title=symhaptic check of sh mine.sh a%2Cb%3A%3A50%25"
+    assert said.startswith("linear_limit: 20 points")
+
+
 def test_a_table_of_errors(mine):
     """One row for each point in balls, as in xsref: arguments, exact values, results, error."""
     done = checked(mine, "eq11", "right", "--format", "table")

@@ -63,9 +63,18 @@ def github(report: Report) -> str:
     """An error that GitHub shows beside the line of the function; nothing special if none."""
     if report.found.agrees:
         return text(report)
-    where = "" if report.place is None else f"file={report.place[0]},line={report.place[1]},"
-    message = "%0A".join(line.replace("%", "%25") for line in lines(report)[:-1])
-    return f"::error {where}title=symhaptic check of {report.of}::{message}\n"
+    given = [("title", f"symhaptic check of {report.of}")]
+    if report.place is not None:
+        given = [("file", report.place[0]), ("line", str(report.place[1])), *given]
+    told = ",".join(f"{name}={_escaped(text, ':,')}" for name, text in given)
+    return f"::error {told}::{_escaped(chr(10).join(lines(report)[:-1]))}\n"
+
+
+def _escaped(text: str, more: str = "") -> str:
+    """As GitHub reads it: what ends a line, or a property of it, by its number."""
+    for letter in f"%\r\n{more}":
+        text = text.replace(letter, f"%{ord(letter):02X}")
+    return text
 
 
 def junit(report: Report) -> str:
