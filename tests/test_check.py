@@ -180,10 +180,56 @@ def test_a_command(tmp_path):
     assert len(done.stderr.splitlines()) == 1
 
 
+BAD = """
+def nothing(b, T, d):
+    return None
+
+def unknown(b, T, d):
+    return nowhere
+
+def one_of_two(b, T, d):
+    return {0.0: 1.0}[d] if b else (0.0, 0.0)
+
+def two(b, T):
+    return b
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("mine:none", "--python: 'mine:none' is not found (module 'mine' has no attribute 'none')"),
+        (
+            "./mine.py:right",
+            "--python: './mine.py:right' is not allowed; MODULE:NAME is, such as m",
+        ),
+        (
+            "mine.py:right",
+            "--python: 'mine.py:right' is not allowed; MODULE:NAME is, such as mine:",
+        ),
+        (":right", "--python: ':right' is not allowed; MODULE:NAME is"),
+        ("broken:f", "--python: 'broken' fails (SyntaxError: "),
+        ("ending:f", "--python: 'ending' ends the program (3)"),
+        ("mine:nothing", "it gives None; numbers are allowed"),
+        ("mine:unknown", "it fails (NameError: name 'nowhere' is not defined)"),
+        ("mine:one_of_two", "it fails (KeyError: "),
+        ("mine:two", "it fails (TypeError: two() takes 2 positional arguments but 3 were given)"),
+    ],
+)
+def test_a_function_that_cannot_be_used_is_one_line(mine, name, said):
+    (mine / "mine.py").write_text(MINE + BAD)
+    (mine / "broken.py").write_text("def f(\n")
+    (mine / "ending.py").write_text("raise SystemExit(3)")
+    done = symhaptic("check", "--formula", "eq11", "--python", name, cwd=mine)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
 def test_bad_usage_is_one_line(mine):
-    (mine / "mine.py").write_text(f"{MINE}\ndef nothing(b, T, d):\n    return None\n")
-    for options in (("eq99", "right"), ("eq11", "none"), ("eq11", "nothing")):
-        done = checked(mine, *options)
+    asked = (("--formula", "eq99"), (), ("--formula", "eq11", "--points", "1000000000000"))
+    for options in asked:
+        done = symhaptic("check", *options, "--python", "mine:right", cwd=mine)
         assert done.returncode == 2
         assert len(done.stderr.splitlines()) == 1
 
@@ -262,6 +308,16 @@ def test_junit_and_json(mine):
     assert found["balls"] == 2000
 
 
+def test_an_annotation_is_whole_whatever_the_command_is_called(tmp_path):
+    """GitHub ends a property at a comma and all of them at two colons; by number they are text."""
+    (tmp_path / "mine.sh").write_text("while read line; do echo 1; done")
+    asked = ("--formula", "linear_limit", "--command", "sh mine.sh a,b::50%", "--points", 20)
+    done = symhaptic("check", *asked, "--format", "github", cwd=tmp_path)
+    head, said = done.stdout.removeprefix("::error ").split("::")
+    assert head == "title=symhaptic check of sh mine.sh a%2Cb%3A%3A50%25"
+    assert said.startswith("linear_limit: 20 points")
+
+
 def test_a_table_of_errors(mine):
     """One row for each point in balls, as in xsref: arguments, exact values, results, error."""
     done = checked(mine, "eq11", "right", "--format", "table")
@@ -295,6 +351,24 @@ def test_a_table_of_exact_values():
     wanted = [(50.0).hex(), (0.001).hex(), (0.0).hex()]
     (found,) = [row for row in rows if row[:3] == wanted]
     assert abs(float(found[3]) - 100000) < 1e-9
+
+
+def test_what_counts_in_coarse_units_is_said():
+    """Of a maximum that is flat; an error of half of the digits, which nobody would see else."""
+    checked = CHECKED["max_stable_stiffness"]
+
+    def told_of(change):
+        mine = callers.called(lambda *plant: change(*checked.near(*plant)), 3)
+        return told.text(told.Report(compared(checked, mine, 8, 20), "mine", 0.0))
+
+    coarse = f"in beta and theta a unit is {math.ulp(1e8):.2g}, half of the digits"
+    agrees = told_of(lambda alpha, beta, theta: (alpha, beta + 1e-8, theta))
+    assert "agrees" in agrees
+    assert coarse in agrees
+    assert coarse in told_of(lambda alpha, beta, theta: (alpha, beta + 1e-6, theta))
+    alone = told_of(lambda alpha, beta, theta: (alpha,))
+    assert "agrees" in alone
+    assert coarse not in alone
 
 
 def test_a_function_may_give_the_first_of_several_results():

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 from command import symhaptic
 
+from symhaptic.book.listing import replace
 from symhaptic.cli.main import main
 
 ROOT = Path(__file__).parents[1]
@@ -150,6 +151,33 @@ def test_a_chapter_of_ones_own(tmp_path):
     run = symhaptic("verify", "my-own", "--derivation", path)
     assert run.returncode == 0, run.stderr
     assert "proved" in run.stdout
+
+
+def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    other = chapter(tmp_path, GOOD.replace("my-own", "my-other"), "other.py")
+    silent = chapter(tmp_path, GOOD.partition("    page.state(")[0], "silent.py")
+    run = symhaptic("verify", "--derivation", path, "--derivation", other)
+    assert run.returncode == 0, run.stderr
+    assert [line.split()[0] for line in run.stdout.splitlines()] == ["my-own", "my-other", "2"]
+    run = symhaptic("verify", "--derivation", silent)
+    assert (run.returncode, run.stdout) == (0, "0 statements\n")
+    committed = GOOD.replace("my-own", "eq11").replace(
+        '    page.state("eq11", "doubling",', "    ("
+    )
+    run = symhaptic("verify", "--derivation", chapter(tmp_path, committed))
+    assert run.returncode == 2
+    assert "'eq11' has a verdict in my.py and in derivations/" in run.stderr
+
+
+def test_what_is_read_is_not_written_over(tmp_path):
+    path = chapter(tmp_path, GOOD)
+    for place in (path, tmp_path / "no" / ".." / "my.py"):
+        (tmp_path / "no").mkdir(exist_ok=True)
+        run = symhaptic("verify", "my-own", "--derivation", path, "-o", place)
+        assert run.returncode == 2
+        assert run.stderr.endswith(": is what is read here; another file is allowed\n")
+        assert path.read_text(encoding="utf-8") == GOOD
 
 
 def test_a_wrong_statement_of_ones_own_fails(tmp_path):
@@ -391,3 +419,19 @@ def test_a_pipe_is_written_to_and_a_link_stays_one(tmp_path):
     assert symhaptic("verify", "eq1", "-o", link).returncode == 0
     assert link.is_symlink()
     assert there.read_text().startswith("eq1")
+    told = started("verify", "eq1", "-o", "/dev/stdout")  # a pipe without a name
+    assert (told.returncode, told.stdout[:3]) == (0, "eq1"), told.stderr
+
+
+def test_who_may_read_a_file_may_read_what_is_written_over_it(tmp_path):
+    path, new = tmp_path / "mine.csv", tmp_path / "new.csv"
+    path.write_text("old")
+    path.chmod(0o600)
+    masked = os.umask(0o027)
+    try:
+        for place in (path, new):
+            replace(place, "text")
+    finally:
+        os.umask(masked)
+    assert [oct(place.stat().st_mode & 0o777) for place in (path, new)] == ["0o600", "0o640"]
+    assert path.read_text() == new.read_text() == "text"

@@ -43,3 +43,8 @@ def test_latex_in_a_notebook():
 def test_what_is_no_formula_yet_is_named(id):
     with pytest.raises(ValueError, match=id):
         formula(id)
+
+
+def test_an_id_that_is_no_word_is_refused_as_one_that_is_not_known():
+    with pytest.raises(ValueError, match=r"^id: 11 is not a formula"):
+        formula(11)

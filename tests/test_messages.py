@@ -40,6 +40,15 @@ def test_what_is_misspelt_is_told_with_what_may_be_meant(case, monkeypatch, caps
     assert "allowed are 'did" not in error
 
 
+@pytest.mark.parametrize("option", ["--alpha", "--lambda", "--zzz"])
+def test_what_is_like_nothing_is_told_without_a_guess(option, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["symhaptic", "trace", option, "3"])
+    with pytest.raises(SystemExit):
+        main()
+    said = f"symhaptic: error: No such option: {option}; allowed is what --help lists\n"
+    assert capsys.readouterr().err == said
+
+
 @pytest.mark.parametrize(("command", "one"), [("verify", "eq11"), ("report", "s3d_figures")])
 def test_what_lists_all_does(command, one, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["symhaptic", command, "--list"])

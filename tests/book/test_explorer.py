@@ -369,8 +369,25 @@ def test_a_bad_number_is_marked_and_changes_nothing(page):
         rest(page)
         assert page.get_attribute("#field-m", "aria-invalid") == "true"
         assert told(page, "told-limit") == before
-        assert "more than 0" in page.inner_text("#wrong")
+        said = "Mass in kg: a number from 1e-12 to 1e12 is allowed; the picture shows 0.1."
+        assert page.inner_text("#wrong") == said
     page.fill("#field-m", "0.2")
+    assert page.inner_text("#wrong") == ""
+
+
+def test_what_is_told_of_a_bad_number_is_what_is_allowed_and_goes_with_it(page):
+    page.fill("#field-k", "1e20")
+    assert "0 or a number from 1e-12 to 1e12 is allowed" in page.inner_text("#wrong")
+    page.focus("#slider-T")
+    page.keyboard.press("ArrowUp")
+    rest(page)
+    assert page.input_value("#field-k") == "0"
+    assert page.inner_text("#wrong") == ""
+    page.click("summary")
+    page.fill("#ratio-alpha", "x")
+    rest(page)
+    assert page.inner_text("#wrong").startswith("α: Stiffness in N/m, a number up to 1e12 in size")
+    page.fill("#ratio-alpha", "0.02")
     assert page.inner_text("#wrong") == ""
 
 

@@ -1,12 +1,16 @@
 """A device from a file: limits with its arm and without, a picture, one line for bad files."""
 
 import json
+import sys
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command import symhaptic
 from scipy.linalg import expm
+
+from symhaptic.cli.main import main
 
 GUIDE = (Path(__file__).parents[2] / "docs" / "limits.md").read_text(encoding="utf-8")
 DEVICE = GUIDE.split("```toml\n")[1].split("```")[0]
@@ -85,6 +89,16 @@ def test_words_and_a_picture(device, tmp_path):
         ('K = "800 N/m"', "K = true", "device.toml:12: K = True is not allowed"),
         ('"800 N/m"', '"800 N"', "device.toml:12: K = '800 N' is not allowed"),
         ("[wall]", "[wall", "device.toml: "),
+        ('K = "800 N/m"\nB = "5 Ns/m"\n', "", "device.toml: [wall] needs K and B"),
+        ('"800 N/m"', '"1e400 N/m"', "device.toml:12: K: inf is not allowed; finite numbers are"),
+        ('"5 Ns/m"', "nan", "device.toml:13: B: nan is not allowed; finite numbers are"),
+        ('"800 N/m"', '"1e80 N/m"', "device.toml: K: 1e+80 is not allowed; "),
+        ('"40 N/m"', '"1e25 N/m"', "device.toml:9: stiffness: 1e+25 with mass=0.572 and s"),
+        ('"0.005 Ns/m"', '"1e80 Ns/m"', "device.toml:2: damping: 1e+80 with mass=0.072 and sa"),
+        ('delay = "1.5 ms"', "delay_samples = 1e16", "device.toml:4: delay_samples: 1e+16 with"),
+        ('delay = "1.5 ms"', "delay_samples = 2e5", "device.toml: delay: 200000.0 is not allowed"),
+        ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
+        ("[arm]", "[[arm]]", "device.toml: arm is not allowed; a table [arm] is"),
     ],
 )
 def test_a_bad_file_is_told_in_one_line(device, old, new, told):
@@ -170,6 +184,89 @@ def test_a_bad_range_is_told_in_one_line(tmp_path, old, new, told):
     assert not run.stdout
     assert told in run.stderr
     assert len(run.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("text", ["\ufeff" + DEVICE, DEVICE.replace("1.5 ms", "1500 \u03bcs")])
+def test_what_editors_and_keyboards_make_of_it_is_the_same_device(device, text):
+    """A mark of the byte order before it; the Greek letter that looks like the micro sign."""
+    asked = ("limits", device, "--format", "json")
+    meant = symhaptic(*asked).stdout
+    device.write_text(text, encoding="utf-8")
+    assert symhaptic(*asked).stdout == meant
+
+
+@pytest.mark.parametrize(("delay", "period"), [("4.9", "0.7"), ("4.1", "0.1"), ("2.95", "0.05")])
+def test_whole_periods_in_milliseconds_are_whole(tmp_path, delay, period):
+    from symhaptic.scene.device_file import read
+
+    path = tmp_path / "device.toml"
+    loop = f'mass = "72 g"\nsampling_period = "{period} ms"\ndelay = "{delay} ms"\n'
+    path.write_text(loop, encoding="utf-8")
+    scene = read(path).alone
+    assert scene.periods == Fraction(delay) / Fraction(period)
+    assert (scene.mass, scene.delay) == (0.072, float(f"{delay}e-3"))
+
+
+def test_each_format_is_written_where_it_is_said(device, tmp_path):
+    printed = {name: symhaptic("limits", device, "--format", name).stdout for name in ALL[:2]}
+    for name, ending in ((*pair,) for pair in zip(ALL, ("txt", *ALL[1:]), strict=True)):
+        for place, more in ((f"as.{ending.upper()}", ()), ("plain", ("--format", name))):
+            run = symhaptic("limits", device, "-o", tmp_path / place, *more)
+            assert (run.returncode, run.stderr) == (0, f"wrote {tmp_path / place}\n")
+            written = (tmp_path / place).read_bytes()
+            assert run.stdout == ("" if name in printed else printed["text"])
+            assert written.decode() == printed[name] if name in printed else BEGIN[name] in written
+    both = symhaptic("limits", device, "--format", "json", "-o", tmp_path / "walls.svg")
+    assert both.stdout == printed["json"]
+
+
+ALL = "text", "json", "svg", "png", "pdf"
+BEGIN = {"svg": b"<svg", "png": b"\x89PNG", "pdf": b"%PDF-"}
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        (["--format", "png"], "--format png: needs -o FILE; text and json can be printed"),
+        (["--format", "png", "-o", "walls.svg"], "-o walls.svg: does not end as --format png do"),
+        (["--format", "text", "-o", "walls.json"], "-o walls.json: does not end as --format tex"),
+        (["-o", "walls"], "-o walls: '' is not allowed; .text, .json, .svg, .png, .pdf, .txt are"),
+        (["-o", "no/walls.svg"], "-o no/walls.svg: cannot write there (No such file or direct"),
+    ],
+)
+def test_a_format_that_is_not_that_of_the_file_is_refused(device, tmp_path, asked, told):
+    run = symhaptic("limits", device, *asked, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.startswith(f"symhaptic: error: {told}")
+    assert run.stderr.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["device.toml"]
+
+
+@pytest.mark.parametrize("asked", ["limits", "trace"])
+def test_a_picture_without_what_draws_is_refused_before_the_work(
+    device, monkeypatch, capsys, asked
+):
+    """After ``pip install symhaptic``, without what reports need."""
+    place = device.with_name("walls.svg")
+    words = {"limits": [device], "trace": ["--gamma", "0", "--delta", "1", "--delay", "0"]}
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setattr(
+        sys, "argv", ["symhaptic", asked, *map(str, words[asked]), "-o", str(place)]
+    )
+    with pytest.raises(SystemExit, match="2"):
+        main()
+    out, error = capsys.readouterr()
+    assert not out
+    assert "needs matplotlib; pip install 'symhaptic[report]'" in error
+    assert error.count("\n") == 1
+
+
+def test_a_warning_is_one_line_that_names_the_argument(device):
+    device.write_text(DEVICE.replace('"1.5 ms"', '"0.2 s"'), encoding="utf-8")
+    run = symhaptic("limits", device)
+    assert run.returncode == 0
+    assert run.stderr.startswith("symhaptic: warning: delay: 0.2 s are 200 sampling periods; a ")
+    assert run.stderr.count("\n") == 1
 
 
 def test_no_file_and_no_picture(device, tmp_path):

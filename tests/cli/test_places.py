@@ -38,3 +38,48 @@ def test_a_delay_may_be_a_fraction():
         run = symhaptic("trace", "--gamma", "0.001", "--delta", "0.02", "--delay", wrong)
         assert run.returncode == 2
         assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; a number is\n"
+
+
+LEFT = """
+import sys
+
+
+class Left:
+    def find_spec(self, name, *_):
+        if name == sys.argv[1]:
+            raise KeyboardInterrupt
+
+
+sys.meta_path.insert(0, Left())
+from symhaptic.__main__ import main
+
+main()
+"""
+
+
+@pytest.mark.parametrize("at", ["typer", "symhaptic.cli.main", "symhaptic.cli.limits"])
+def test_left_while_it_loads_it_says_so_in_one_line(at):
+    run = subprocess.run(
+        [sys.executable, "-c", LEFT, at], capture_output=True, text=True, check=False
+    )
+    assert (run.returncode, run.stderr) == (130, "symhaptic: interrupted\n")
+
+
+def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
+    path = tmp_path / "my.py"
+    path.write_text(
+        '"""A title."""\nfrom sympy import Eq, cos, sin\n'
+        "from symhaptic.notation import theta, x\n\n"
+        "def derive(page):\n    page.step('A step', sin(theta) ** 2, 1 - cos(theta) ** 2)\n"
+        "    page.state('my-λ', 'doubling', r'x = 2\\sin(\\theta)\\cos(\\theta)')\n"
+        "    page.settle('my-λ', Eq(x, sin(2 * theta)))\n",
+        encoding="utf-8",
+    )
+    run = subprocess.run(
+        [sys.executable, "-m", "symhaptic", "verify", "--derivation", path],
+        capture_output=True,
+        env={**os.environ, "PYTHONIOENCODING": "cp1252"},
+        check=False,
+    )
+    assert (run.returncode, run.stderr) == (0, b"")
+    assert run.stdout.startswith(b"my-\\u03bb")

@@ -1,8 +1,15 @@
 """Bodies for two precisions are one where they differ in numbers alone, and only then."""
 
+import builtins
+import dis
+from types import CodeType
+
 import pytest
 
+from symhaptic.export import request
 from symhaptic.export.array_precision import of_both
+from symhaptic.export.targets import TARGETS
+from symhaptic.model.parts import FULL
 
 
 def test_a_number_that_differs_gets_one_name_for_all_its_places():
@@ -34,3 +41,20 @@ def test_a_name_that_is_taken_is_not_given_again():
 )
 def test_other_work_is_not_taken_for_the_same(other):
     assert of_both(["y = x - 2.0*z"], other, ["x", "z"]) is None
+
+
+@pytest.mark.parametrize("form", request.chosen([], FULL), ids=lambda form: form.name)
+def test_a_form_alone_has_what_either_precision_calls(form):
+    """Single precision takes other steps here and there, of other helpers."""
+    _, files = request.built(TARGETS["numpy"], [form], "alone", vectors=False)
+    module = compile(files["alone.py"], "alone.py", "exec")
+    space = {"__name__": "alone"}
+    exec(module, space)
+    assert asked_for(module) <= space.keys() | set(dir(builtins))
+
+
+def asked_for(code):
+    """The names that functions look for in their module."""
+    inner = [const for const in code.co_consts if isinstance(const, CodeType)]
+    own = {step.argval for step in dis.get_instructions(code) if step.opname == "LOAD_GLOBAL"}
+    return own.union(*map(asked_for, inner))

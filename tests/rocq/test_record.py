@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from chapters import chapter
@@ -9,6 +10,7 @@ from sympy import Symbol
 
 from symhaptic.book import foreign
 from symhaptic.book.chapters import expected_ledger, expected_rocq, shipped
+from symhaptic.cli.foreign import stale
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import assumptions, compiled, preludes, together
@@ -211,3 +213,14 @@ def test_the_mark_of_a_text_is_of_the_preludes_that_it_imports(
         there.write_text(path.read_text() + ("(* *)" if path.stem == changed else ""))
     monkeypatch.setattr(preludes, "PRELUDES", tuple(paths))
     assert (preludes.text_mark(text) != before) == another
+
+
+@pytest.mark.parametrize(("count", "more"), [(5, ""), (115, " and 110 more")])
+def test_what_is_stale_is_told_in_a_line_that_fits(count, more, capsys):
+    def entry(i):
+        return SimpleNamespace(
+            statement=SimpleNamespace(id=f"s{i}"), rocq=foreign.Checked(stale=True)
+        )
+
+    stale([entry(i) for i in range(count)])
+    assert f"checked of s0, s1, s2, s3, s4{more} is not what is said now" in capsys.readouterr().err

@@ -59,3 +59,27 @@ def test_leaving_out_the_damper_costs_what_is_proved():
     assert spring == pytest.approx(0.337, abs=1e-3)
     assert damper == pytest.approx(6.705, abs=1e-2)
     assert both == pytest.approx(6.671, abs=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("ask", "told"),
+    [
+        (lambda: charts.robust_limits(stiffness=0.001), "^stiffness: 0.001 is not allowed; (low"),
+        (lambda: charts.model_costs(damping=(0, 1, 2)), "^damping: (0, 1, 2) is not allowed; (l"),
+        (lambda: charts.stiffest(delay=2), "^delay: 2 is not allowed; (lowest, highest) is$"),
+        (lambda: charts.delay_margin(K=1), "^K: 1 is not allowed; (lowest, highest) is$"),
+        (lambda: charts.robust_limits(points=1), "^points: 1 is not allowed; whole numbers >= 2"),
+        (lambda: charts.stiffest(points=2.5), "^points: 2.5 is not allowed; whole numbers >= 2 a"),
+    ],
+)
+def test_what_is_no_range_is_told_by_its_name(ask, told):
+    with pytest.raises(ValueError, match=told.replace("(", r"\(").replace(")", r"\)")):
+        ask()
+
+
+def test_where_no_wall_is_stable_a_picture_says_so():
+    figure = charts.delay_margin(SCENE, K=(1e6, 1e7), points=10)
+    (axes,) = figure.axes
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == [
+        "not stable without delay"
+    ]

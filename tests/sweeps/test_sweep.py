@@ -269,3 +269,19 @@ def test_importing_the_package_loads_nothing_of_it():
     )
     told = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
     assert told.stdout.split() == [b"[]"]
+
+
+WALL = {"K": 1.0, "B": 1.0}
+OF_A_SCENE = [
+    ("is_stable", {**WALL, "stiffness": [1e30, 1.0]}, "^stiffness: gamma = 1e+25 is not allowed"),
+    ("is_stable", {**WALL, "mass": [1e-90, 1.0]}, "^K: alpha = 1e+84 is not allowed"),
+    ("is_passive", {**WALL, "damping": 1e90}, "^damping: delta = 1e+88 is not allowed"),
+    ("stability_boundary", {"frequency_hz": [0.0, 9.0]}, "^frequency_hz: theta = 0.0 is not"),
+]
+
+
+@pytest.mark.parametrize(("quantity", "axes", "told"), OF_A_SCENE)
+def test_of_a_scene_what_cannot_be_is_told_by_what_was_given(quantity, axes, told):
+    scene = Scene(mass=0.1, sampling_period=1e-3)
+    with pytest.raises(ValueError, match=told.replace("+", r"\+")):
+        sweep(quantity, scene, **axes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import stat
 import tempfile
 from collections.abc import Sequence
 from functools import cache
@@ -102,7 +103,8 @@ def text(
     lines += [f"DIFFERS  {line}" for line in surprises]
     lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
-    lines.append(f"{len(entries)} statement{plural}: {counted(entries)}")
+    kinds = f": {counted(entries)}" if entries else ""
+    lines.append(f"{len(entries)} statement{plural}{kinds}")
     argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
     if argued:
         lines.append(f"{argued} argued: words join what was checked, which is not a pass")
@@ -200,20 +202,29 @@ def _rocq(found: foreign.Checked) -> list[tuple[str, str]]:
     return told + ([("rocq-rests", ", ".join(found.rests))] if found.rests else [])
 
 
+def _mode(path: Path) -> int:
+    """Who may read the file that is there, or a new one."""
+    if path.exists():
+        return stat.S_IMODE(path.stat().st_mode)
+    masked = os.umask(0)
+    os.umask(masked)
+    return 0o666 & ~masked
+
+
 def replace(path: Path, content: str | bytes) -> None:
     """Write a file whole or not at all: beside its place first, then moved there.
 
     A link stays one, and a device or a pipe, such as /dev/stdout, is written to, not replaced.
     """
-    path = path.resolve()
-    if path.exists() and not path.is_file():
+    if path.exists() and not path.is_file():  # asked before a link to a nameless pipe is followed
         path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
         return
+    path = path.resolve()
     descriptor, draft = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
     try:
         with os.fdopen(descriptor, "wb") as stream:
             stream.write(content.encode("utf-8") if isinstance(content, str) else content)
-        os.chmod(draft, 0o644)
+        os.chmod(draft, _mode(path))
         os.replace(draft, path)
     except OSError:
         os.unlink(draft)

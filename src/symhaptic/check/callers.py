@@ -11,22 +11,47 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from types import TracebackType
 from typing import Any
 
 Points = Sequence[tuple[float, ...]]
 Caller = Callable[[Points], list[tuple[float, ...]]]
 
 
+class _Theirs:
+    """Whatever somebody's code raises is one line, but for an interrupt."""
+
+    def __init__(self, said: Callable[[], str], lost: str = "") -> None:
+        self.said, self.lost = said, lost
+
+    def __enter__(self) -> None:
+        """Their code begins."""
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        wrong: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if kind is None or isinstance(wrong, KeyboardInterrupt):
+            return
+        if isinstance(wrong, SystemExit):
+            raise ValueError(f"--python: {self.said()} ends the program ({wrong.code})") from None
+        line = " ".join(str(wrong).split())
+        if self.lost and isinstance(wrong, ImportError | AttributeError):
+            raise ValueError(f"--python: {self.lost} ({line}); MODULE:NAME is") from None
+        raise ValueError(f"--python: {self.said()} fails ({kind.__name__}: {line})") from None
+
+
 def python(name: str, results: int) -> Caller:
     """``module:function``, called with one point at a time; the folder one stands in counts."""
     module, _, attribute = name.partition(":")
+    if module.endswith(".py") or not all(map(str.isidentifier, module.split("."))):
+        such = f"{Path(module).stem or 'module'}:{attribute or 'name'}"
+        raise ValueError(f"--python: {name!r} is not allowed; MODULE:NAME is, such as {such}")
     sys.path.insert(0, os.getcwd())
-    try:
+    with _Theirs(lambda: repr(module), f"{name!r} is not found"):
         function = getattr(importlib.import_module(module), attribute)
-    except (ImportError, AttributeError, ValueError) as wrong:
-        raise ValueError(f"--python: {name!r} is not found ({wrong}); MODULE:NAME is") from None
-    except SystemExit as early:
-        raise ValueError(f"--python: {module!r} ends the program ({early.code})") from None
     return called(function, results)
 
 
@@ -45,31 +70,27 @@ def called(function: Callable[..., Any], results: int) -> Caller:
     """An error of arithmetic (a division by zero, a logarithm of nothing) is NaN."""
 
     def run(points: Points) -> list[tuple[float, ...]]:
-        found = []
-        for point in points:
-            try:
-                value = function(*point)
-            except (ArithmeticError, ValueError):
-                value = (float("nan"),) * results
-            except TypeError as wrong:
-                given = ", ".join(map(str, point))
-                raise ValueError(f"--python: called with {given} it fails ({wrong})") from None
-            except SystemExit as early:
-                given = ", ".join(map(str, point))
-                raise ValueError(
-                    f"--python: called with {given} it ends the program ({early.code})"
-                ) from None
-            many = value if isinstance(value, tuple | list) else (value,)
-            try:
-                found.append(tuple(float(v) for v in many))
-            except (TypeError, ValueError):
-                given = ", ".join(map(str, point))
-                raise ValueError(
-                    f"--python: called with {given} it gives {value!r}; numbers are allowed"
-                ) from None
-        return found
+        found, at = [], points[0]
+        with _Theirs(lambda: f"called with {', '.join(map(str, at))} it"):
+            for at in points:
+                try:
+                    value = function(*at)
+                except (ArithmeticError, ValueError):
+                    value = (float("nan"),) * results
+                found.append(value if isinstance(value, tuple | list) else (value,))
+        return [_numbers(*pair) for pair in zip(points, found, strict=True)]
 
     return run
+
+
+def _numbers(point: tuple[float, ...], values: Sequence[Any]) -> tuple[float, ...]:
+    try:
+        return tuple(float(v) for v in values)
+    except (TypeError, ValueError):
+        given, got = ", ".join(map(str, point)), values[0] if len(values) == 1 else values
+        raise ValueError(
+            f"--python: called with {given} it gives {got!r}; numbers are allowed"
+        ) from None
 
 
 def library(name: str, arguments: int, results: int) -> Caller:

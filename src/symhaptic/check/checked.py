@@ -11,6 +11,10 @@ Range = tuple[float, float, tuple[float, ...]]
 """The least and the largest value of an argument, and hard values."""
 
 
+FLAT = 1e8
+"""A number of this size has a unit in the last place of half of the digits of one of size 1."""
+
+
 @dataclass(frozen=True)
 class Checked:
     """A function with one ball for each result, or truth values, or None where it is not told.
@@ -32,6 +36,8 @@ class Checked:
     """Points at which exact values are asked for."""
     printed: str = ""
     """The statement of the paper that prints it."""
+    flat: tuple[str, ...] = ()
+    """Results that count as numbers of ``FLAT``: where a maximum is, its height hardly tells."""
 
 
 B: Range = (0.0, 50.0, (1e-300, 1e-8))

@@ -17,6 +17,7 @@ from symhaptic.check.checked import (
     DELAY,
     DELTA,
     FEW,
+    FLAT,
     FRACTION,
     GAMMA,
     SPRING,
@@ -166,9 +167,10 @@ FUNCTIONS = (
         ("alpha", "beta", "theta"),
         EXACT["max_stable_stiffness"],
         max_stable_stiffness,
-        lambda gamma, delta, d: (1.0, 1e8, 1e8),  # flat: where it is is told less than how much
+        lambda gamma, delta, d: (1.0, FLAT, FLAT),
         ("d",),
         balls=300,
+        flat=("beta", "theta"),
     ),
     Checked(
         "delay_margin",

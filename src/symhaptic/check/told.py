@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from symhaptic.check.checked import Checked
+from symhaptic.check.checked import FLAT, Checked
 from symhaptic.check.compare import Found, Point, points, shown
 from symhaptic.check.compare import exact as exact_at
 
@@ -43,12 +44,14 @@ def lines(report: Report) -> list[str]:
     out = [
         f"{found.checked.id}: {found.points} points, {len(found.looked)} of them in balls, {worst}"
     ]
+    flat = " and ".join(name for name in found.checked.flat if name in found.checked.results)
+    coarse = [f"in {flat} a unit is {math.ulp(FLAT):.2g}, half of the digits: a maximum is flat"]
     if found.agrees:
-        return [f"{out[0]}; agrees"]
+        return [f"{out[0]}; agrees", *(coarse if flat else [])]
     out += [f"at {named(found, found.at)}", values(found)]
     if found.missing:
         out += [f"NaN at {len(found.missing)} points, such as {named(found, found.missing[0])}"]
-    return [*out, *found.names, "differs"]
+    return [*out, *(coarse if flat else []), *found.names, "differs"]
 
 
 def text(report: Report) -> str:
@@ -60,9 +63,18 @@ def github(report: Report) -> str:
     """An error that GitHub shows beside the line of the function; nothing special if none."""
     if report.found.agrees:
         return text(report)
-    where = "" if report.place is None else f"file={report.place[0]},line={report.place[1]},"
-    message = "%0A".join(line.replace("%", "%25") for line in lines(report)[:-1])
-    return f"::error {where}title=symhaptic check of {report.of}::{message}\n"
+    given = [("title", f"symhaptic check of {report.of}")]
+    if report.place is not None:
+        given = [("file", report.place[0]), ("line", str(report.place[1])), *given]
+    told = ",".join(f"{name}={_escaped(text, ':,')}" for name, text in given)
+    return f"::error {told}::{_escaped(chr(10).join(lines(report)[:-1]))}\n"
+
+
+def _escaped(text: str, more: str = "") -> str:
+    """As GitHub reads it: what ends a line, or a property of it, by its number."""
+    for letter in f"%\r\n{more}":
+        text = text.replace(letter, f"%{ord(letter):02X}")
+    return text
 
 
 def junit(report: Report) -> str:

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from symhaptic.check.checked import Checked
 
 
+_MOST = 10**7
+"""Points that fit into memory, with what is found at them."""
+
+
 class CheckFormat(StrEnum):
     """How `check` prints."""
 
@@ -49,7 +53,9 @@ def check(
         ),
     ] = None,
     ulp: Annotated[float, typer.Option("--ulp", metavar="N", help="Largest error allowed.")] = 8,
-    points: Annotated[int, typer.Option("--points", metavar="N", min=1, help="How many.")] = 10000,
+    points: Annotated[
+        int, typer.Option("--points", metavar="N", min=1, max=_MOST, help="How many.")
+    ] = 10000,
     arguments: Annotated[
         str | None,
         typer.Option("--arguments", metavar="X,...", help="The order that your function has."),
@@ -78,9 +84,11 @@ def check(
         for name, one in CHECKED.items():
             typer.echo(f"{name}({', '.join(one.ranges)}) -> {', '.join(one.results)}{_says(one)}")
         return
+    if formula is None:
+        refuse("--formula: is needed; `symhaptic check --list` lists all")
     if formula not in CHECKED:
         every = "`symhaptic check --list` lists all"
-        refuse(f"--formula: {formula!r} is not known; {suggested(str(formula), CHECKED, every)}")
+        refuse(f"--formula: {formula!r} is not known; {suggested(formula, CHECKED, every)}")
     checked = CHECKED[formula]
     given = [way for way in (python, library, command) if way is not None]
     if format is CheckFormat.table and not given:

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, folder_allowed, no_folder, progress, refuse, write
+from symhaptic.cli.shared import app, can_draw, folder_allowed, no_folder, progress, refuse, write
 
 
 class TraceFormat(StrEnum):
@@ -75,6 +75,8 @@ def trace(
     drawn = format in (TraceFormat.png, TraceFormat.svg)
     if drawn and output is None:
         refuse(f"--format {format}: needs -o FILE; csv and json can be printed")
+    if drawn:
+        can_draw(f"--format {format}")
     plant = number("gamma", gamma), number("delta", delta)
     periods = number("delay", delay)
     try:
@@ -83,12 +85,9 @@ def trace(
         refuse(f"--{wrong}")
     content: str | bytes
     if drawn:
-        try:
-            from symhaptic.book.figures.region import picture
+        from symhaptic.book.figures.region import picture
 
-            content = picture(region, format)
-        except ModuleNotFoundError as missing:
-            refuse(f"--format {format}: needs {missing.name}; pip install 'symhaptic[report]'")
+        content = picture(region, format)
     else:
         content = (written.json_text if format is TraceFormat.json else written.csv_text)(region)
     if output is None:

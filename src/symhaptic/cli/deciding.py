@@ -91,7 +91,10 @@ def own_chapters(paths: list[Path] | None) -> list[Path]:
 def verify(
     ids: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[ID]...", help="Statements, such as eq11; all if none is given."),
+        typer.Argument(
+            metavar="[ID]...",
+            help="Statements, such as eq11; if none is given, all, or those of --derivation.",
+        ),
     ] = None,
     format: Annotated[ListFormat, typer.Option("--format", help="How to print.")] = (
         ListFormat.text
@@ -127,7 +130,8 @@ def verify(
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
 
-    With --source those of your own source, whose committed verdicts are in ledger.json beside it.
+    With --derivation those that your own chapters settle, or what is named.  With --source those
+    of your own source, whose committed verdicts are in ledger.json beside it.
     """
     # SymPy, which reads this when it is imported, then forgets nothing while a chapter is run
     os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
@@ -161,7 +165,10 @@ def verify(
     if source is None:
         given = {path.resolve() for path in own}
         others = [p for p in chapters.shipped() if p.resolve() not in given]
-        shipped = listing.needed(wanted + whole() if as_recorded else wanted, others)
+        asked = wanted + whole() if as_recorded else wanted
+        shipped = listing.needed(asked, others) if asked or not own else []
+    if output is not None and output.resolve() in {path.resolve() for path in read(own, source)}:
+        refuse(f"-o {output}: is what is read here; another file is allowed")
     if rocq is not None:
         if format is ListFormat.junit:
             refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
@@ -179,13 +186,17 @@ def verify(
         bad.append(chapters.BadChapter(path, ledger.twice(id, files)))
         told_bad(bad[-1], own)
     entries = ledger.ledger(found, None if source is None else chapters.source_beside(own[0]))
+    everything = not wanted and (source is not None or not own)
+    if not everything and not wanted:
+        ours = {entry.statement.id for entry in found}
+        entries = [entry for entry in entries if entry.statement.id in ours]
     if wanted:
         names = {e.statement.id: e for e in entries}
         for id in wanted:
             if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
-    surprises = [] if known is None else ledger.surprises(entries, known, whole=not wanted)
+    surprises = [] if known is None else ledger.surprises(entries, known, whole=everything)
     surprises += [entry.wrong for entry in found if entry.wrong]
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
@@ -202,6 +213,13 @@ def verify(
         raise typer.Exit(2)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
+
+
+def read(own: list[Path], source: Path | None) -> list[Path]:
+    """What somebody has written and hands in."""
+    from symhaptic.book.chapters import SOURCE_FILE
+
+    return own if source is None else [*own, source / SOURCE_FILE]
 
 
 def committed_beside(source: Path) -> dict[str, str] | None:

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from symhaptic.rocq.outcome import Outcome
 
 
+_FEW = 5
+"""Statements that a line names."""
+
+
 def judged(
     paths: list[Path],
     wanted: list[str],
@@ -128,8 +132,9 @@ def stale(entries: list[Entry]) -> None:
     """Say of which statements Rocq was asked something else than they now say."""
     old = [entry.statement.id for entry in entries if entry.rocq.stale]
     if old:
+        named = ", ".join(old[:_FEW]) + (f" and {len(old) - _FEW} more" if old[_FEW:] else "")
         typer.echo(
-            f"symhaptic: what Rocq has checked of {', '.join(old)} is not what is said now; "
+            f"symhaptic: what Rocq has checked of {named} is not what is said now; "
             "`symhaptic verify --rocq DIR` asks again",
             err=True,
         )

@@ -5,19 +5,32 @@ from __future__ import annotations
 import json
 import math
 from enum import StrEnum
+from io import BytesIO
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from symhaptic.cli.shared import app, refuse, unwritable, writable
+from symhaptic.cli.shared import app, can_draw, refuse, writable, write
+
+if TYPE_CHECKING:
+    from symhaptic.scene.device_file import Device
+    from symhaptic.scene.safe import SafeWalls
 
 
 class LimitsFormat(StrEnum):
-    """How `limits` prints."""
+    """What `limits` writes."""
 
     text = "text"
     json = "json"
+    svg = "svg"
+    png = "png"
+    pdf = "pdf"
+
+
+DRAWN = LimitsFormat.svg, LimitsFormat.png, LimitsFormat.pdf
+ENDINGS = {**LimitsFormat.__members__, "txt": LimitsFormat.text}
+"""What the ending of a file's name says that it holds."""
 
 
 @app.command()
@@ -29,56 +42,87 @@ def limits(
             help="TOML: device, or mass, damping; sampling_period, delay; [arm], [arms], [wall].",
         ),
     ],
-    format: Annotated[LimitsFormat, typer.Option("--format", help="How to print.")] = (
-        LimitsFormat.text
-    ),
-    plot: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Draw it: .svg, .png or .pdf.")
+    format: Annotated[
+        LimitsFormat | None,
+        typer.Option("--format", help="What to write; text, or as FILE ends, if not given."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", metavar="FILE", help="Write there: a picture beside what is printed, or that."
+        ),
     ] = None,
 ) -> None:
     """Say which walls a device bears: stable with the arm that holds it, passive by itself.
 
     With [arms], a range of arms, it also proves which walls are stable for every one of them.
     """
+    from symhaptic.book.listing import replace
     from symhaptic.scene.device_file import BadDevice, read
 
-    writable(plot)
-    if plot is not None and plot.suffix not in (".svg", ".png", ".pdf"):
-        refuse(f"-o {plot}: {plot.suffix!r} is not allowed; .svg, .png and .pdf are")
+    writable(output)
+    said, into = asked(output, format)
+    if into in DRAWN:
+        can_draw(f"-o {output}")
     try:
         found = read(device)
     except BadDevice as wrong:
         refuse(str(wrong))
-    data = answers(found.held, found.alone, found.wall)
     safe = None
-    if found.arms is not None:
-        try:
+    try:
+        data = answers(found.held, found.alone, found.wall)
+        if found.arms is not None:
             safe = found.alone.safe_walls(found.arms)
-        except ValueError as wrong:
-            refuse(f"{device}: {wrong}")
-        data["safe"] = proved(safe, found.wall)
-    if format is LimitsFormat.json:
-        typer.echo(json.dumps(data, indent=1))
+            data["safe"] = proved(safe, found.wall)
+    except ValueError as wrong:
+        refuse(f"{device}: {wrong}")
+    words = text(data) if said is LimitsFormat.text else json.dumps(data, indent=1) + "\n"
+    if output is None or into is None or into in DRAWN:
+        typer.echo(words, nl=False)
     else:
-        typer.echo(text(data), nl=False)
-    if plot is not None:
-        import matplotlib
+        write(replace, output, words)
+    if output is not None and into in DRAWN:
+        write(replace, output, picture(found, safe, into))
+    if output is not None:
+        typer.echo(f"wrote {output}", err=True)
 
-        matplotlib.use("Agg")
-        from matplotlib import pyplot
 
-        from symhaptic.scene.picture import draw, draw_safe
+def asked(
+    output: Path | None, given: LimitsFormat | None
+) -> tuple[LimitsFormat, LimitsFormat | None]:
+    """How it is said, and what goes into the file: the same, or a picture beside it."""
+    plain = None if given in DRAWN else given
+    if output is None:
+        if given in DRAWN:
+            refuse(f"--format {given}: needs -o FILE; text and json can be printed")
+        return plain or LimitsFormat.text, None
+    ending = output.suffix.lower().removeprefix(".")
+    into = ENDINGS.get(ending) if ending else given
+    if into is None:
+        every = ", ".join(f".{name}" for name in ENDINGS)
+        refuse(f"-o {output}: {output.suffix!r} is not allowed; {every} are")
+    if given not in (None, into) and (given in DRAWN or into not in DRAWN):
+        refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
+    return plain or (LimitsFormat.text if into in DRAWN else into), into
 
-        figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
-        if safe is None:
-            draw(axes, found.held, found.alone, found.wall)
-        else:
-            draw_safe(axes, safe, found.wall)
-        try:
-            figure.savefig(plot, dpi=150)
-        except OSError as wrong:
-            unwritable(plot, wrong.strerror)
-        typer.echo(f"wrote {plot}", err=True)
+
+def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> bytes:
+    """The walls of a device, and what is proved of them, drawn."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    from symhaptic.scene.picture import draw, draw_safe
+
+    figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
+    if safe is None:
+        draw(axes, found.held, found.alone, found.wall)
+    else:
+        draw_safe(axes, safe, found.wall)
+    drawn = BytesIO()
+    figure.savefig(drawn, format=format, dpi=150)
+    return drawn.getvalue()
 
 
 def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str, Any]:

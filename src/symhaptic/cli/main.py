@@ -5,7 +5,12 @@ from __future__ import annotations
 import errno
 import os
 import re
-from typing import Annotated
+import sys
+import warnings
+from difflib import get_close_matches
+from functools import cache
+from io import TextIOWrapper
+from typing import Annotated, Any
 
 import typer
 
@@ -19,6 +24,9 @@ ParserError: type[Exception] = next(
     c for c in typer.BadParameter.__mro__ if c.__name__ in ("TyperException", "ClickException")
 )
 
+
+_INTERRUPTED = 130
+"""The exit status of what a user leaves."""
 
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO}
 """A place that takes no more."""
@@ -51,16 +59,37 @@ def clearer(said: str) -> str:
         return f"{said[: choice.start()]}{choice[1]!r} is not known; {suggested(choice[1], names)}"
     if not said.startswith(("No such", "Got unexpected")):
         return said
-    said = re.sub(r" \(Possible options: (.*)\)", r"; did you mean \1?", said)
+    if option := re.match(r"No such option: --([\w-]+)", said):
+        near = [
+            name
+            for name in re.findall(r"--([\w-]+)", said[option.end() :])
+            if get_close_matches(option[1], [name])
+        ]  # dashes alone are no likeness
+        said = option[0] + (f"; did you mean {', '.join(f'--{n}' for n in near)}?" if near else "")
     said = re.sub(r"\. Did you mean (.*)\?", r"; did you mean \1?", said).rstrip(".")
     return f"{said}{' ' if said.endswith('?') else '; '}allowed is what --help lists"
 
 
+def _warned(message: Warning | str, *_: Any, **__: Any) -> None:
+    """One line for a warning as for a bad input, without the place in our code."""
+    _said_once(" ".join(str(message).split()))
+
+
+@cache
+def _said_once(warning: str) -> None:
+    typer.echo(f"symhaptic: warning: {warning}", err=True)
+
+
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
+    warnings.showwarning = _warned
+    if isinstance(sys.stdout, TextIOWrapper):  # an id may have letters that a terminal has not
+        sys.stdout.reconfigure(errors="backslashreplace")
     command = typer.main.get_command(app)
     try:
         status = command.main(standalone_mode=False)
+        if status == _INTERRUPTED:  # so newer Typers say it
+            raise KeyboardInterrupt
     except (ParserError, Unusable) as wrong:
         said = getattr(wrong, "format_message", wrong.__str__)()
         said = said.replace("Value error, ", "")
@@ -71,7 +100,7 @@ def main() -> None:
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("symhaptic: interrupted", err=True)
-        raise SystemExit(130) from None
+        raise SystemExit(_INTERRUPTED) from None
     except OSError as wrong:
         if wrong.errno not in _FULL or wrong.filename is not None:
             raise

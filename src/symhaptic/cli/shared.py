@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryFile
 from typing import NoReturn
@@ -44,6 +45,12 @@ def progress(total: int) -> Iterator[Callable[[int, Path], None]]:
     with Progress(*columns, TimeElapsedColumn(), console=console, transient=True) as bar:
         task = bar.add_task("", total=total)
         yield lambda done, path: bar.update(task, completed=done, description=under_way(path))
+
+
+def can_draw(option: str) -> None:
+    """Say before the work is done that nothing is there that draws."""
+    if find_spec("matplotlib") is None:
+        refuse(f"{option}: needs matplotlib; pip install 'symhaptic[report]'")
 
 
 def writable(output: Path | None) -> None:

@@ -60,7 +60,8 @@ class ArrayApi(Target):
         "plant work inside limits guarded settled most yes no add series value crossing"
     )
     modules = standard.PYTHON
-    leaves_zeros_out = False  # both precisions are written as one
+    writes_both = True
+    leaves_zeros_out = False  # its helpers are those of both precisions
     operations = single = called(
         "xp.",
         Infinity="xp.inf",

@@ -27,7 +27,7 @@ from symhaptic.export import (
 from symhaptic.export.free_stable import with_free_verdict
 from symhaptic.export.fused import fused, merged
 from symhaptic.export.late_device import with_late_device
-from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.shared import routine
 from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
@@ -162,6 +162,8 @@ def library(
             if other not in ordered:
                 found = own.get(other) or named(other, routines)
                 add(found)
+                if target.writes_both and other not in own and precise(other):
+                    add(named(other, known(SINGLE)))
                 ordered[other] = found
 
     for one in public:

@@ -146,6 +146,8 @@ class Target:
         """What declares a variable that has a value and changes, in a language with braces."""
         return self.changing or self.real
 
+    writes_both = False
+    """Whether one source holds what either precision needs."""
     leaves_zeros_out = True
     """Whether helpers have no arguments that are 0 in all calls."""
     shares = False

@@ -9,7 +9,7 @@ _FEW = 8
 """Names that a line can list whole."""
 
 
-def suggested(name: str, known: Iterable[str], listing: str = "") -> str:
+def suggested(name: object, known: Iterable[str], listing: str = "") -> str:
     """The names that look like this one, and all of them or what lists them.
 
     >>> suggested("no-dely", ["no-damping", "no-delay"])
@@ -19,7 +19,7 @@ def suggested(name: str, known: Iterable[str], listing: str = "") -> str:
     """
     names = list(known)
     folded = {each.casefold(): each for each in reversed(names)}
-    close = [folded[each] for each in get_close_matches(name.casefold(), folded, 4, 0.6)]
+    close = [folded[each] for each in get_close_matches(str(name).casefold(), folded, 4, 0.6)]
     question = f"did you mean {', '.join(map(repr, close))}? " if close else ""
     every = f"allowed are {', '.join(names)}"
     return question + (every if len(names) <= _FEW or not listing else listing)

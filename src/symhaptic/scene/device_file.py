@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from symhaptic.notation.quantities import decimal, nearest
+from symhaptic.notation.quantities import number as finite
 from symhaptic.notation.suggest import suggested
 from symhaptic.scene.arms import Arm, ArmRange
 from symhaptic.scene.arms import device as published
@@ -17,12 +20,12 @@ UNITS: dict[str, dict[str, float]] = {
     "kg": {"kg": 1.0, "g": 1e-3},
     "Ns/m": {"Ns/m": 1.0, "N s/m": 1.0, "Ns/mm": 1e3, "mNs/m": 1e-3},
     "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/m": 1e3},
-    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6},
+    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "\u00b5s": 1e-6, "\u03bcs": 1e-6},
     "1/s": {"1/s": 1.0, "Ns/m/kg": 1.0},
     "1/s^2": {"1/s^2": 1.0, "1/s²": 1.0, "N/m/kg": 1.0},
     "": {"": 1.0},
 }
-"""Spellings of each SI unit, and what they are in it."""
+"""Spellings of each SI unit, and what they are in it; of mu there are two, which look the same."""
 
 MOVED = {"mass": "kg", "damping": "Ns/m", "stiffness": "N/m"}
 SCHEMA: dict[str, dict[str, str]] = {
@@ -67,7 +70,7 @@ def read(path: Path) -> Device:
     numbers with another unit, and for values that a :class:`Scene` refuses.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
         data = tomllib.loads(text)
     except (OSError, UnicodeDecodeError) as wrong:
         raise BadDevice(f"{path}: cannot be read ({wrong})") from None
@@ -86,21 +89,27 @@ def read(path: Path) -> Device:
         for name, table in tables.items()
     }
     device, arm, ranged, wall = (found.get(name, {}) for name in SCHEMA)
-    if wall and wall.keys() != SCHEMA["wall"].keys():
+    if "wall" in tables and wall.keys() != SCHEMA["wall"].keys():
         raise BadDevice(f"{path}: [wall] needs K and B")
+    if names.get("arm") is not None and arm:
+        place = _place(path, text, "arm", next(iter(arm)))
+        raise BadDevice(f"{place} beside name is not allowed; one of them is")
     table = ""
     try:
         known = device if names[""] is None else {**_published(names[""]), **device}
         for key in ("mass", "sampling_period"):
             if key not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
-        alone, table = Scene(**known), "arm"
+        alone = Scene(**known)
+        _, table = alone.dimensionless, "arm"
         hand = Arm(**{"mass": 0.0, **arm})
         if names.get("arm") is not None:
             hand = Arm.of(names["arm"])
         held = alone.held_by(hand) if "arm" in tables else alone
-        table = RANGED
-        arms = ArmRange(**ranged) if RANGED in tables else None
+        _, table = held.dimensionless, RANGED
+        arms, table = ArmRange(**ranged) if RANGED in tables else None, "wall"
+        for key, value in wall.items():
+            finite(key, value, SCHEMA[table][key])
     except BadDevice:
         raise
     except ValueError as wrong:
@@ -130,8 +139,10 @@ _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}
 
 
 def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
-    """A number in SI units."""
+    """A number in SI units, the decimal that it is written as."""
     known = SCHEMA[table]
+    if not table and key in SCHEMA:
+        raise BadDevice(f"{_place(path, text, table, key)} is not allowed; a table [{key}] is")
     if key not in known:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
@@ -143,7 +154,8 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     if match is None or match[2] not in UNITS[unit]:
         place = _place(path, text, table, key)
         raise BadDevice(f"{place} = {given!r} is not allowed; a number and one of {allowed} is")
-    return float(match[1]) * UNITS[unit][match[2]]
+    size, factor = float(match[1]), UNITS[unit][match[2]]
+    return nearest(decimal(size) * decimal(factor)) if math.isfinite(size) else size
 
 
 def _place(path: Path, text: str, table: str, key: str) -> str:

@@ -95,8 +95,8 @@ class Scene:
     def __post_init__(self) -> None:
         for name, unit in UNITS.items():
             value = getattr(self, name)
-            if value is not None:
-                least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+            if value is not None or least == "> 0":  # without these there is no loop
                 object.__setattr__(self, name, number(name, value, unit, least))
         if self.delay is not None and self.delay_samples is not None:
             raise ValueError(
@@ -105,7 +105,7 @@ class Scene:
             )
         if self.delay is not None and self.periods > _LONG:
             warnings.warn(
-                f"delay: {self.delay!r} s are {self.dimensionless.delay:g} sampling periods; "
+                f"delay: {self.delay!r} s are {nearest(self.periods):g} sampling periods; "
                 f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
                 stacklevel=3,
             )
@@ -198,13 +198,29 @@ class Scene:
 
     @property
     def dimensionless(self) -> Dimensionless:
-        """gamma, delta and the delay in periods; 0 for what is not there."""
+        """gamma, delta and the delay in periods; 0 for what is not there.
+
+        Raises :class:`ValueError` for what no function takes, by the names that it has here.
+        """
+        from symhaptic.numeric.arguments import LARGEST, LONGEST, STIFFEST
+
         period, mass = decimal(self.sampling_period), decimal(self.mass)
-        return Dimensionless(
+        found = Dimensionless(
             gamma=nearest(decimal(self.stiffness or 0) * period**2 / mass),
             delta=nearest(decimal(self.damping or 0) * period / mass),
             delay=nearest(self.periods),
         )
+        late = "delay" if self.delay_samples is None else "delay_samples"
+        for name, formula, value, most in (
+            ("stiffness", "k T^2/m", found.gamma, STIFFEST),
+            ("damping", "b T/m", found.delta, LARGEST),
+            (late, "t_d/T", found.delay, LONGEST),
+        ):
+            if value > most:
+                of = f"with mass={self.mass!r} and sampling_period={self.sampling_period!r}"
+                given = f"{name}: {getattr(self, name)!r} {of}"
+                raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
+        return found
 
     def _wall(self, alpha: Any, beta: Any, theta: Any) -> tuple[float, float, float]:
         """K, B and the frequency in Hz."""

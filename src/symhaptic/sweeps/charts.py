@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.notation.quantities import shown
 from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 from symhaptic.sweeps.sweep import sweep
@@ -49,15 +50,11 @@ def robust_limits(
 
     >>> figure = robust_limits(points=20)
     """
-    springs = np.linspace(
-        *(stiffness or (STIFF if scene is None else _own(scene, "stiffness"))), _ALL
-    )
-    dampers = np.linspace(*(damping or (DAMPED if scene is None else _own(scene, "damping"))), _ALL)
     names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
     late: dict[str, Any] = {} if delay is None else {"delay": delay}
     if scene is None:
         late = {"delay": 1.0 if delay is None else delay}
-    arms: dict[str, Any] = {names[2]: np.unique(springs), names[3]: np.unique(dampers)}
+    arms, points = _arms(scene, stiffness, damping), _enough(points)
     far = sweep("max_stable_stiffness", scene, over=names[2:], reduce="max", **arms, **late)
     far = far.rename(alpha="K", beta="B") if scene is None else far
     most, wide = 1.12 * float(far.K), 2.3 * float(far.B)
@@ -73,7 +70,7 @@ def robust_limits(
     count = len(arms[names[2]]) * len(arms[names[3]])
     shown = (
         ("any", "#f3dfb0", "stable for some of them only"),
-        ("all", STABLE, f"stable for all of {count} arms"),
+        ("all", STABLE, f"stable for all of {count} arms" if count > 1 else "stable"),
     )
     for word, colour, label in shown:
         values = found[f"is_stable_{word}"].astype(float)
@@ -112,7 +109,7 @@ def stiffest(
         period = scene.sampling_period
         axes_of = {"delay": delay or (0.0, 4 * period), "damping": damping or (0.0, 2 * own)}
         name = "K"
-    lines: dict[str, Any] = {n: np.linspace(*ends, points) for n, ends in axes_of.items()}
+    lines: dict[str, Any] = {n: _line(n, e, _enough(points)) for n, e in axes_of.items()}
     found = sweep("max_stable_stiffness", scene, **lines, **fixed)
     x, y = (found[n] for n in lines)
     values = found[name].transpose(*reversed(lines))
@@ -143,8 +140,9 @@ def delay_margin(
     half: dict[str, Any] = {"delay": 0.5} if scene is None else {"delay_samples": 0.5}
     far = sweep("max_stable_stiffness", scene, **fixed, **half)
     high = (float(far[names[0]]), 2.2 * float(far[names[1]]))
-    ends = (K or (0.0, high[0]), B or (0.0, high[1]))
-    walls: dict[str, Any] = {n: np.linspace(*e, points) for n, e in zip(names, ends, strict=True)}
+    ends = {"K": K or (0.0, high[0]), "B": B or (0.0, high[1])}
+    lines = (_line(name, e, _enough(points)) for name, e in ends.items())
+    walls: dict[str, Any] = dict(zip(names, lines, strict=True))
     found = sweep("delay_margin", scene, **walls, **fixed)
     x, y = found[names[1]], found[names[0]]
     margin = _in_ms(found.delay_margin)
@@ -177,15 +175,11 @@ def model_costs(
 
     >>> figure = model_costs(delays=[0, 1])
     """
+    from matplotlib.ticker import LogFormatter
+
     period = 1.0 if scene is None else scene.sampling_period
     names = ("gamma", "delta") if scene is None else _SI[2:]
-    ends = (
-        stiffness or (STIFF if scene is None else _own(scene, "stiffness")),
-        damping or (DAMPED if scene is None else _own(scene, "damping")),
-    )
-    arms: dict[str, Any] = {
-        n: np.unique(np.linspace(*e, _ALL)) for n, e in zip(names, ends, strict=True)
-    }
+    arms = _arms(scene, stiffness, damping)
     late = np.asarray(delays if delays is not None else period * np.linspace(0, 8, 33))
     name = "alpha" if scene is None else "K"
     full = sweep("max_stable_stiffness", scene, **arms, delay=late)
@@ -199,6 +193,7 @@ def model_costs(
         axes.plot(across, error, color=colour, linestyle=line, label=says)
     axes.set(yscale="log")
     axes.yaxis.set_major_formatter(_plain)
+    axes.yaxis.set_minor_formatter(LogFormatter())  # a narrow range, and without powers of ten
     axes.set(xlim=(float(across.min()), float(across.max())))
     axes.set(xlabel=_said(across), ylabel="largest error of the stiffest wall in %")
     axes.set_title(_range(arms), fontsize=9, loc="left")
@@ -221,6 +216,29 @@ def _parts(names: Sequence[str]) -> tuple[tuple[str, tuple[str, ...]], ...]:
         ("without damper", (damper,)),
         ("with neither", (spring, damper)),
     )
+
+
+def _arms(scene: Scene | None, stiffness: Range | None, damping: Range | None) -> dict[str, Any]:
+    """Springs and dampers of a range: the paper's, or from none to those of the scene."""
+    names = ("gamma", "delta") if scene is None else _SI[2:]
+    paper = (STIFF, DAMPED) if scene is None else (_own(scene, _SI[2]), _own(scene, _SI[3]))
+    given = {"stiffness": stiffness or paper[0], "damping": damping or paper[1]}
+    lines = (np.unique(_line(name, ends, _ALL)) for name, ends in given.items())
+    return dict(zip(names, lines, strict=True))
+
+
+def _line(name: str, ends: Range, points: int) -> NDArray[Any]:
+    """Points from the one end of a range to the other."""
+    if not isinstance(ends, tuple | list | np.ndarray) or len(ends) != 2:
+        raise ValueError(f"{name}: {shown(ends)} is not allowed; (lowest, highest) is")
+    return np.linspace(*ends, points)
+
+
+def _enough(points: int) -> int:
+    """So many that there is an area between them."""
+    if not isinstance(points, int) or points < 2:
+        raise ValueError(f"points: {shown(points)} is not allowed; whole numbers >= 2 are")
+    return points
 
 
 def _own(scene: Scene, part: str) -> Range:
@@ -291,10 +309,13 @@ def _filled(
 ) -> None:
     """Values as colours on a logarithmic scale, with lines at round numbers.
 
-    What is below or beyond all of these is drawn as the least and the largest.
+    What is below or beyond all of these is drawn as the least and the largest; nothing where all
+    is infinite or nothing.
     """
     from matplotlib.colors import LogNorm
 
+    if not bool((np.isfinite(values) & (values > 0)).any()):
+        return
     levels = _round_levels(values.to_numpy())
     inside = values.clip(levels[0] * 1.0001, levels[-1] * 0.9999)
     norm = LogNorm(levels[0], levels[-1])

@@ -164,7 +164,12 @@ class Work:
         if not self.in_si:
             return self._plain(arrays)
         period, mass = arrays["sampling_period"], arrays["mass"]
-        found = self._plain({n: _scaled(n, arrays) for n in self.own_arguments})
+        try:
+            found = self._plain({n: _scaled(n, arrays) for n in self.own_arguments})
+        except ValueError as wrong:
+            name, _, said = str(wrong).partition(":")
+            given = [p for p in _PARTS.get(name, ()) if p in arrays]
+            raise ValueError(f"{given[0]}: {name} ={said}" if given else str(wrong)) from None
         scale = {
             "K": mass / period**2,
             "B": mass / period,

@@ -14,6 +14,13 @@
     return String(Number((q.least * (q.most / q.least) ** (place / STEPS)).toPrecision(3)));
   }
 
+  // what is wrong with a field, or that nothing is
+  function told(field, wrong) {
+    if (!wrong && field.getAttribute("aria-invalid") !== "true") return;
+    field.setAttribute("aria-invalid", String(Boolean(wrong)));
+    document.getElementById("wrong").textContent = wrong;
+  }
+
   function row(key, q, changed) {
     const box = document.createElement("div");
     box.className = "quantity";
@@ -25,9 +32,7 @@
     slider.addEventListener("input", () => changed(key, fromSlider(q, Number(slider.value))));
     field.addEventListener("input", () => {
       const good = explorer.allowed(key, field.value);
-      field.setAttribute("aria-invalid", String(!good));
-      const least = q.signed ? "" : q.zero ? " from 0 on" : " more than 0";
-      document.getElementById("wrong").textContent = good ? "" : `${q.label} in ${q.unit}: a number${least} is allowed; the picture shows ${field.now}.`;
+      told(field, good ? "" : `${q.label} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${field.now}.`);
       if (good) changed(key, String(Number(field.value)));
     });
     box.show = (state) => {
@@ -39,7 +44,7 @@
       slider.setAttribute("aria-valuetext", said);
       if (document.activeElement !== field) {
         field.value = state[key];
-        field.setAttribute("aria-invalid", "false");
+        told(field, "");
       }
     };
     return box;
@@ -55,14 +60,16 @@
     field.addEventListener("input", () => {
       const si = Number.isFinite(Number(field.value)) && field.value.trim() ? explorer.fromRatio(state, name, field.value) : "";
       const good = explorer.allowed(of, si);
-      field.setAttribute("aria-invalid", String(!good));
+      const { label: made, unit } = explorer.quantities[of];
+      told(field, good ? "" : `${symbol}: ${made} in ${unit}, ${explorer.range(of)}, is what it may stand for; the picture shows ${field.now}.`);
       if (good) changed(of, si);
     });
     box.show = (now, n) => {
       state = now;
+      field.now = Number(n[name].toPrecision(8));
       if (document.activeElement !== field) {
-        field.value = Number(n[name].toPrecision(8));
-        field.setAttribute("aria-invalid", "false");
+        field.value = field.now;
+        told(field, "");
       }
     };
     return box;

@@ -22,12 +22,21 @@
     beta: { of: "B", name: "β", label: "Wall damping", up: ["T"], down: ["m"] },
   };
 
+  const [SMALLEST, LARGEST] = [1e-12, 1e12];
+
+  // in words, what is allowed
+  explorer.range = (key) => {
+    const q = explorer.quantities[key];
+    if (q.signed) return "a number up to 1e12 in size";
+    return `${q.zero ? "0 or " : ""}a number from 1e-12 to 1e12`;
+  };
+
   explorer.allowed = (key, text) => {
     const value = Number(text);
     const q = explorer.quantities[key];
     if (String(text).trim() === "" || !Number.isFinite(value)) return false;
-    if (q.signed) return Math.abs(value) <= 1e12;
-    return (q.zero ? value >= 0 : value > 0) && value <= 1e12 && (value === 0 || value >= 1e-12);
+    if (q.signed) return Math.abs(value) <= LARGEST;
+    return (q.zero ? value >= 0 : value > 0) && value <= LARGEST && (value === 0 || value >= SMALLEST);
   };
 
   explorer.start = () => Object.fromEntries(Object.entries(explorer.quantities).map(([key, q]) => [key, q.start]));
