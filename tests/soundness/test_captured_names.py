@@ -64,6 +64,16 @@ def test_a_path_does_not_capture() -> None:
         none_enters(zero_at(v), g, (v, q, t, x, y), *never(circle, -q, right))
 
 
+def test_a_path_begins_where_all_zeros_are_shown_to_lie_inside() -> None:
+    """z - 3 + y has no zero on the circle, and z none outside, but z - 2 is not z + y."""
+    outside = never(exp(I * t) - 3 + q, q - 2)
+    halves = (z - 1) * (z - Rational(1, 2))
+    level = never(exp(I * t) ** 2 - 3 * exp(I * t) / 2 + S.Half + q, q)
+    for f, path, at in ((z - 3, outside, S.Zero), (halves, level, S.Half), (halves, level, S.Zero)):
+        with pytest.raises(NotShown, match="is not where the path begins"):
+            roots_stay(f, S.One, z, q, t, *path, zero_at(at))
+
+
 @pytest.mark.parametrize(
     ("device", "answer"),
     [((1 + s, 2 - s, 0), X), ((1, s, -s), X), ((2 + s, 1, -s), X)],
