@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from types import SimpleNamespace
 
 import pytest
 import sympy as sp
@@ -69,6 +70,20 @@ def test_a_theorem_is_not_made_by_hand() -> None:
         Theorem(object(), ((), FALSE), "assume", ((), ()))
     with pytest.raises(AttributeError):
         ONE.conclusion = FALSE
+
+
+def test_no_rule_takes_what_only_has_the_parts_of_a_theorem() -> None:
+    with pytest.raises(NotShown, match="looks like a theorem"):
+        conjoined(SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE))
+
+
+def test_no_theorem_hides_from_what_rests_on_it() -> None:
+    known = square(x)
+    rests = leaves_of(combined(2 * x**2 >= 0, [2, known]))
+    assert rests["square"] == 1
+    for hidden in (frozenset([2, known]), iter([2, known]), {2: "two", known: "known"}.keys()):
+        with pytest.raises(NotShown, match="looks like a theorem"):
+            combined(2 * x**2 >= 0, hidden)
 
 
 def test_a_theorem_that_was_forged_is_not_derived_again() -> None:

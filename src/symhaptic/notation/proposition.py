@@ -88,11 +88,25 @@ class Proposition:
             return self
         inner, bound = dict(values), self.bound
         if bound:
-            met = frozenset[Symbol]().union(*map(symbols_in, values.values()))
-            inner |= {s: sp.Dummy(s.name) for s in bound if s in met}
+            inner |= _renamed(bound, values)
             bound = tuple(inner.get(s, s) for s in bound)
         terms = replaced(self.terms, inner) if self.terms else ()
         return self.made(bound, terms, tuple(p.at(inner) for p in self.parts))
+
+    def apart(self, values: Terms) -> Proposition:
+        """The same, with other symbols for bound ones that stand in these terms."""
+        if not (self.bound or self.parts):
+            return self
+        there = _renamed(self.bound, values)
+        bound = tuple(there.get(s, s) for s in self.bound)
+        parts = tuple(p.at(there).apart(values) for p in self.parts)
+        return self.made(bound, replaced(self.terms, there), parts)
+
+
+def _renamed(bound: Iterable[Symbol], values: Terms) -> dict[Symbol, Symbol]:
+    """Other symbols for bound ones that stand in the terms to be put in."""
+    met = frozenset[Symbol]().union(*(symbols_in(sp.sympify(v)) for v in values.values()))
+    return {s: sp.Dummy(s.name) for s in bound if s in met}
 
 
 def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
