@@ -202,6 +202,7 @@ def test_a_theorem_of_another_process_says_the_same_here() -> None:
 COMPARED = {
     "decide.compare": """
     decide.compare = settle.compare = record.compare = lambda *forms: decide.Comparison(True, "so")
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 1))
 """,
     "Settlement.decide": """
@@ -215,6 +216,7 @@ COMPARED = {
 """,
     "a number put in": """
     pages.not_defined = lambda given, definitions: None
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 1), given={x: S.One, S(2): S.One})
 """,
     "a theorem for a comparison": """
@@ -253,7 +255,7 @@ def test_a_print_is_compared_again_where_it_arrives(how: str, tmp_path: Path) ->
 
 TYPED = {
     "not seen": """
-    pages.retyped = lambda printed, derived: False
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 2))
 """,
     "said to be shown": """
@@ -261,7 +263,7 @@ TYPED = {
     page.settle("forged", Eq(x, 2))
 """,
     "shown by what it settled": """
-    pages.retyped = lambda printed, derived: False
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 2))
     kept = page.settled["forged"]
     kept.settlement = replace(kept.settlement, definitions=((x, S(3)),))
@@ -287,7 +289,7 @@ TYPED = {
 def test_a_print_that_is_only_typed_again_is_found_where_it_arrives(
     how: str, tmp_path: Path
 ) -> None:
-    """The chapter derived nothing; its page, patched, does not see that the form is the print."""
+    """The chapter derived nothing; its page, patched, says that it shows the form."""
     path, out = chapter(tmp_path, "forged", COMPARING + TYPED[how]), tmp_path / "out.txt"
     id = "larger" if "larger" in TYPED[how] else "forged"
     told = CliRunner().invoke(app, ["verify", id, "--derivation", str(path), "-o", str(out)])
