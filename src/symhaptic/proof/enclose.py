@@ -37,6 +37,8 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
         return _of_constant(exact("enclose", "expr", expr), digits)
     except RecursionError as deep:
         raise ValueError("enclose: expr is nested too deeply") from deep
+    except (Undefined, ZeroDivisionError) as wrong:  # SymPy's of what nobody has evaluated
+        raise ValueError("enclose: expr: a number in it divides by zero") from wrong
 
 
 def _of_constant(expr: Expr, digits: int) -> arb | acb:
@@ -103,3 +105,5 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
         raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
     except RecursionError as deep:
         raise ValueError("enclose_maximum: expr is nested too deeply") from deep
+    except (Undefined, ZeroDivisionError) as wrong:
+        raise ValueError("enclose_maximum: expr: a number in it divides by zero") from wrong

@@ -21,7 +21,7 @@ from symhaptic.proof.points import Point
 from symhaptic.proof.program import Uncheckable, program, value
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.refute import defined_somewhere
-from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
@@ -61,6 +61,8 @@ def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
         return Verdict(Kind.UNDECIDED, str(spent))
     except RecursionError:
         return Verdict(Kind.UNDECIDED, "nested too deeply")
+    except (Undefined, ZeroDivisionError):  # SymPy's of a number that nobody has evaluated
+        return Verdict(Kind.UNDECIDED, "a number in it divides by zero")
 
 
 def _same(lhs: Form, rhs: Form) -> Verdict:
