@@ -320,7 +320,9 @@ class Field:
             if power.is_Integer:
                 return self._power(self._image(base, ring, exponential), int(power), ring)
             if power.is_Rational:
-                root = self._radicals[(base, int(power.q))]
+                root = self._radicals.get((base, int(power.q)))
+                if root is None:  # of an exponent that SymPy has written anew
+                    raise Unsupported(f"a root that was not met before: {expr}")
                 return self._power(Fractional(ring.gen[root], ring.one), int(power.p), ring)
             if exponential is None:
                 raise Unsupported(f"a symbolic power inside an exponent: {expr}")
