@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
-from typing import Any, NoReturn, TypeAlias
+from typing import Any, ClassVar, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -222,6 +222,7 @@ class Predicate(Proposition):
         if (len(self.over), len(self.of)) != (symbols, terms):
             raise NoTerm(f"{self.name} has {symbols} bound symbols and {terms} terms")
         object.__setattr__(self, "of", tuple(term(t) for t in self.of))
+        object.__setattr__(self, "over", tuple(self.over))
         _bindable(self.over)
         for bounded in self.of[1:] if self.over else ():
             if set(self.over) & bounded.free_symbols:
@@ -245,6 +246,15 @@ class Predicate(Proposition):
 @dataclass(frozen=True, eq=False)
 class _Joined(Proposition):
     of: tuple[Proposition, ...]
+    count: ClassVar[int | None] = None
+    """How many parts it has; any number, without."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "of", tuple(self.of))
+        if not all(isinstance(part, Proposition) for part in self.of):
+            raise NoTerm(f"{self.of} are no propositions that could be joined")
+        if self.count not in (None, len(self.of)):
+            raise NoTerm(f"{type(self).__name__} of {len(self.of)} parts; {self.count} are wanted")
 
     @property
     def parts(self) -> tuple[Proposition, ...]:
@@ -256,6 +266,8 @@ class _Joined(Proposition):
 
 class Not(_Joined):
     """The negation of its one part."""
+
+    count = 1
 
 
 class And(_Joined):
@@ -269,9 +281,13 @@ class Or(_Joined):
 class Implies(_Joined):
     """The first of its two parts implies the second."""
 
+    count = 2
+
 
 class Iff(_Joined):
     """Its two parts hold together or not at all."""
+
+    count = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -280,6 +296,9 @@ class _Quantified(Proposition):
     body: Proposition
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "over", tuple(self.over))
+        if not isinstance(self.body, Proposition):
+            raise NoTerm(f"{self.body!r} is no proposition that could be quantified")
         if not self.over or len(set(self.over)) < len(self.over):
             raise NoTerm(f"{self.over} are no symbols to quantify over")
         _bindable(self.over)

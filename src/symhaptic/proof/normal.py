@@ -428,7 +428,8 @@ class Field:
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
-        roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
+        # as they stand: SymPy does not get on with a root of a product of 0
+        roots = [sp.Pow(base, sp.Rational(1, q), evaluate=False) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
 
 
