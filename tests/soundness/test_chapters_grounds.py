@@ -16,7 +16,7 @@ from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
 from symhaptic.proof.settle import Witness
-from symhaptic.proof.sign import Fact, assume, combined
+from symhaptic.proof.sign import Fact, NotShown, assume, combined, either
 
 
 @pytest.fixture
@@ -117,6 +117,21 @@ def test_a_domain_of_the_notation_need_not_be_written(page):
     # theta lies in (0, pi); x, which is real, in no interval
     fact = combined(theta * (pi - theta), [assume(theta), assume(pi - theta)])
     assert page.settle("mine", fact).claimed == "proved"
+
+
+def test_two_cases_are_all_of_what_is_real_only():
+    # the square of j is -1: from j > 0 and from j <= 0 alike
+    less = combined(S(-1), [assume(sp.I), assume(sp.I)])
+    more = combined(S(-1), [2, assume(-sp.I, False), assume(-sp.I, False)], [1])
+    with pytest.raises(NotShown, match="is not real"):
+        either(less, more, sp.I)
+
+
+def test_a_sign_shows_what_holds_wherever_the_symbols_are(page):
+    fact = combined(K - 1, [assume(K - 2)], [1])
+    page.positive("Of a stiff one", fact, "K>2")
+    page.state("stiff", "of every wall", "K > 1")
+    assert page.settle("stiff", K > 1).kind == "argued"
 
 
 def test_a_square_is_not_negative_of_what_is_real(page):

@@ -130,15 +130,14 @@ def shows(
 def not_shown(settlement: Settlement) -> bool:
     """Whether a derived form is typed only: the page, as it was sent, does not show it."""
     facts = [remade(sign) for sign in settlement.signs]
-    proved = [fact for fact in facts if unproved(fact, fact.rests) is None]
-    return not shows(settlement.derived, settlement.definitions, proved)
+    return not shows(settlement.derived, settlement.definitions, facts)
 
 
 def follows(relation: Expr, definitions: Sequence[Definition], facts: Iterable[Fact]) -> bool:
-    """Whether what is on the page shows a relation: a sign, or what a side stands for."""
+    """Whether what is on the page shows a relation: a sign that rests on nothing but the domains
+    of the symbols, or what a side stands for."""
     if not isinstance(relation, sp.Eq):
-        signs = (f.expr > 0 if f.strict else f.expr >= 0 for f in facts)
-        return any(equal(relation, sign) for sign in signs)
+        return any(equal(relation, f.relation) for f in facts if unproved(f, ()) is None)
     named = _named(definitions)
     known = dict(named)
     left, right = ([side, *(m for n, m in named if n == side)] for side in relation.args)
