@@ -17,7 +17,8 @@ from typer.testing import CliRunner, Result
 from symhaptic.book import chapters, sources
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
-from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
+from symhaptic.book.ledger import Entry, _to_be_compared, judged_again, looked_at, surprises
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app
 from symhaptic.notation.proposition import Exists, Relation, proposition
@@ -685,3 +686,10 @@ def test_a_number_that_a_source_quotes_is_measured_again(
     told = told_of(tmp_path, body, SOURCE.replace("3.15", digits))
     assert told.exit_code == 0
     assert kind in told.output
+
+
+def test_a_statement_that_is_known_is_nobodys_own() -> None:
+    # of one's own an argued verdict is no failure; of the paper's it is another than the ledger says
+    said = Verdict(Kind.ARGUED, "so it is", argued_for=Kind.PROVED)
+    [entry] = looked_at([Entry(STATEMENTS["eq11"], said, None, 0.0, own=True)])
+    assert surprises([entry], {"eq11": "qualified"}, whole=False)

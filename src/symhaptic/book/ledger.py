@@ -274,6 +274,7 @@ def _looked_at(entry: Entry) -> Entry:
         entry,
         statement=STATEMENTS.get(entry.statement.id, entry.statement),
         verdict=replace(said, corrected=None),
+        own=entry.statement.id not in STATEMENTS,
         look=Look(wrong, checked(entry.statement.id, entry.judged)),
         judged=None,
         claim=None,
