@@ -689,7 +689,7 @@ def test_a_number_that_a_source_quotes_is_measured_again(
 
 
 def test_a_statement_that_is_known_is_nobodys_own() -> None:
-    # of one's own an argued verdict is no failure; of the paper's it is another than the ledger says
+    # of one's own an argued verdict is no failure; of the paper's it is not what the ledger says
     said = Verdict(Kind.ARGUED, "so it is", argued_for=Kind.PROVED)
     [entry] = looked_at([Entry(STATEMENTS["eq11"], said, None, 0.0, own=True)])
     assert surprises([entry], {"eq11": "qualified"}, whole=False)
