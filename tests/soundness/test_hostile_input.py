@@ -1,5 +1,6 @@
 """Text is never run, nonsense is refused in a line, and no question takes for ever."""
 
+import mpmath
 import numpy
 import pytest
 import sympy as sp
@@ -178,6 +179,13 @@ def test_a_certificate_that_is_nested_too_deeply_shows_nothing():
     for _ in range(3000):
         deep = sp.sin(deep, evaluate=False)
     assert not recheck(Positive(deep, {x: (0, 1)}, ".", 96))
+
+
+def test_a_precision_that_reaches_the_digits_is_tried():
+    # at 106 bits it may be anything, 0 too, of which the normal form knows nothing
+    with mpmath.workdps(80):
+        right = mpmath.nstr(mpmath.sin(mpmath.exp(100)), 20)
+    assert enclose(sin(exp(sp.Integer(100)))).str(20, radius=False) == right
 
 
 def test_no_number_is_written_out_that_no_memory_holds():

@@ -74,9 +74,12 @@ def _confirm(expr: Expr, found: acb) -> None:
 
 
 def _is_zero(expr: Expr) -> bool:
+    """Whether the normal form says so; where it cannot tell, a higher precision may."""
     try:
         with budget(STEPS):
             return is_zero(expr)
+    except (Exhausted, Unsupported):
+        return False
     except Undefined as wrong:
         raise ValueError(f"enclose: expr: {expr} is undefined: {wrong}") from wrong
 
