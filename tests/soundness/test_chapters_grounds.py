@@ -11,7 +11,7 @@ from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
-from symhaptic.notation import B, K, T, b, m, theta, x
+from symhaptic.notation import B, K, T, alpha, b, m, theta, x
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
@@ -206,6 +206,9 @@ def test_only_what_has_no_value_of_its_own_is_a_name():
     page.step("One", cos(theta) ** 2 + sin(theta) ** 2, S.One, name=cos(theta))
     page.state("mine", "of every angle", r"\cos(\theta) = 1")
     assert page.settle("mine", Eq(cos(theta), 1)).kind == "argued"
+    page.define("By itself", alpha, 2 * alpha)
+    page.state("twice", "of every number", r"\alpha = 2 \alpha")
+    assert page.settle("twice", Eq(alpha, 2 * alpha, evaluate=False)).kind == "argued"
     page.state("circle", "roughly", r"\pi = 4")
     four = Eq(pi, 4, evaluate=False)
     assert page.settle("circle", four, definition=True).kind == "argued"

@@ -100,8 +100,9 @@ def not_defined(given: Mapping[Expr, Expr], definitions: Sequence[Definition]) -
 
 
 def _named(definitions: Sequence[Definition]) -> list[Definition]:
-    """Those of what has no value of its own: cos x, say, is no name for what an author likes."""
-    return [(name, meaning) for name, meaning in definitions if is_name(name)]
+    """Those of what has no value of its own, and not by itself: neither cos x nor the x of 2 x is a
+    name for what an author likes."""
+    return [(n, meaning) for n, meaning in definitions if is_name(n) and not meaning.has(n)]
 
 
 def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr, Expr]) -> bool:
