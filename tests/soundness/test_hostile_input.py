@@ -181,6 +181,16 @@ def test_a_certificate_that_is_nested_too_deeply_shows_nothing():
     assert not recheck(Positive(deep, {x: (0, 1)}, ".", 96))
 
 
+@pytest.mark.parametrize("function", [sin, cos, sp.tanh])
+def test_what_is_nested_is_not_counted_out(function):
+    # as exponentials it has 2**40 terms
+    nested = x
+    for _ in range(40):
+        nested = function(nested, evaluate=False)
+    assert prove(nested, 2).kind is Kind.UNDECIDED
+    assert prove(nested, nested).kind is not Kind.REFUTED
+
+
 def test_a_precision_that_reaches_the_digits_is_tried():
     # at 106 bits it may be anything, 0 too, of which the normal form knows nothing
     with mpmath.workdps(80):
