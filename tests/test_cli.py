@@ -27,6 +27,7 @@ from symhaptic.notation import theta, x
 
 def derive(page):
     page.step("A step", sin(theta) ** 2, 1 - cos(theta) ** 2)
+    page.step("Doubled", sin(2 * theta), 2 * sin(theta) * cos(theta), name=x)
     page.state("my-own", "doubling", r"x = 2\\sin(\\theta)\\cos(\\theta)")
     page.settle("my-own", Eq(x, sin(2 * theta)))
 '''

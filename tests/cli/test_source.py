@@ -44,14 +44,15 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
         symhaptic("verify", "--source", notes, "--format", "json", "-o", committed).returncode == 0
     )
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
-    # the notes are mended: the verdict is another one, and that is told
+    # the notes are mended: the verdict is another one, and that is told; x is the way at any time
+    # on the page, which does not show that it ends at what is typed
     right = SOURCE.replace("{2c}", "{c}")
     (notes / "source.py").write_text(right, encoding="utf-8")
     chapter = CHAPTER.split("        corrected=")[0] + "    )\n"
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
     run = symhaptic("verify", "--source", notes)
     assert run.returncode == 1
-    assert "DIFFERS  drift:end: proved, but the ledger says misprint" in run.stdout
+    assert "DIFFERS  drift:end: argued, but the ledger says misprint" in run.stdout
 
 
 def test_an_emptied_ledger_is_not_none(notes):

@@ -2,10 +2,12 @@
 
 import pytest
 import sympy as sp
-from sympy import I, Rational, S, exp
+from sympy import I, Rational, S, exp, pi
 
 from symhaptic.notation import X, s, z
-from symhaptic.notation.proposition import ForAll, Predicate, Relation
+from symhaptic.notation.proposition import FALSE, ForAll, Not, Predicate, Relation
+from symhaptic.notation.terms import NoTerm
+from symhaptic.proof.theorems.analysis import in_the_limit
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.axioms import x as axiom_x
 from symhaptic.proof.theorems.definitions import loop, loop_substituted
@@ -13,14 +15,18 @@ from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
+    absurd,
+    anything,
     assume,
     discharged,
     general,
     instance,
+    placed,
+    substituted,
     unfolded,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import identity
+from symhaptic.proof.theorems.leaves import combined, identity, number, tends
 from symhaptic.proof.theorems.roots import (
     all_inside,
     degree,
@@ -30,6 +36,7 @@ from symhaptic.proof.theorems.roots import (
     roots_stay,
 )
 from symhaptic.proof.theorems.samples import held_answer
+from symhaptic.proof.theorems.tactics import reductio
 
 v, q, t, x, y, w = sp.symbols("v q t x y w")
 
@@ -124,6 +131,49 @@ def test_what_is_multiplied_out_keeps_its_divisors() -> None:
     assert limit in degree(z + EXPANDS, z, 1).hypotheses
     path = never(exp(I * t) + q * (w + 1), 1 + q * (w + 1))
     assert limit in roots_stay(z, EXPANDS, z, q, t, *path, zero_at(S.Zero)).hypotheses
+
+
+def unlike(claim: sp.Expr) -> Theorem:
+    """That a number is not zero."""
+    return number(Relation(claim, "!=", S.Zero))
+
+
+def test_a_path_is_along_a_symbol() -> None:
+    # at the end of the path, at -1 and 1, z^2 + 4 is not zero; its zeros are 2j and -2j
+    five = unlike(S(5))
+    with pytest.raises(NotShown, match="is about"):
+        roots_stay(z**2, S(4), z, S.One, pi, five, five, all_inside(z, 2))
+    # v^2 - 4 is not zero at three places of the border; one of its zeros is 2
+    spots = unlike(S(-5)), unlike(S(-3)), unlike(-exp(pi) - 4)
+    with pytest.raises(NotShown, match="is about"):
+        none_enters(all_inside(z, 1), S(-4), (v, S.One, pi / 2, x, y), *spots)
+
+
+def test_an_end_of_an_interval_does_not_know_what_runs_through_it() -> None:
+    # x - 1 is positive for 0 < x < x - 1, where there is no x at all, and tends to -1 at 0
+    never = combined(Relation(S.Zero, "<", S.NegativeOne), [assume(x < x - 1)])
+    empty = absurd(never, number(Relation(S.NegativeOne, "<", S.Zero)))
+    positive = weakened(anything(empty, x > 1), x > 0)
+    difference = positive.conclusion.terms[1] - positive.conclusion.terms[0]
+    start = tends(difference, x, 0, -1)
+    with pytest.raises(NoTerm, match="bound"):
+        in_the_limit(positive, x, 0, x - 1, start)
+
+
+def test_a_divisor_is_not_kept_by_a_bound_symbol_of_its_name() -> None:
+    # 2 (x - w)/(x - w) + 1/y is 2 + 1/y, but for x = w; with w + y for x that y is not the bound y
+    two = (2 * x - 2 * w) / (x - w)
+    claim = Relation(two + 1 / y, "=", 2 + 1 / y)
+    same = combined(Relation(two, "=", S(2)), [assume(claim)])
+    nowhere = substituted(
+        Relation((2 * v - 2 * w) / (v - w), "=", S(2)), v, same, assume(Relation(x, "=", w))
+    )
+    assert nowhere.conclusion == FALSE
+    denied = general(reductio(nowhere, claim), y)
+    assert denied.conclusion == ForAll((y,), Not((claim,)))
+    found = placed(denied, {x: w + y})
+    assert found.conclusion == ForAll((t,), Not((Relation(2 + 1 / t, "=", 2 + 1 / t),)))
+    assert Relation(y, "!=", S.Zero) in found.hypotheses
 
 
 def test_what_is_free_of_the_bound_symbol_goes_on() -> None:

@@ -17,7 +17,8 @@ from typer.testing import CliRunner, Result
 from symhaptic.book import chapters, sources
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
-from symhaptic.book.ledger import Entry, _to_be_compared, judged_again
+from symhaptic.book.ledger import Entry, _to_be_compared, judged_again, looked_at, surprises
+from symhaptic.book.sources import STATEMENTS
 from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app
 from symhaptic.notation.proposition import Exists, Relation, proposition
@@ -202,6 +203,7 @@ def test_a_theorem_of_another_process_says_the_same_here() -> None:
 COMPARED = {
     "decide.compare": """
     decide.compare = settle.compare = record.compare = lambda *forms: decide.Comparison(True, "so")
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 1))
 """,
     "Settlement.decide": """
@@ -215,6 +217,7 @@ COMPARED = {
 """,
     "a number put in": """
     pages.not_defined = lambda given, definitions: None
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 1), given={x: S.One, S(2): S.One})
 """,
     "a theorem for a comparison": """
@@ -253,7 +256,7 @@ def test_a_print_is_compared_again_where_it_arrives(how: str, tmp_path: Path) ->
 
 TYPED = {
     "not seen": """
-    pages.retyped = lambda printed, derived: False
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 2))
 """,
     "said to be shown": """
@@ -261,7 +264,7 @@ TYPED = {
     page.settle("forged", Eq(x, 2))
 """,
     "shown by what it settled": """
-    pages.retyped = lambda printed, derived: False
+    pages.shows = lambda derived, definitions, facts: True
     page.settle("forged", Eq(x, 2))
     kept = page.settled["forged"]
     kept.settlement = replace(kept.settlement, definitions=((x, S(3)),))
@@ -287,7 +290,7 @@ TYPED = {
 def test_a_print_that_is_only_typed_again_is_found_where_it_arrives(
     how: str, tmp_path: Path
 ) -> None:
-    """The chapter derived nothing; its page, patched, does not see that the form is the print."""
+    """The chapter derived nothing; its page, patched, says that it shows the form."""
     path, out = chapter(tmp_path, "forged", COMPARING + TYPED[how]), tmp_path / "out.txt"
     id = "larger" if "larger" in TYPED[how] else "forged"
     told = CliRunner().invoke(app, ["verify", id, "--derivation", str(path), "-o", str(out)])
@@ -683,3 +686,10 @@ def test_a_number_that_a_source_quotes_is_measured_again(
     told = told_of(tmp_path, body, SOURCE.replace("3.15", digits))
     assert told.exit_code == 0
     assert kind in told.output
+
+
+def test_a_statement_that_is_known_is_nobodys_own() -> None:
+    # of one's own an argued verdict is no failure; of the paper's it is not what the ledger says
+    said = Verdict(Kind.ARGUED, "so it is", argued_for=Kind.PROVED)
+    [entry] = looked_at([Entry(STATEMENTS["eq11"], said, None, 0.0, own=True)])
+    assert surprises([entry], {"eq11": "qualified"}, whole=False)

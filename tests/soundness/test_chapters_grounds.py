@@ -11,12 +11,12 @@ from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
-from symhaptic.notation import B, K, T, b, m, theta, x
+from symhaptic.notation import B, K, T, alpha, b, m, theta, x
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
 from symhaptic.proof.settle import Witness
-from symhaptic.proof.sign import Fact, assume, combined
+from symhaptic.proof.sign import Fact, NotShown, assume, combined, either
 
 
 @pytest.fixture
@@ -119,6 +119,30 @@ def test_a_domain_of_the_notation_need_not_be_written(page):
     assert page.settle("mine", fact).claimed == "proved"
 
 
+def test_two_cases_are_all_of_what_is_real_only():
+    # the square of j is -1: from j > 0 and from j <= 0 alike
+    less = combined(S(-1), [assume(sp.I), assume(sp.I)])
+    more = combined(S(-1), [2, assume(-sp.I, False), assume(-sp.I, False)], [1])
+    with pytest.raises(NotShown, match="is not real"):
+        either(less, more, sp.I)
+
+
+def test_a_sign_shows_what_holds_wherever_the_symbols_are(page):
+    fact = combined(K - 1, [assume(K - 2)], [1])
+    page.positive("Of a stiff one", fact, "K>2")
+    page.state("stiff", "of every wall", "K > 1")
+    assert page.settle("stiff", K > 1).kind == "argued"
+
+
+def test_a_square_is_not_negative_of_what_is_real(page):
+    # (K + j)^2 + (K - j)^2 = 2 K^2 - 2, which is negative for K = 0
+    squares = [assume((K + sign * sp.I) ** 2, strict=False) for sign in (1, -1)]
+    with pytest.raises(FalseStep, match="is not on the page"):
+        page.settle("mine", combined(2 * K**2 - 2, *([square] for square in squares)))
+    real = combined(K**2 + 1, [assume(K**2, strict=False)], [1])
+    assert page.settle("mine", real).claimed == "proved"
+
+
 @pytest.mark.parametrize(
     "make",
     [
@@ -148,6 +172,8 @@ def test_what_proves_is_not_made_by_hand(make):
         ("x > 2", x > 2),
         ("x > 2", sp.Lt(2, x, evaluate=False)),
         ("x - K = B", Eq(B - x, -K)),
+        ("x = 2", Eq(x, 2 * sin(theta) ** 2 + 2 * cos(theta) ** 2)),
+        ("x > 2", 2 * x > 4),
     ],
 )
 def test_a_print_that_is_retyped_is_not_proved(printed, form):
@@ -175,6 +201,21 @@ def test_a_print_that_is_retyped_is_what_the_page_shows():
     assert page.settle("identity", Eq(sin(theta) ** 2, 1 - cos(theta) ** 2)).kind == "proved"
 
 
+def test_only_what_has_no_value_of_its_own_is_a_name():
+    page = Page("test")
+    page.step("One", cos(theta) ** 2 + sin(theta) ** 2, S.One, name=cos(theta))
+    page.state("mine", "of every angle", r"\cos(\theta) = 1")
+    assert page.settle("mine", Eq(cos(theta), 1)).kind == "argued"
+    page.define("By itself", alpha, 2 * alpha)
+    page.state("twice", "of every number", r"\alpha = 2 \alpha")
+    assert page.settle("twice", Eq(alpha, 2 * alpha, evaluate=False)).kind == "argued"
+    page.state("circle", "roughly", r"\pi = 4")
+    four = Eq(pi, 4, evaluate=False)
+    assert page.settle("circle", four, definition=True).kind == "argued"
+    page.state("name", "from here on", r"x = \pi")
+    assert page.settle("name", Eq(x, pi), definition=True).kind == "definition"
+
+
 # -- what is put in ---------------------------------------------------------------------
 
 
@@ -186,4 +227,16 @@ def test_only_definitions_are_put_in():
     with pytest.raises(FalseStep, match="K = B/T is not a definition on the page"):
         page.settle("mine", Eq(x, 2 * B / T), given={K: B / T})
     page.define("A wall", K, B / T)
+    page.step("Both", 3 * B / T - B / T, 2 * B / T, name=x)
     assert page.settle("mine", Eq(x, 2 * B / T), given={K: B / T}).kind == "proved"
+
+
+def test_what_is_put_in_has_the_sign_of_the_definition():
+    page = Page("test")
+    page.define("A wall", K, B / T)
+    page.step("Twice", 3 * B - B, 2 * B, name=x)
+    page.state("mine", "what pushes back", "x = -2 K T")
+    with pytest.raises(FalseStep, match="is not a definition on the page"):
+        page.settle("mine", Eq(x, 2 * B), given={B: -K * T})
+    page.state("right", "what pushes", "x = 2 K T")
+    assert page.settle("right", Eq(x, 2 * B), given={B: K * T}).kind == "proved"

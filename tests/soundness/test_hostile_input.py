@@ -1,12 +1,15 @@
 """Text is never run, nonsense is refused in a line, and no question takes for ever."""
 
+import mpmath
 import numpy
 import pytest
 import sympy as sp
+from flint import arb
 from sympy import And, I, Lambda, Piecewise, Rational, cos, exp, pi, sin, sqrt
 
 import symhaptic
-from symhaptic import enclose, enclose_maximum, prove
+from symhaptic import enclose, enclose_maximum, prove, recheck
+from symhaptic.proof.certificate import Positive, Zero
 from symhaptic.proof.verdict import Kind
 
 x, y = sp.symbols("x y")
@@ -143,6 +146,64 @@ def test_what_is_nested_too_deeply_is_undecided():
         deep = sp.sin(deep, evaluate=False)
     assert prove(deep, x).kind == Kind.UNDECIDED
     assert prove(sp.Lt(deep, 2, evaluate=False), {x: (0, 1)}).kind == Kind.UNDECIDED
+
+
+ZERO = sp.Add(0, 0, evaluate=False)
+BELOW = [
+    sp.cot(0, evaluate=False),
+    sp.Pow(sp.sin(ZERO, evaluate=False), Rational(-1, 2), evaluate=False),
+    1 / sp.Add(2 + I, sp.Pow(0, -1, evaluate=False), evaluate=False),
+]
+"""Numbers that divide by zero; SymPy finds out, or we, as soon as something is asked of them."""
+
+
+@pytest.mark.parametrize("number", BELOW)
+def test_a_number_that_divides_by_zero_is_told_in_a_line(number):
+    assert not prove(number, number + 1)
+    assert not prove(sp.Lt(number * x, 7, evaluate=False), {x: (0, 1)}, steps=10_000)
+    with pytest.raises(ValueError, match=r"^enclose: expr: "):
+        enclose(number)
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: "):
+        enclose_maximum(number + x, {x: (0, 1)}, digits=2, steps=10_000)
+    with pytest.raises(ValueError, match=r"^prove: box: .* is not allowed"):
+        prove(x > -1, {x: (0, number)})
+    for claim in (
+        Positive(number * x + 1, {x: (0, 1)}, ".", 96),
+        Zero(x, x, (-1, number), arb(0), 96),
+    ):
+        assert not recheck(claim)
+
+
+def test_a_certificate_that_is_nested_too_deeply_shows_nothing():
+    deep = x
+    for _ in range(3000):
+        deep = sp.sin(deep, evaluate=False)
+    assert not recheck(Positive(deep, {x: (0, 1)}, ".", 96))
+
+
+@pytest.mark.parametrize("function", [sin, cos, sp.tanh])
+def test_what_is_nested_is_not_counted_out(function):
+    # as exponentials it has 2**40 terms
+    nested = x
+    for _ in range(40):
+        nested = function(nested, evaluate=False)
+    assert prove(nested, 2).kind is Kind.UNDECIDED
+    assert prove(nested, nested).kind is not Kind.REFUTED
+
+
+def test_a_precision_that_reaches_the_digits_is_tried():
+    # at 106 bits it may be anything, 0 too, of which the normal form knows nothing
+    with mpmath.workdps(80):
+        right = mpmath.nstr(mpmath.sin(mpmath.exp(100)), 20)
+    assert enclose(sin(exp(sp.Integer(100)))).str(20, radius=False) == right
+
+
+def test_no_number_is_written_out_that_no_memory_holds():
+    # at x = 1 and x = -1 the tower is x; at x = 2 it has 2**40 bits
+    tower = x
+    for _ in range(40):
+        tower = tower**x
+    assert prove(tower, x).kind in (Kind.REFUTED, Kind.UNDECIDED)
 
 
 @pytest.mark.parametrize(

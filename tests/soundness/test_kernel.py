@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from types import SimpleNamespace
 
 import pytest
 import sympy as sp
@@ -14,6 +15,7 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     ForAll,
+    Iff,
     Implies,
     Not,
     Or,
@@ -70,6 +72,48 @@ def test_a_theorem_is_not_made_by_hand() -> None:
         Theorem(object(), ((), FALSE), "assume", ((), ()))
     with pytest.raises(AttributeError):
         ONE.conclusion = FALSE
+
+
+def test_no_rule_takes_what_only_has_the_parts_of_a_theorem() -> None:
+    with pytest.raises(NotShown, match="looks like a theorem"):
+        conjoined(SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE))
+
+
+def test_no_theorem_hides_from_what_rests_on_it() -> None:
+    known = square(x)
+    rests = leaves_of(combined(2 * x**2 >= 0, [2, known]))
+    assert rests["square"] == 1
+    for hidden in (frozenset([2, known]), iter([2, known]), {2: "two", known: "known"}.keys()):
+        with pytest.raises(NotShown, match="looks like a theorem"):
+            combined(2 * x**2 >= 0, hidden)
+
+
+def test_what_a_theorem_says_does_not_change_with_a_list() -> None:
+    parts, bound = [ONE.conclusion], [x]
+    known = part(ONE, And(parts))  # type: ignore[arg-type]
+    there = witnessed(ONE, Exists(bound, ONE.conclusion), {x: S.One})  # type: ignore[arg-type]
+    parts.append(FALSE)
+    bound.append(y)
+    assert known.conclusion == And((ONE.conclusion,))
+    assert there.conclusion == Exists((x,), ONE.conclusion)
+    with pytest.raises(NotShown):
+        part(known, FALSE)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda p: Not((p, p)),
+        lambda p: Implies((p,)),
+        lambda p: Implies((p, p, FALSE)),
+        lambda p: Iff((p, p, p)),
+        lambda p: And((p, x)),
+        lambda p: ForAll((x,), x > 0),
+    ],
+)
+def test_what_is_joined_are_so_many_propositions(make) -> None:
+    with pytest.raises(NoTerm):
+        make(ONE.conclusion)
 
 
 def test_a_theorem_that_was_forged_is_not_derived_again() -> None:

@@ -2,7 +2,7 @@
 
 import pytest
 import sympy as sp
-from sympy import Abs, Rational, S, cos, cot, exp, log, sin, sqrt, tan
+from sympy import Abs, I, Rational, S, cos, cot, exp, log, sin, sqrt, tan
 
 from symhaptic import enclose_maximum, prove, recheck
 from symhaptic.proof import box as boxes
@@ -107,3 +107,15 @@ def test_what_is_right_is_still_shown(relation):
     verdict = prove(relation, {x: (0, 1)})
     assert verdict.kind == Kind.ENCLOSED
     assert recheck(verdict.certificate)
+
+
+@pytest.mark.parametrize(
+    ("relation", "box"),
+    [
+        (5 + sqrt(x) > sqrt(x**3), {x: (-1, -1)}),  # 5 + j and j
+        (sp.Gt(5 + I * x, I * x * cos(y) ** 2 + I * x * sin(y) ** 2), {x: (1, 2), y: (1, 2)}),
+    ],
+)
+def test_sides_that_are_not_real_have_no_order(relation, box):
+    # their difference is real, and each of their terms stands in it
+    assert not prove(relation, box)

@@ -210,3 +210,10 @@ def test_numbers_of_two_kinds_are_compared():
     assert prove(Rational(1, 2), sp.S.Half)
     assert prove(1, 1)
     assert not prove(0.5, sp.S.Half)  # a float is not an exact number
+
+
+def test_an_exponent_that_sympy_writes_anew_is_undecided():
+    # times a logarithm the root of the root of 2 becomes its fourth root
+    fourth = sp.Pow(sqrt(2), sp.S.Half, evaluate=False)
+    power = sp.Pow(3 + x, fourth, evaluate=False)
+    assert prove(power, power + 1).kind in (Kind.REFUTED, Kind.UNDECIDED)

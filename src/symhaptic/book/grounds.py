@@ -10,13 +10,13 @@ from types import CodeType
 
 import sympy as sp
 from sympy import Expr
-from sympy.core.relational import Relational
 
 from symhaptic.notation import SYMBOLS
+from symhaptic.proof.ball import is_real
 from symhaptic.proof.decide import equal
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.settle import Settlement
+from symhaptic.proof.settle import Settlement, is_name
 from symhaptic.proof.sign import Fact, remade
 
 Rest = tuple[Expr, bool]
@@ -65,7 +65,8 @@ def _same(one: Expr, other: Expr) -> bool:
 def _follows(expr: Expr, strict: bool) -> bool:
     """Whether the symbols' domains, or a square, make an assumption true."""
     if expr.is_Pow and expr.exp == 2 and not strict:
-        return all(_domain(s) not in (None, "complex") for s in expr.free_symbols)
+        real = all(_domain(s) not in (None, "complex") for s in expr.free_symbols)
+        return real and is_real(expr.base)
     if len(expr.free_symbols) != 1:
         return False
     (symbol,) = expr.free_symbols
@@ -93,9 +94,15 @@ def not_defined(given: Mapping[Expr, Expr], definitions: Sequence[Definition]) -
     for name, meaning in given.items():
         if meaning.is_number:
             return f"{name} = {meaning} restricts the statement; a definition is allowed"
-        if not any(_says(definition, name, meaning, given) for definition in definitions):
+        if not any(_says(known, name, meaning, given) for known in _named(definitions)):
             return f"{name} = {meaning} is not a definition on the page; `define` it there"
     return None
+
+
+def _named(definitions: Sequence[Definition]) -> list[Definition]:
+    """Those of what has no value of its own, and not by itself: neither cos x nor the x of 2 x is a
+    name for what an author likes."""
+    return [(n, meaning) for n, meaning in definitions if is_name(n) and not meaning.has(n)]
 
 
 def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr, Expr]) -> bool:
@@ -104,8 +111,7 @@ def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr
         if known == name:
             return _alike(stands_for, meaning, given)
         if name in stands_for.free_symbols and name not in known.free_symbols:
-            solved = stands_for.xreplace({name: meaning})
-            return is_zero(known**2 - solved**2)
+            return is_zero(known - stands_for.xreplace({name: meaning}))
     except (Unsupported, Undefined):
         return False
     return False
@@ -115,26 +121,6 @@ def _alike(one: Expr, other: Expr, given: Mapping[Expr, Expr]) -> bool:
     return one == other or equal(one.xreplace(dict(given)), other.xreplace(dict(given)))
 
 
-def retyped(printed: Sequence[Expr], derived: Sequence[Expr]) -> bool:
-    """Whether a derived form is the print itself, its terms sorted at most."""
-    if len(printed) != len(derived):
-        return False
-    return all(map(_alike_written, printed, derived))
-
-
-def _alike_written(one: Expr, other: Expr) -> bool:
-    if one == other:
-        return True
-    if isinstance(one, Relational) and isinstance(other, Relational):
-        if one.reversed.func == other.func != one.func:
-            one = one.reversed
-        ours, theirs = (sp.expand(r.lhs - r.rhs) for r in (one, other))
-        turned = isinstance(one, (sp.Eq, sp.Ne)) and ours == -theirs
-        return one.func == other.func and (ours == theirs or turned)
-    relations = isinstance(one, Relational) or isinstance(other, Relational)
-    return not relations and sp.expand(one - other) == 0
-
-
 def shows(
     derived: Iterable[Expr], definitions: Sequence[Definition], facts: Sequence[Fact]
 ) -> bool:
@@ -142,22 +128,20 @@ def shows(
     return all(follows(form, definitions, facts) for form in derived)
 
 
-def typed_again(printed: Sequence[Expr], settlement: Settlement) -> bool:
-    """Whether a form is the print itself and the page, as it was sent, does not show it."""
-    if not retyped(printed, settlement.derived):
-        return False
+def not_shown(settlement: Settlement) -> bool:
+    """Whether a derived form is typed only: the page, as it was sent, does not show it."""
     facts = [remade(sign) for sign in settlement.signs]
-    proved = [fact for fact in facts if unproved(fact, fact.rests) is None]
-    return not shows(settlement.derived, settlement.definitions, proved)
+    return not shows(settlement.derived, settlement.definitions, facts)
 
 
 def follows(relation: Expr, definitions: Sequence[Definition], facts: Iterable[Fact]) -> bool:
-    """Whether what is on the page shows a relation: a sign, or what a side stands for."""
+    """Whether what is on the page shows a relation: a sign that rests on nothing but the domains
+    of the symbols, or what a side stands for."""
     if not isinstance(relation, sp.Eq):
-        signs = (f.expr > 0 if f.strict else f.expr >= 0 for f in facts)
-        return any(equal(relation, sign) for sign in signs)
-    known = dict(definitions)
-    left, right = ([side, *(m for n, m in definitions if n == side)] for side in relation.args)
+        return any(equal(relation, f.relation) for f in facts if unproved(f, ()) is None)
+    named = _named(definitions)
+    known = dict(named)
+    left, right = ([side, *(m for n, m in named if n == side)] for side in relation.args)
     return any(_alike(one, other, known) for one in left for other in right)
 
 

@@ -15,7 +15,7 @@ from symhaptic.book.arrivals import arrived
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
-from symhaptic.book.grounds import not_defined, typed_again
+from symhaptic.book.grounds import not_defined, not_shown
 from symhaptic.book.record import Settled
 from symhaptic.book.shapes import is_judged, is_statement, is_verdict
 from symhaptic.book.sources import (
@@ -193,14 +193,13 @@ def _compared_again(entry: Entry, printed: Printed) -> str | None:
     if compared is None:
         return None if entry.source is PAPER else f"{id}: {kind}, of what was not compared again"
     try:
-        if wrong := not_defined(compared.given, list(compared.given.items())):
+        if wrong := not_defined(compared.given, compared.definitions):
             return f"{id}: {wrong}"
         for name, meaning in compared.given.items():
             if wrong := of_another_unit(name, meaning):
                 return f"{id}: compared again: {wrong}"
         forms = replace(_forms(compared), quoted=quoted)
-        own = id not in STATEMENTS
-        found = replace(forms, assumed=own and typed_again(printed, forms)).decide(printed)
+        found = replace(forms, assumed=not_shown(forms)).decide(printed)
     except (ArithmeticError, AttributeError, TypeError, ValueError) as wrong_data:
         return f"{id}: compared again: {' '.join(str(wrong_data).split())}"
     return _says_else(entry, found, "compared again")
@@ -275,6 +274,7 @@ def _looked_at(entry: Entry) -> Entry:
         entry,
         statement=STATEMENTS.get(entry.statement.id, entry.statement),
         verdict=replace(said, corrected=None),
+        own=entry.statement.id not in STATEMENTS,
         look=Look(wrong, checked(entry.statement.id, entry.judged)),
         judged=None,
         claim=None,

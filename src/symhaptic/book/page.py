@@ -16,7 +16,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import not_defined, retyped, shows, unproved
+from symhaptic.book.grounds import not_defined, shows, unproved
 from symhaptic.book.record import Evidence, FalseStep
 from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
 from symhaptic.book.steps import Steps
@@ -78,9 +78,8 @@ class Page(Steps):
         """Settle a statement on these grounds; the verdict is found, not given.
 
         ``grounds`` are the derived form (compared with the printed one) or proofs of what the
-        statement says in words; a print of one's own that is retyped is *argued* where no
-        definition, step with a ``name`` or sign on the page shows it; ``given`` are definitions
-        in force, put into both.
+        statement says in words; of a form that no definition, step with a ``name`` or sign on the
+        page shows the verdict is *argued*; ``given`` are definitions in force, put into both.
         ``provided`` names a condition that the paper leaves out and ``unless`` a point without
         it where the statement fails, that is where the printed form (after ``specialise``) and
         the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
@@ -149,9 +148,7 @@ class Page(Steps):
             shows=shows,
             note=note,
         )
-        if id in self.own and retyped(statement.printed, forms):
-            settlement = self._beside_the_page(settlement)
-        verdict = self._record(statement, settlement, checks)
+        verdict = self._record(statement, self._beside_the_page(settlement), checks)
         if verdict.kind in ACCEPTED:
             for form in forms:
                 if isinstance(form, sp.Eq) and isinstance(form.lhs, (sp.Symbol, AppliedUndef)):
@@ -184,7 +181,7 @@ class Page(Steps):
         return self._record(statement, settlement)
 
     def _beside_the_page(self, settlement: Settlement) -> Settlement:
-        """With what the page shows of a form that is the print itself, typed again."""
+        """With what the page shows of the forms."""
         facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]
         return replace(
             settlement,

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property, lru_cache
-from typing import Any, NoReturn, TypeAlias
+from typing import Any, ClassVar, NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -88,11 +88,25 @@ class Proposition:
             return self
         inner, bound = dict(values), self.bound
         if bound:
-            met = frozenset[Symbol]().union(*map(symbols_in, values.values()))
-            inner |= {s: sp.Dummy(s.name) for s in bound if s in met}
+            inner |= _renamed(bound, values)
             bound = tuple(inner.get(s, s) for s in bound)
         terms = replaced(self.terms, inner) if self.terms else ()
         return self.made(bound, terms, tuple(p.at(inner) for p in self.parts))
+
+    def apart(self, values: Terms) -> Proposition:
+        """The same, with other symbols for bound ones that stand in these terms."""
+        if not (self.bound or self.parts):
+            return self
+        there = _renamed(self.bound, values)
+        bound = tuple(there.get(s, s) for s in self.bound)
+        parts = tuple(p.at(there).apart(values) for p in self.parts)
+        return self.made(bound, replaced(self.terms, there), parts)
+
+
+def _renamed(bound: Iterable[Symbol], values: Terms) -> dict[Symbol, Symbol]:
+    """Other symbols for bound ones that stand in the terms to be put in."""
+    met = frozenset[Symbol]().union(*(symbols_in(sp.sympify(v)) for v in values.values()))
+    return {s: sp.Dummy(s.name) for s in bound if s in met}
 
 
 def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
@@ -208,6 +222,7 @@ class Predicate(Proposition):
         if (len(self.over), len(self.of)) != (symbols, terms):
             raise NoTerm(f"{self.name} has {symbols} bound symbols and {terms} terms")
         object.__setattr__(self, "of", tuple(term(t) for t in self.of))
+        object.__setattr__(self, "over", tuple(self.over))
         _bindable(self.over)
         for bounded in self.of[1:] if self.over else ():
             if set(self.over) & bounded.free_symbols:
@@ -231,6 +246,15 @@ class Predicate(Proposition):
 @dataclass(frozen=True, eq=False)
 class _Joined(Proposition):
     of: tuple[Proposition, ...]
+    count: ClassVar[int | None] = None
+    """How many parts it has; any number, without."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "of", tuple(self.of))
+        if not all(isinstance(part, Proposition) for part in self.of):
+            raise NoTerm(f"{self.of} are no propositions that could be joined")
+        if self.count not in (None, len(self.of)):
+            raise NoTerm(f"{type(self).__name__} of {len(self.of)} parts; {self.count} are wanted")
 
     @property
     def parts(self) -> tuple[Proposition, ...]:
@@ -242,6 +266,8 @@ class _Joined(Proposition):
 
 class Not(_Joined):
     """The negation of its one part."""
+
+    count = 1
 
 
 class And(_Joined):
@@ -255,9 +281,13 @@ class Or(_Joined):
 class Implies(_Joined):
     """The first of its two parts implies the second."""
 
+    count = 2
+
 
 class Iff(_Joined):
     """Its two parts hold together or not at all."""
+
+    count = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -266,6 +296,9 @@ class _Quantified(Proposition):
     body: Proposition
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "over", tuple(self.over))
+        if not isinstance(self.body, Proposition):
+            raise NoTerm(f"{self.body!r} is no proposition that could be quantified")
         if not self.over or len(set(self.over)) < len(self.over):
             raise NoTerm(f"{self.over} are no symbols to quantify over")
         _bindable(self.over)

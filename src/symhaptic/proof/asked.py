@@ -177,9 +177,9 @@ def _end(caller: str, symbol: sp.Symbol, end: Any) -> Expr:
         and _known(caller, known).is_commutative
         and not known.free_symbols
         and not known.has(sp.Float)
+        and _has_ball(known)
         and known.is_finite
         and known.is_real
-        and _has_ball(known)
     ):
         raise ValueError(
             f"{caller}: box: {end} of {symbol} is not allowed; an exact real number is, "

@@ -26,8 +26,8 @@ PRECISIONS = (64, 256, 1024)
 NARROW = 1e-30
 """The width of a root's ball next to the circle."""
 
-_POWER = 100_000
-"""Larger powers of numbers are not written out."""
+_POWER = 1_000_000
+"""Powers of numbers are not written out with more bits."""
 
 _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
     sp.exp: lambda x: x.exp(),
@@ -342,8 +342,9 @@ def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
         base, power = args
         if power.could_extract_minus_sign() and Field([base]).is_zero(base):
             raise Undefined(f"division by {expr.args[0]}, which is zero")
-        if power.is_Rational and abs(power) > _POWER and base not in (-1, 0, 1):
-            raise Unsupported(f"{base} to the power of {power}")
+        bits = max(abs(base.p), base.q).bit_length() if base.is_Rational else 1
+        if power.is_Rational and abs(power) * bits > _POWER and base not in (-1, 0, 1):
+            raise Unsupported(f"a number of {bits} bits to the power of {power}")
     found = expr.func(*args)
     if found.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
         raise Undefined(f"{expr} is not defined")

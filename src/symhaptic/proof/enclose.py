@@ -37,6 +37,8 @@ def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
         return _of_constant(exact("enclose", "expr", expr), digits)
     except RecursionError as deep:
         raise ValueError("enclose: expr is nested too deeply") from deep
+    except (Undefined, ZeroDivisionError) as wrong:  # SymPy's of what nobody has evaluated
+        raise ValueError("enclose: expr: a number in it divides by zero") from wrong
 
 
 def _of_constant(expr: Expr, digits: int) -> arb | acb:
@@ -72,9 +74,12 @@ def _confirm(expr: Expr, found: acb) -> None:
 
 
 def _is_zero(expr: Expr) -> bool:
+    """Whether the normal form says so; where it cannot tell, a higher precision may."""
     try:
         with budget(STEPS):
             return is_zero(expr)
+    except (Exhausted, Unsupported):
+        return False
     except Undefined as wrong:
         raise ValueError(f"enclose: expr: {expr} is undefined: {wrong}") from wrong
 
@@ -103,3 +108,5 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
         raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
     except RecursionError as deep:
         raise ValueError("enclose_maximum: expr is nested too deeply") from deep
+    except (Undefined, ZeroDivisionError) as wrong:
+        raise ValueError("enclose_maximum: expr: a number in it divides by zero") from wrong

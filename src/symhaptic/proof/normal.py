@@ -86,8 +86,11 @@ class Field:
 
     # -- what occurs -----------------------------------------------------------------
 
-    def _collect(self, expr: Expr, symbols: set[Expr], outside: set[Expr], seen: set[int]) -> None:
-        """Symbols everywhere and those outside exponents; exponents, roots, unknown functions."""
+    def _collect(
+        self, expr: Expr, symbols: set[Expr], outside: set[Expr] | None, seen: set[int]
+    ) -> None:
+        """Symbols everywhere and those ``outside`` exponents, None within one; exponents, roots,
+        unknown functions."""
         spend(1)
         self._turns = self._turns or expr is sp.I
         if expr.is_Rational or expr is sp.I or expr is sp.pi or id(expr) in seen:
@@ -98,7 +101,8 @@ class Field:
             if not made_before(expr, self._mark):
                 raise Unsupported(f"the symbol {expr} has a number by hand")
             symbols.add(expr)
-            outside.add(expr)
+            if outside is not None:
+                outside.add(expr)
         elif expr.is_Add or expr.is_Mul:
             for arg in expr.args:
                 self._collect(arg, symbols, outside, seen)
@@ -106,9 +110,11 @@ class Field:
             for part in self._series[expr]:
                 self._collect(part, symbols, outside, seen)
         elif isinstance(expr, sp.exp) or expr is sp.E:
+            if outside is None:  # of a sine of a sine there are more than one may count, or print
+                raise Unsupported("an exponential inside an exponent")
             exponent = expr.args[0] if expr.args else sp.S.One
             self._exponents.append(exponent)
-            self._collect(exponent, symbols, set(), set())
+            self._collect(exponent, symbols, None, set())
         elif expr.is_Pow:
             base, power = expr.args
             self._collect(base, symbols, outside, seen)
@@ -117,7 +123,9 @@ class Field:
             if power.is_Rational:
                 self._radicals.setdefault((base, int(power.q)), sp.Dummy("r"))
                 return
-            self._collect(power, symbols, set(), set())
+            if outside is None:
+                raise Unsupported("a symbolic power inside an exponent")
+            self._collect(power, symbols, None, set())
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
         elif isinstance(expr, Application):
@@ -320,7 +328,9 @@ class Field:
             if power.is_Integer:
                 return self._power(self._image(base, ring, exponential), int(power), ring)
             if power.is_Rational:
-                root = self._radicals[(base, int(power.q))]
+                root = self._radicals.get((base, int(power.q)))
+                if root is None:  # of an exponent that SymPy has written anew
+                    raise Unsupported(f"a root that was not met before: {expr}")
                 return self._power(Fractional(ring.gen[root], ring.one), int(power.p), ring)
             if exponential is None:
                 raise Unsupported(f"a symbolic power inside an exponent: {expr}")
@@ -426,7 +436,8 @@ class Field:
             bases = [base for log, base in logs.items() if exponent.has(log)]
             log = next((log for log in logs if exponent.has(log)), None)
             shown.append(bases[0] ** (exponent / log) if log is not None else sp.exp(exponent))
-        roots = [base ** sp.Rational(1, q) for base, q in self._radicals]
+        # as they stand: SymPy does not get on with a root of a product of 0
+        roots = [sp.Pow(base, sp.Rational(1, q), evaluate=False) for base, q in self._radicals]
         return [*shown, *self._opaque, *roots]
 
 

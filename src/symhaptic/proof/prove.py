@@ -13,6 +13,7 @@ from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof import box as boxes
 from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of
+from symhaptic.proof.ball import is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Box, Positive
 from symhaptic.proof.decide import compare, named
@@ -21,7 +22,7 @@ from symhaptic.proof.points import Point
 from symhaptic.proof.program import Uncheckable, program, value
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.refute import defined_somewhere
-from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
@@ -61,6 +62,8 @@ def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
         return Verdict(Kind.UNDECIDED, str(spent))
     except RecursionError:
         return Verdict(Kind.UNDECIDED, "nested too deeply")
+    except (Undefined, ZeroDivisionError):  # SymPy's of a number that nobody has evaluated
+        return Verdict(Kind.UNDECIDED, "a number in it divides by zero")
 
 
 def _same(lhs: Form, rhs: Form) -> Verdict:
@@ -130,10 +133,11 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
 
 
 def _cancelled(side: sp.Expr, difference: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The side, unless all its terms stand in the difference, so that its balls show them."""
+    """The side, unless it is real by its form, and all its terms stand in the difference, whose
+    balls show them: of what is not real, parts may cancel."""
     left = sp.Add.make_args(difference)
     kept = all(term.is_Rational or term in left for term in sp.Add.make_args(side))
-    return () if kept else (side,)
+    return () if kept and is_real(side) else (side,)
 
 
 def _denied(smaller: sp.Expr, larger: sp.Expr, box: Box, point: Point, strict: bool) -> bool:

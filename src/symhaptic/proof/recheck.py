@@ -18,7 +18,7 @@ from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.certificate import Balls, Box, Certificate, Given, Largest, Positive, Zero
 from symhaptic.proof.program import Uncheckable, program, real, value
-from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.rewriting import Undefined, Unsupported
 
 Interval: TypeAlias = tuple[arb, arb]
 Numbers: TypeAlias = Callable[[Balls], Balls]
@@ -26,6 +26,13 @@ Numbers: TypeAlias = Callable[[Balls], Balls]
 
 _BITS = 1 << 20
 """Certificates of a higher precision are not looked at."""
+
+
+_NOT_COMPUTED = (
+    *(Uncheckable, Unsupported, Undefined, sp.SympifyError, RecursionError),
+    ZeroDivisionError,  # SymPy's, of a number that nobody has evaluated
+)
+"""What is raised where there is nothing to be computed."""
 
 
 class Unconfirmed(ValueError):
@@ -56,7 +63,7 @@ def recheck(certificate: Certificate) -> bool:
                 return _zero(certificate)
             case Largest():
                 return _largest(certificate)
-    except (Uncheckable, Unsupported, sp.SympifyError):
+    except _NOT_COMPUTED:
         return False
     raise TypeError(f"recheck: {certificate!r} is no certificate")
 

@@ -112,6 +112,8 @@ def _rewritten(expr: Expr) -> Expr:
     if isinstance(expr, _REWRITTEN):
         around = isinstance(expr, (sp.sin, sp.cos, sp.tan, sp.cot))
         argument = _rewritten(expr.args[0])
+        if _depth(argument) > 1:  # they would double from one sine of a sine to the next
+            raise Unsupported("an exponential inside an exponent")
         exponent, unit = (j * argument, 2 * j) if around else (argument, sp.S(2))
         up, down = sp.exp(exponent, evaluate=False), sp.exp(-exponent, evaluate=False)
         sine = _product(1 / unit, sp.Add(up, _product(sp.S.NegativeOne, down), evaluate=False))
@@ -128,6 +130,14 @@ def _rewritten(expr: Expr) -> Expr:
     if args == expr.args:
         return expr
     return expr.func(*args, evaluate=bool(expr.is_Pow and not args[1].is_Integer))
+
+
+@lru_cache(maxsize=8192)
+def _depth(expr: Expr) -> int:
+    """How many exponentials stand within one another."""
+    if expr.is_Add or expr.is_Mul or expr.is_Pow:
+        return max(map(_depth, expr.args))
+    return 1 + _depth(expr.args[0]) if isinstance(expr, sp.exp) else 0
 
 
 def _product(left: Expr, right: Expr) -> Expr:

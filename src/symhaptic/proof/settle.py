@@ -9,6 +9,7 @@ from typing import TypeAlias
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from symhaptic.notation.terms import NoTerm
@@ -74,11 +75,11 @@ class Settlement:
     shows: str | None = None
     note: str | None = None
     assumed: bool = False
-    """Whether what is derived is the print itself, and nothing on the page shows it."""
+    """Whether what is derived is only typed, and nothing on the page shows it."""
     definitions: tuple[tuple[Expr, Expr], ...] = ()
-    """What names stand for on the page, where the print is typed again."""
+    """What names stand for on the page."""
     signs: tuple[Recipe, ...] = ()
-    """The signs that the page shows, where the print is typed again."""
+    """The signs that the page shows."""
     judged: Judged | None = None
     """The theorems that show it, of what is claimed."""
     claim: Claim | None = None
@@ -88,7 +89,7 @@ class Settlement:
         found = self.found(printed)
         if self.judged is not None or found.kind not in WEIGHED:
             return found
-        assumed = self.assumed and found.kind is Kind.PROVED
+        assumed = self.assumed and found.kind in (Kind.PROVED, Kind.ENCLOSED)
         if not assumed and not self._rests_on_words(found):
             return found
         return replace(found, kind=Kind.ARGUED, argued_for=found.kind)
@@ -171,8 +172,8 @@ class Settlement:
         if self.provided is not None:
             return self._qualified(printed, result.method, note)
         self._check_unopposed()
-        kind = Kind.DEFINITION if self.definition else Kind.PROVED
-        return Verdict(kind, result.method, note=note)
+        defined = self.definition and all(map(_defines, self.derived))
+        return Verdict(Kind.DEFINITION if defined else Kind.PROVED, result.method, note=note)
 
     # -- the kinds ----------------------------------------------------------------------
 
@@ -328,6 +329,18 @@ class Settlement:
         return None if self.corrected is None else r",\quad ".join(self.corrected)
 
 
+def is_name(of: Expr) -> bool:
+    """Whether it has no value of its own, so that one may say what it stands for."""
+    return isinstance(of, (sp.Symbol, AppliedUndef))
+
+
+def _defines(form: Expr) -> bool:
+    """Whether a relation says what a name stands for, and not by that name; or an expression."""
+    if not isinstance(form, Relational):
+        return True
+    return any(is_name(s) and not o.has(s) for s, o in (form.args, form.args[::-1]))
+
+
 def _check_proved(fact: Fact) -> None:
     if fact.expr in {expr for expr, _ in fact.rests}:
         raise Unfounded("an assumption is not a fact")
@@ -348,8 +361,7 @@ def _value(forms: tuple[Expr, ...], point: Point) -> Value:
     values: list[Value] = []
     for form in forms:
         unknown = isinstance(form, sp.Eq) and (
-            form.lhs.free_symbols - set(point)
-            or isinstance(form.lhs, sp.core.function.AppliedUndef)
+            form.lhs.free_symbols - set(point) or isinstance(form.lhs, AppliedUndef)
         )
         if unknown:
             values.append(value_at(form.rhs, point))

@@ -294,6 +294,8 @@ def integrated(expr: Expr, over: Interval, slope: Fact) -> Fact:
 def either(first: Fact, second: Fact, split: Expr) -> Fact:
     """The same fact from two cases: ``first`` where split > 0, ``second`` where split <= 0.
 
+    The split is real, or there would be a third.
+
     >>> x, y = sp.symbols("x y")
     >>> one = combined(x + y, [assume(x)], [assume(y)])
     >>> two = combined(x + y, [assume(-x, strict=False)], [2, assume(x)], [assume(y)])
@@ -302,5 +304,7 @@ def either(first: Fact, second: Fact, split: Expr) -> Fact:
     """
     if not is_zero(first.expr - second.expr):
         raise NotShown(f"{first.expr} and {second.expr} are two different things")
+    if not is_zero(conjugated(split) - split):
+        raise NotShown(f"{split} is not real")
     rests = (first.rests - {(split, True)}) | (second.rests - {(-split, False)})
     return Fact(first.expr, first.strict and second.strict, "two cases", rests, key=KEY)

@@ -134,7 +134,7 @@ def in_the_limit(
     lower, upper = term(lower), term(upper)
     claim, limit = relation(theorem, "<", "<="), predicate(end, "limit")
     difference = claim.right - claim.left
-    ends = (Predicate("limit", (variable,), (difference, e, limit.of[2])) for e in (lower, upper))
+    ends = [Predicate("limit", (variable,), (difference, e, limit.of[2])) for e in (lower, upper)]
     if limit not in ends:
         raise NotShown(f"{limit} is no limit of {difference} at an end")
     hypotheses = theorem.hypotheses - {*_between(variable, lower, upper)} | end.hypotheses

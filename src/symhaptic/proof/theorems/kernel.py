@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import wraps
 from importlib import import_module
+from numbers import Number
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
 from weakref import WeakValueDictionary
@@ -43,6 +44,7 @@ from symhaptic.notation.proposition import (
     replaced,
 )
 from symhaptic.notation.terms import is_complex, symbols_in, term, without_value
+from symhaptic.proof.certificate import Positive
 from symhaptic.proof.theorems.definedness import conditions, differs, needed, real
 
 
@@ -54,6 +56,7 @@ Judgement: TypeAlias = tuple[Iterable[Proposition], Proposition]
 """Hypotheses and conclusion."""
 
 _TOKEN = object()
+_DATA = (Basic, Proposition, Positive, Mapping, str, Number, NoneType)
 
 
 class Theorem:
@@ -125,9 +128,6 @@ def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
 
 def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
     args, named = _written(args), _written(named)
-    for theorem in _theorems([*args, *(v for _, v in named)]):
-        if type(theorem) is not Theorem:
-            raise NotShown("what looks like a theorem is none")
     same = _exactly((name, args, named))
     if same in _known:
         return _known[same]
@@ -179,11 +179,16 @@ def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
 
 
 def _written(part: Any) -> Any:
-    """Arguments with propositions for SymPy's relations, which decide themselves when copied."""
+    """Arguments with propositions for SymPy's relations, which decide themselves when copied.
+
+    A theorem stands where it is found again: by itself or in a sequence.
+    """
     if isinstance(part, Relational):
         return proposition(part)
     if isinstance(part, (tuple, list)):
         return tuple(_written(p) for p in part)
+    if type(part) is not Theorem and not isinstance(part, _DATA):
+        raise NotShown(f"what looks like a theorem is none, nor is {type(part).__name__} a term")
     return part
 
 
@@ -214,11 +219,12 @@ def predicate(theorem: Theorem, name: str) -> Predicate:
 
 
 def without(symbols: Iterable[Symbol], *parts: Iterable[Proposition]) -> None:
-    """Nothing, where no hypothesis, or other proposition, is about one of the symbols."""
-    for claim in (p for some in parts for p in some):
-        for symbol in symbols:
-            if symbol in claim.free or not symbol.is_Symbol:
-                raise NotShown(f"{claim} is about {symbol}")
+    """Nothing, where they are symbols, and no hypothesis, or other proposition, is about one."""
+    claims = [p for some in parts for p in some]
+    for symbol in symbols:
+        about = [c for c in claims if symbol in c.free]
+        if about or not symbol.is_Symbol:
+            raise NotShown(f"{about[0] if about else 'no proposition'} is about {symbol}")
 
 
 # -- hypotheses ------------------------------------------------------------------------
@@ -422,7 +428,7 @@ def _real(values: Terms) -> set[Proposition]:
 def lost(values: Terms, claim: Proposition) -> set[Proposition]:
     """Conditions of a claim's terms that are no conditions any more of what they become."""
     found: set[Proposition] = set()
-    stack = [(claim, frozenset[Symbol]())]
+    stack = [(claim.apart(values), frozenset[Symbol]())]
     while stack:
         current, inside = stack.pop()
         bound = set(inside) | set(current.bound)
