@@ -162,7 +162,7 @@ def certified(alpha, beta, gamma, delta, delay):
     """Roots outside the unit circle, counted with balls that exclude every other answer."""
     with flint.ctx.workprec(_BITS):
         p = coefficients(alpha, beta, gamma, delta, delay)
-        roots = flint.acb_poly(p).roots(tol=flint.arb(2) ** -180)
+        roots = flint.acb_poly(p).roots(tol=flint.arb(2) ** -100)
         outside = 0
         for root in roots:
             size = root.real * root.real + root.imag * root.imag
