@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "13e6be1a439d8f73"
+STAMP = "95208ac77355ec19"
 """Of the sources in C, as the module that is compiled of them has it."""
