@@ -162,7 +162,7 @@ def certified(alpha, beta, gamma, delta, delay):
     """Roots outside the unit circle, counted with balls that exclude every other answer."""
     with flint.ctx.workprec(_BITS):
         p = coefficients(alpha, beta, gamma, delta, delay)
-        roots = flint.acb_poly(p).roots(tol=flint.arb(2) ** -180)
+        roots = flint.acb_poly(p).roots(tol=flint.arb(2) ** -100)
         outside = 0
         for root in roots:
             size = root.real * root.real + root.imag * root.imag
@@ -248,3 +248,50 @@ def mp_outside(alpha, beta, gamma, delta, delay, digits=60):
         start = [mpmath.mpc(w) for w in np.roots([float(c) for c in numbers])]
         roots = mpmath.polyroots(numbers, maxsteps=100, extraprec=400, roots_init=start)
         return sum(abs(root) > 1 for root in roots)
+
+
+def _turned(function, points):
+    """How far the argument of a function turns on the way through the points, in steps below 0.3.
+
+    Other steps are halved.
+    """
+    total, left, here = 0, list(reversed(points)), None
+    value = function(left[-1])
+    while left:
+        end = left.pop()
+        here = end if here is None else here
+        middle, last = function((here + end) / 2), function(end)
+        step = mpmath.arg(middle / value), mpmath.arg(last / middle)
+        if max(map(abs, step)) > 0.3:
+            left += [end, (here + end) / 2]
+            continue
+        total, value, here = total + sum(step), last, end
+    return total
+
+
+def principal_outside(alpha, beta, gamma, delta, delay, digits=60):
+    """Roots with |z| > 1 and |arg z| < pi for any real delay, by the argument principle.
+
+    Around the upper half: a large circle, the cut along the negative axis, the unit circle.
+    """
+    n1, n0, trace, product = numbers(gamma, delta, digits)
+    with mpmath.workdps(digits):
+        alpha, beta, late = (mpmath.mpf(float(v)) for v in (alpha, beta, delay + 0.0))
+
+        def value(size, angle):
+            z, power = mpmath.exp(size + 1j * angle), mpmath.exp((late + 1) * (size + 1j * angle))
+            return power * (z * z - trace * z + product) + (n1 * z + n0) * (
+                (alpha + beta) * z - beta
+            )
+
+        far = mpmath.log(10**16 * (1 + abs(alpha) + abs(beta)))
+        near = [mpmath.mpf(10) ** -k for k in range(30, 0, -1)]
+        angles = [0, *near, *(mpmath.pi * k / 60 for k in range(3, 58))]
+        angles += [mpmath.pi - x for x in reversed(near)] + [mpmath.pi]
+        sizes = [0, *near, *(far * k / 200 for k in range(1, 201))]
+        turned = _turned(lambda angle: value(far, angle), angles)
+        turned += _turned(lambda size: value(size, mpmath.pi), sorted(sizes, reverse=True))
+        turned += _turned(lambda angle: value(0, angle), sorted(angles, reverse=True))
+        found = turned / mpmath.pi
+        assert abs(found - mpmath.nint(found)) < 1e-20
+        return int(mpmath.nint(found))

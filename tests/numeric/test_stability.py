@@ -144,3 +144,20 @@ def test_no_scene_calls_it_stable(scene):
 
 def test_a_device_alone_is_stable_however_little_it_is_damped():
     assert is_stable(0.0, 0.0, 0.04, 1e-300, [0, 4, 4.5]).all()
+
+
+@pytest.mark.parametrize("sheet", ["exact", "principal"])
+@pytest.mark.parametrize("size", [1e-28, 1e-32, 1e-60, 1e-100, 1e-119])
+def test_a_faint_wall_behind_a_fraction_is_stable_where_it_is(size, sheet):
+    """A free mass needs alpha (d + 1/2) < delta + beta then, and alpha > 0.
+
+    From 1e-30 on more than every other stable one was called unstable: its root of the size of the
+    wall was approached by half a step each, and not reached.
+    """
+    rng = np.random.default_rng(0)
+    for delay in (0.5, 1.5, 0.3, 2.7):
+        alpha, beta, delta = size * rng.uniform([[0], [-1], [0]], [[2], [1], [1]], (3, 200))
+        spare = (beta + delta - alpha * (delay + 0.5)) / size
+        clear = abs(spare) > 0.01
+        found = unstable_roots(alpha, beta, 0.0, delta, delay, sheet=sheet)
+        assert np.array_equal((found == 0)[clear], (spare > 0)[clear])

@@ -28,8 +28,9 @@ n1 = sp.Symbol("n1")
 
 _LOOP = (alpha, slope, far, n1, loss, together, apart, center, beyond, d)
 
-_STEPS = 100
-"""At most so many; a double root is approached by half a step each."""
+_STEPS = 1000
+"""At most so many; a root that is far smaller than the piece is approached by halves, and the
+faintest wall that is counted has one of 2^-800."""
 
 NEAR, OWN, FAR = range(3)
 """Zones: y, y - center and 4 - y are the variable."""

@@ -6,11 +6,14 @@ import sympy as sp
 
 from symhaptic.export.module import Library
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import Target, describe
+from symhaptic.export.target import Target, code_name, describe
 from symhaptic.export.ufunc_templates import CALL, LOOP, LOOPS, MODULE_TEXT
 from symhaptic.export.wrapping import wrapped
 
 MODULE = "_compiled"
+
+INSIDE = ("LateDevice",)
+"""Routines of the library that are ufuncs, too, for who has asked for its arguments' ranges."""
 
 UNSTAMPED = "of no sources"
 """In the module's source, for what tells the sources that it is compiled of."""
@@ -24,9 +27,13 @@ def ufuncs(
         _entry(routine, describe(form))
         for form, routine in zip(double.forms, double.public, strict=True)
     ]
+    inside = _inside(double)
+    entries += [_entry(routine, [f"{routine.about}."]) for routine in inside]
     both = (double, in_double), (single, in_single)
     calls = ["\n".join(wrapped(_call(double, in_double, r).split("\n"))) for r in double.public]
-    declared = [f"Loop {_name(library, r)};" for library, _ in both for r in library.public]
+    declared = [
+        f"Loop {_name(library, r)};" for library, _ in both for r in (*library.public, *inside)
+    ]
     numbers = {
         "module": MODULE,
         "stamp": UNSTAMPED,
@@ -39,20 +46,25 @@ def ufuncs(
     }
     made = {f"{MODULE}.c": MODULE_TEXT % numbers}
     for library, language in both:
-        loops = [_loop(library, language, routine) for routine in library.public]
+        every = (*library.public, *_inside(library))
+        loops = [_loop(library, language, routine) for routine in every]
         text = LOOPS % {"name": library.name, "loops": "\n".join(loops)}
         made[f"{library.name}_loops.c"] = "\n".join(wrapped(text.split("\n")))
     typed = [
         "from typing import Any\n\nfrom numpy import ufunc\n",
-        *(f"{routine.name}: ufunc" for routine in double.public),
+        *(f"{code_name(routine.name)}: ufunc" for routine in (*double.public, *inside)),
         "\nSTAMP: str\n\ndef outside() -> bool: ...",
         *(f"def one_{routine.name}(*numbers: Any) -> Any: ..." for routine in double.public),
     ]
     return made | {f"{MODULE}.pyi": "\n".join([*typed, ""])}
 
 
+def _inside(library: Library) -> list[Routine]:
+    return [helper for helper in library.helpers if helper.name in INSIDE]
+
+
 def _name(library: Library, routine: Routine) -> str:
-    return f"{library.name}_{routine.name}_loop"
+    return f"{library.name}_{code_name(routine.name)}_loop"
 
 
 def _loop(library: Library, language: Target, routine: Routine) -> str:
@@ -62,14 +74,19 @@ def _loop(library: Library, language: Target, routine: Routine) -> str:
     x, y = [f"x{i}" for i in range(given)], [f"y{i}" for i in range(count)]
     work = [f"const {kind} {n} = *({kind} const *){at};" for n, at in zip(names, x, strict=True)]
     call = f"{library.name}_{routine.name}({', '.join(names)}"
-    if count > 1:
+    if routine.record:
+        call = f"{language.call(routine.name)}({', '.join(names)})"
+        work += [f"const {routine.record} found = {call};"]
+        fields = zip(y, routine.results, strict=True)
+        work += [" ".join(f"*({kind} *){at} = found.{name};" for at, (name, _) in fields)]
+    elif count > 1:
         work += [f"{call}, {', '.join(f'({kind} *){at}' for at in y)});"]
     else:
         work += [f"*({'npy_bool' if routine.truth else kind} *){y[0]} = {call});"]
     within = language.printing().doprint(sp.And(*routine.within))
     if routine.truth or routine.outside is not sp.nan:
         work += [f"within &= {within};"]
-    else:  # NaN tells that it may be outside
+    elif routine.within:  # NaN tells that it may be outside
         first = f"*({kind} *){y[0]}"
         work += [f"if ({first} != {first} && !({within})) within = 0;"]
     places = [*x, *y]
@@ -115,7 +132,7 @@ def _entry(routine: Routine, about: list[str]) -> str:
         f'"{_quoted(line)}\\n"' for line in (f"{results} of ({names})", "", *about)
     )
     truth = str(int(routine.truth))
-    return f"    ENTRY({routine.name}, {given}, {count}, {truth},\n    {said}),"
+    return f"    ENTRY({code_name(routine.name)}, {given}, {count}, {truth},\n    {said}),"
 
 
 def _quoted(line: str) -> str:

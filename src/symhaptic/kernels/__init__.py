@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "ae000cba68d9009c"
+STAMP = "95208ac77355ec19"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -35,6 +35,7 @@ Loop haptic_passivity_margin_loop;
 Loop haptic_passivity_boundary_loop;
 Loop haptic_max_passive_stiffness_loop;
 Loop haptic_linear_limit_loop;
+Loop haptic_late_device_loop;
 Loop haptic_single_discretize_loop;
 Loop haptic_single_discretize_fractional_loop;
 Loop haptic_single_is_stable_loop;
@@ -46,6 +47,7 @@ Loop haptic_single_passivity_margin_loop;
 Loop haptic_single_passivity_boundary_loop;
 Loop haptic_single_max_passive_stiffness_loop;
 Loop haptic_single_linear_limit_loop;
+Loop haptic_single_late_device_loop;
 
 #ifdef __GNUC__
 #pragma GCC visibility pop
@@ -172,6 +174,10 @@ static Entry entries[] = {
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
+    ENTRY(late_device, 3, 3, 0,
+    "apart, m2, m0 of (gamma, delta, part)\n"
+    "\n"
+    "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period.\n"),
 };
 
 static int filled(PyObject *module) {
@@ -197,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "ae000cba68d9009c")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "95208ac77355ec19")) return -1;
     return filled(module);
 }
 

@@ -14,6 +14,7 @@ passivity_margin: ufunc
 passivity_boundary: ufunc
 max_passive_stiffness: ufunc
 linear_limit: ufunc
+late_device: ufunc
 
 STAMP: str
 

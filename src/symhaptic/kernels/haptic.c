@@ -527,7 +527,7 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
     const double convex = 2.0*k2 + 3.0*k3*(high + low) > 0.0 ? 1.0 : -1.0;
     const double down = convex*rise > 0.0 ? 1.0 : -1.0;
     double y = down > 0.0 ? high : low, moves = 1.0;
-    for (int count_y = 0; count_y < 100; ++count_y) {
+    for (int count_y = 0; count_y < 1000; ++count_y) {
         if (moves == 0.0) { break; }
         const double steep = k1 + y*(2.0*k2 + 3.0*k3*y), some = steep == 0.0 ? 1.0 : steep;
         const double move = steep == 0.0 ? 0.0 : (k0 + y*(k1 + y*(k2 + k3*y)))/some;

@@ -1079,7 +1079,7 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
         next_moves = xp.where(down*(y - new) > 0.0, xp.full_like(down, 1.0), 0.0)
         return new, next_moves
 
-    y, moves = repeat(xp, 100, over, step, (xp.where(down > 0.0, high, low), 1.0),
+    y, moves = repeat(xp, 1000, over, step, (xp.where(down > 0.0, high, low), 1.0),
         (down, high, k0, k1, k2, k3, low))
     return y
 

@@ -520,7 +520,7 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
     const float convex = 2.0f*k2 + 3.0f*k3*(high + low) > 0.0f ? 1.0f : -1.0f;
     const float down = convex*rise > 0.0f ? 1.0f : -1.0f;
     float y = down > 0.0f ? high : low, moves = 1.0f;
-    for (int count_y = 0; count_y < 100; ++count_y) {
+    for (int count_y = 0; count_y < 1000; ++count_y) {
         if (moves == 0.0f) { break; }
         const float steep = k1 + y*(2.0f*k2 + 3.0f*k3*y), some = steep == 0.0f ? 1.0f : steep;
         const float move = steep == 0.0f ? 0.0f : (k0 + y*(k1 + y*(k2 + k3*y)))/some;

@@ -259,3 +259,23 @@ void haptic_single_linear_limit_loop(
     if (!within) strayed = 1;
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
 }
+
+void haptic_single_late_device_loop(
+    char **at, npy_intp const *sizes, npy_intp const *steps, void *data) {
+    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5];
+    const npy_intp s0 = steps[0], s1 = steps[1], s2 = steps[2], s3 = steps[3], s4 = steps[4], s5 =
+        steps[5];
+    npy_intp left;
+    int within = 1;
+    (void)data;
+    for (left = sizes[0]; left > 0; --left) {
+        const float gamma = *(float const *)x0;
+        const float delta = *(float const *)x1;
+        const float part = *(float const *)x2;
+        const Delayed found = late_device(gamma, delta, part);
+        *(float *)y0 = found.apart; *(float *)y1 = found.m2; *(float *)y2 = found.m0;
+        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
+    }
+    if (!within) strayed = 1;
+    feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
+}

@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from symhaptic.numeric.arguments import Array
 
-_STEPS = 100
-"""At most so many: every piece converges from its safe end, a double root by half a step."""
+_STEPS = 1000
+"""At most so many: every piece converges from its safe end, a double root by half a step; the
+faintest wall that is counted has a root of 2^-800."""
 
 Terms = Sequence[Array]
 """Coefficients, constant term first."""

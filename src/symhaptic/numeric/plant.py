@@ -48,6 +48,9 @@ def _by_kernel(kernel: Any, *values: Array) -> Any:
         return haptic.elementwise(np, partial(kernel, np), *values)
 
 
+_late_device = getattr(MODULE, "late_device", partial(_by_kernel, haptic.late_device))
+
+
 def impulse(gamma: Array, delta: Array, time: Array) -> Array:
     r"""The device's displacement ``time`` periods t after a unit impulse.
 
@@ -90,22 +93,18 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
 
 
 def behind(undelayed: Device, gamma: Array, delta: Array, part: Array) -> Device:
-    """The same plant behind a delay of ``part`` periods: m2, m1 and m0 alone are others."""
-    if MODULE is None:
-        rest = 1 - part
-        share = np.where(part == 0, 1.0, part)
-        n1 = _by_kernel(haptic.plant_n1, gamma * rest**2, delta * rest)
-        n0 = _by_kernel(haptic.plant_n0, gamma * share**2, delta * share)
-        m2, m0 = rest**2 * n1, part**2 * np.exp(-delta * rest) * n0
-    else:
-        m2, _, m0, _, _ = MODULE.discretize_fractional(gamma, delta, part)
+    """The same plant behind a delay of ``part`` periods: what M = m2 z^2 + m1 z + m0 has is other.
+
+    M(-1) is no difference of the three, which has no digits where a hardly damped device makes
+    whole half swings in a period.
+    """
+    apart, m2, m0 = _late_device(gamma, delta, part)
     x, whole = undelayed, part == 0
-    m1 = x.numerator_at_one - (m2 + m0)
     return x._replace(
         m2=np.where(whole, x.m2, m2),
-        m1=np.where(whole, x.m1, m1),
+        m1=np.where(whole, x.m1, x.numerator_at_one - (m2 + m0)),
         m0=np.where(whole, 0.0, m0),
-        numerator_at_minus_one=np.where(whole, x.numerator_at_minus_one, m2 + m0 - m1),
+        numerator_at_minus_one=np.where(whole, x.numerator_at_minus_one, apart),
     )
 
 

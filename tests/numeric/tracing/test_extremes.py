@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from oracle import radius
+from oracle import principal, principal_outside, radius
 
-from symhaptic import max_stable_stiffness, stable_region
+from symhaptic import is_stable, max_stable_stiffness, stable_region
 from symhaptic.numeric.tracing.arcs import Loop
+from symhaptic.numeric.tracing.extremes import stiffest_at
 from symhaptic.numeric.tracing.region import farthest
 
 
@@ -80,3 +81,40 @@ def test_the_region_says_the_same():
         region, found = stable_region(*case), max_stable_stiffness(*case)
         assert float(region.max_stiffness.alpha) == pytest.approx(float(found.alpha), rel=1e-12)
         assert region.outline[0][:, 0].max() == pytest.approx(float(found.alpha), rel=1e-5)
+
+
+def test_the_count_by_the_argument_is_that_by_all_roots():
+    rng = np.random.default_rng(2)
+    for delay in (0.5, 1.5, 1.75):
+        case = *rng.uniform((0, -1, 0, 0), (2, 1, 8, 1)), delay
+        assert principal_outside(*case) == np.sum(principal(*case) > 1)
+
+
+def test_next_to_a_whole_delay_the_principal_sheet_is_bounded():
+    """Its curve goes to infinity within pi - theta = 1e-8, and borders nothing there.
+
+    The result was 5e8.  What is right lies beyond the exact one: where a root is at -1 for a whole
+    delay, one of this sheet passes through the cut and is lost from sight.
+    """
+    loop = 8.932747372012944, 0.1879732294715988, 1.9999999937605732
+    alpha, beta, _ = (float(v) for v in max_stable_stiffness(*loop, sheet="principal"))
+    exact = float(max_stable_stiffness(*loop).alpha)
+    assert exact == pytest.approx(7.518742463137421, rel=1e-9)
+    assert alpha == pytest.approx(8.864878259779964, rel=1e-9)
+    assert principal_outside(8.85, -3.5577, *loop) == 0
+    assert radius(8.85, -3.5577, *loop[:2], 2.0) > 1.1
+    beside = beta + np.linspace(-2, 2, 4001)
+    assert not is_stable(alpha * (1 + 1e-6), beside, *loop, sheet="principal").any()
+    for wall in ((8.9, -3.5577), (8.9, beta), (5e8, -2.5e8)):
+        assert principal_outside(*wall, *loop) > 0
+    with pytest.raises(ValueError, match="the pieces of its boundary do not meet"):
+        max_stable_stiffness(38.34550658404032, 0.17688191338806936, 2**-53, sheet="principal")
+
+
+@pytest.mark.parametrize("delta", [1e-9, 1e-12, 1e-15, 1e-28])
+@pytest.mark.parametrize("delay", [0.0, 1.0, 1.5, 7.0])
+def test_the_stiffest_wall_beside_next_to_no_damping(delta, delay):
+    """As delta -> 0 it is delta/(delay + 1/2), at an angle of some sqrt(delta): once NaN."""
+    found = stiffest_at(0.0, 0.0, delta, delay)
+    assert found.alpha == pytest.approx(delta / (delay + 0.5), rel=max(1e-9, 10 * delta))
+    assert 0 < found.theta < 2 * np.sqrt(delta) or delay == 0

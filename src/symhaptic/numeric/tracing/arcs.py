@@ -124,6 +124,15 @@ class Loop:
         largest = np.max(np.abs(parts), axis=0)
         return np.asarray(largest <= math.comb(int(self.steps) + 4, 3) + 2)
 
+    @property
+    def bent(self) -> float:
+        """How far from pi a curve goes to infinity instead of ending, on the principal sheet.
+
+        It follows the line of a root at -1 where pi - theta is less than pi times what the delay
+        differs from a whole one.
+        """
+        return float(np.abs(self.steps - np.rint(self.steps)))
+
     # -- ends of the curve and the two lines ---------------------------------------------
 
     @cached_property
@@ -153,6 +162,8 @@ class Loop:
         own = np.sqrt(max(self.gamma - self.delta**2 / 4, 0.0))
         away = np.geomspace(_CLOSEST, np.pi, 256)
         angles = [np.linspace(0, np.pi, count + 1), away, np.pi - away, own + away, own - away]
+        if self.bent:
+            angles.append(np.pi - np.geomspace(self.bent / 100, np.pi, 256))
         every = np.unique(np.concatenate(angles))
         return every[(every > 0) & (every < np.pi)]
 
@@ -203,13 +214,20 @@ class Loop:
         return self.meets(lambda alpha, beta: alpha + 2 * beta - line)
 
     def meets(self, line: Callable[[Array, Array], Array]) -> Array:
-        """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes."""
+        """Angles at which the curve crosses the line where ``line(alpha, beta)`` vanishes.
+
+        Of a line that the curve begins on, those beside its begin.
+        """
 
         def beyond(theta: Array) -> NDArray[np.bool_]:
-            walls = self.curve(theta)
+            first = theta == 0
+            walls = self.curve(np.where(first, 1.0, theta))
+            walls = np.where(first[..., None], self.begin, walls)
             return line(walls[..., 0], walls[..., 1]) > 0
 
         angles = self.samples()
+        if np.all(line(*self.begin) != 0):
+            angles = np.concatenate([[0.0], angles])
         return flips(beyond, angles, beyond(angles))
 
 

@@ -52,7 +52,8 @@ def max_stable_stiffness(
     every piece of the boundary is traced, one element after the other, which takes milliseconds
     times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
-    Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
+    Raises :class:`ValueError` for an impossible plant or delay, and where pieces of the boundary
+    are missed, see :func:`stable_region`; NaN gives NaN.
 
     >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
     >>> alpha.round(6).tolist()

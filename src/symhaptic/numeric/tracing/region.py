@@ -310,6 +310,8 @@ def farthest(loop: Loop, direction: Array) -> Array:
     """(alpha, beta, theta) of the curve's bordering point farthest in a direction; NaN if none."""
     best = np.full(3, np.nan)
     grid = loop.samples()
+    if loop.end is None and any(high == np.pi for _, high in loop.arcs):
+        raise _not_traced(loop)  # the curve goes to infinity there, and borders nothing
     for low, high in loop.arcs:
         inside = grid[(grid > low) & (grid < high)]
         inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
