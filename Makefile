@@ -17,14 +17,21 @@ test: .venv/ready
 # and a precision, with sanitizers, as packages and for microcontrollers; the wheel; errors at ten
 # times as many points, and with musl; all that Rocq has checked, and the text of it; all chapters
 # typeset, the whole site and the PDF; what opens a browser; mypy; a `verify` from nothing; what JAX
-# has to compile; the array kernels behind public functions; all changed statements; random identities
+# has to compile; the array kernels behind public functions; all changed statements; random
+# identities; the kernel's rules without one of their conditions
 check: .venv/ready
 	$(BIN)/ruff check
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest $(SIDE_BY_SIDE) -m 'slow or not slow'
+	$(BIN)/pytest -s -p soundness.unconditional $(ATTACKS)
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/test_hard_cases.py
 	$(BIN)/symhaptic mutants --check
 
 SIDE_BY_SIDE := -n 2 --dist worksteal --durations 12
+
+# what is attacked once more with each condition of a rule left out, which one attack has to notice
+ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names terms_written_anew \
+	internal_names leaves leaves_right) $(wildcard tests/soundness/test_rules_*.py) \
+	$(wildcard tests/soundness/test_axiom*.py)
 
 # how many random identities `prove` is held to; a tenth as many boxes are
 SOUNDNESS ?= 100000

@@ -401,6 +401,19 @@ def test_the_angle_and_the_variable_of_an_energy_are_bound() -> None:
         toeplitz(K / y, y, y, theta)
 
 
+def test_a_damping_is_real_by_its_form() -> None:
+    for damping in (sp.I, sp.sqrt(c), c * sp.I):
+        with pytest.raises(NotShown, match="not real by its form"):
+            toeplitz(K / z, z, damping, theta)
+
+
+def test_work_is_counted_at_a_rational_delay_of_a_rational_period() -> None:
+    moves = [(1, 1)]
+    for period, late in ((0, 0), (-1, 0), (1, -1), (sp.sqrt(2), 0), (1, sp.sqrt(2)), (y, 0)):
+        with pytest.raises(NotShown, match="a rational period T > 0"):
+            gains((-1, 0, 1, period, late), moves)
+
+
 def test_energy() -> None:
     d = symbols("d")
     found = toeplitz(K * z**-d, z, c, theta)

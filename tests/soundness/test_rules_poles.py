@@ -49,6 +49,13 @@ def test_a_pole_is_a_zero_of_the_polynomial() -> None:
     )
 
 
+def test_the_variable_of_a_pole_s_polynomial_is_bound() -> None:
+    zero = assume(lt(y, 0, "="))
+    for share, exponent in ((z, I * pi), (1 + z, I * pi), (1, z), (q, z + I * pi), (I * q, I * pi)):
+        with pytest.raises(NotShown, match="is bound"):
+            pole_at(NYQUIST, z, share, exponent, zero, damping=False)
+
+
 def test_that_the_delay_is_whole_shares_is_said() -> None:
     late = (alpha, beta, pi**2, S.Zero, d / q)
     pole = pole_at(late, z, q, I * pi, NOTHING, damping=False)
