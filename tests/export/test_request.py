@@ -121,6 +121,18 @@ def test_the_list_names_functions_and_arguments(monkeypatch, capsys):
     assert "gamma" not in out.replace("gamma^", "")
 
 
+@pytest.mark.parametrize(
+    ("option", "one", "other"),
+    [("--derivative", "delta", "gamma"), ("--scene", "no-stiffness", "no-delay")],
+)
+def test_an_option_that_is_given_twice_asks_for_both(option, one, other, monkeypatch, capsys):
+    words = ["export", "--list", "discretize"]
+    twice = symhaptic(monkeypatch, capsys, *words, option, one, option, other)
+    assert twice == symhaptic(monkeypatch, capsys, *words, option, f"{one},{other}")
+    assert twice[0] == 0
+    assert twice != symhaptic(monkeypatch, capsys, *words, option, other)
+
+
 def test_formulas_of_the_paper_are_found_by_their_number():
     names = [form.name for form in request.chosen(["eq11", "eq25", "max_passive_stiffness"])]
     assert names == ["max_passive_stiffness", "linear_limit"]

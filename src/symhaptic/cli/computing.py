@@ -113,12 +113,13 @@ def export(
         typer.Option("-o", metavar="DIR", help="Folder to write; haptic-TARGET if none."),
     ] = None,
     scene: Annotated[
-        str,
+        list[str] | None,
         typer.Option(
             "--scene",
+            metavar="NO-PART,...",
             help="What the loop lacks: no-stiffness,no-damping,no-virtual-damping,no-delay.",
         ),
-    ] = "",
+    ] = None,
     delay: Annotated[
         int | None,
         typer.Option(
@@ -133,9 +134,9 @@ def export(
         typer.Option("--precision", help="double, or single where the language has it."),
     ] = None,
     derivative: Annotated[
-        str,
+        list[str] | None,
         typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),
-    ] = "",
+    ] = None,
     name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
     listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
 ) -> None:
@@ -146,8 +147,8 @@ def export(
     from symhaptic.forms.stable import FOR_ONE_DELAY
 
     try:
-        by = [word.strip() for word in derivative.split(",") if word.strip()]
-        parts = request.scene(scene)
+        by = [word.strip() for word in ",".join(derivative or []).split(",") if word.strip()]
+        parts = request.scene(",".join(scene or []))
         forms = request.chosen(formulas or [], parts, delay, by, whole_delays)
         if listing:
             for form in forms:
