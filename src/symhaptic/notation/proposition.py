@@ -357,17 +357,31 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
 
 
 def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
-    """A claim that is made of what is printed: each printed relation stands in it.
+    """A claim that says what is printed: each printed relation is one that it concludes.
 
-    Raises :class:`ValueError` where one does not.
+    Raises :class:`ValueError` where one is not.
     """
-    inside = [claim]
-    for part in inside:
-        inside += part.parts
+    said = [claim]
+    for part in said:
+        said += _concluded(part)
     for relation in printed:
-        if proposition(relation) not in inside:
-            raise ValueError(f"the print {relation} is not in the claim")
+        if proposition(relation) not in said:
+            raise ValueError(f"the print {relation} is not in the claim, or not what it concludes")
     return claim
+
+
+def _concluded(of: Proposition) -> tuple[Proposition, ...]:
+    """What a proposition concludes: not its conditions, nor what it denies or leaves open.
+
+    Of an equivalence a side is, where the other is a predicate: what the named property means.
+    """
+    if isinstance(of, (And, ForAll)):
+        return of.parts
+    if isinstance(of, Implies):
+        return of.of[1:]
+    if isinstance(of, Iff):
+        return tuple(p for p, q in (of.of, of.of[::-1]) if isinstance(q, Predicate))
+    return ()
 
 
 def both(parts: Iterable[Any]) -> Proposition:
