@@ -37,6 +37,12 @@ def _bindable(symbols: Iterable[Symbol]) -> None:
 class Proposition:
     """Something that is true or false once its free symbols have values."""
 
+    _closed: ClassVar[bool] = False
+
+    def __init_subclass__(cls) -> None:
+        if Proposition._closed:
+            raise NoTerm(f"{cls.__name__} is no kind of proposition; those are known")
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Proposition) and _alike(self, other, {}, {})
 
@@ -323,6 +329,7 @@ class Exists(_Quantified):
     """For some values of the symbols."""
 
 
+Proposition._closed = True
 TRUE, FALSE = And(()), Or(())
 
 
