@@ -334,7 +334,7 @@ def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
 
 
 _TO_EVALUATE = 100
-"""Steps for each part of a number that a function is of: SymPy asks for its decimals and its sign."""
+"""Steps for each part of a number that a function is of: SymPy works out its decimals and sign."""
 
 
 @lru_cache(maxsize=1 << 12)
