@@ -44,15 +44,30 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
         symhaptic("verify", "--source", notes, "--format", "json", "-o", committed).returncode == 0
     )
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
-    # the notes are mended: the verdict is another one, and that is told; x is the way at any time
-    # on the page, which does not show that it ends at what is typed
+    # the notes are mended: the verdict is another one, and that is told
     right = SOURCE.replace("{2c}", "{c}")
     (notes / "source.py").write_text(right, encoding="utf-8")
     chapter = CHAPTER.split("        corrected=")[0] + "    )\n"
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
     run = symhaptic("verify", "--source", notes)
     assert run.returncode == 1
-    assert "DIFFERS  drift:end: argued, but the ledger says misprint" in run.stdout
+    assert "DIFFERS  drift:end: proved, but the ledger says misprint" in run.stdout
+
+
+def test_what_is_argued_otherwise_is_told(notes):
+    """Words say that it is wrong as it is printed, and then that it is right."""
+    chapter = CHAPTER.replace("m * v / b, name=x)", "m * v / b)")
+    (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    committed = notes / "ledger.json"
+    symhaptic("verify", "--source", notes, "--format", "json", "-o", committed)
+    assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
+    (notes / "source.py").write_text(SOURCE.replace("{2c}", "{c}"), encoding="utf-8")
+    right = chapter.split("        corrected=")[0] + "    )\n"
+    (notes / "drifting.py").write_text(right, encoding="utf-8")
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 1
+    said = "drift:end: argued (proved), but the ledger says argued (misprint)"
+    assert f"DIFFERS  {said}" in run.stdout
 
 
 def test_an_emptied_ledger_is_not_none(notes):

@@ -78,7 +78,7 @@ if __name__ == "__main__":
     run = subprocess.run(
         [sys.executable, script], capture_output=True, text=True, check=False, timeout=300
     )
-    assert run.stdout == "misprint\n", run.stderr
+    assert run.stdout == "argued\n", run.stderr
 
 
 @pytest.mark.parametrize("order", [(WRONG, RIGHT), (RIGHT, RIGHT)])

@@ -177,6 +177,55 @@ def derive(page):
     assert "is not in the claim" in out.read_text()
 
 
+AS_A_CONDITION = {
+    # every K below 0 is below 1, which does not make every K one
+    "a hypothesis": "discharged(combined(K < 1, [assume(K < 0)], [1]), K < 0)",
+    "a part of one": "discharged(combined(K < 1, [assume(K < 0)], [1]), K < 0, K < 2)",
+    "a case": "widened(number(TRUE), Or((TRUE, proposition(K < 0))))",
+    "of itself": "equivalent(discharged(assume(K < 0), K < 0), discharged(assume(K < 0), K < 0))",
+}
+
+
+@pytest.mark.parametrize("how", AS_A_CONDITION)
+def test_a_print_is_what_the_claim_concludes(how: str, tmp_path: Path) -> None:
+    body = f"""
+from sympy import S
+from symhaptic.notation import K
+from symhaptic.notation.proposition import Or, Relation, proposition
+from symhaptic.proof.theorems.judge import Case
+from symhaptic.proof.theorems.kernel import *
+from symhaptic.proof.theorems.leaves import combined, number
+TRUE = Relation(S.Zero, "<", S.One)
+def derive(page):
+    shown = general({AS_A_CONDITION[how]}, K)
+    there = conjoined(*(number(Relation(S(-1), "<", S(n))) for n in (0, 2)))
+    page.state("forged", "any stiffness", "K < 0", claim=shown.conclusion)
+    page.settle("forged", shown, example=Case({{K: S(-1)}}, there))
+"""
+    path, out = chapter(tmp_path, "forged", body), tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "forged", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code == 2
+    assert "not what it concludes" in told.stderr
+
+
+MISTYPED = """
+from sympy import Eq, S, cos, sin, symbols
+x, y = symbols("x y")
+def derive(page):
+    page.step("Two", cos(y)**2 + sin(y)**2 + 1, S(2), name=x)
+    page.state("mine", "two", "x = 2")
+    page.settle("mine", Eq(x, 1))
+"""
+
+
+def test_what_is_argued_to_be_false_does_not_hold(tmp_path: Path) -> None:
+    """Right as printed; the other form is only typed."""
+    path, out = chapter(tmp_path, "mine", MISTYPED), tmp_path / "out.txt"
+    told = CliRunner().invoke(app, ["verify", "mine", "--derivation", str(path), "-o", str(out)])
+    assert told.exit_code == 1
+    assert "DIFFERS  mine: argued (misprint)" in out.read_text()
+
+
 ELSEWHERE = """
 import pickle, sys
 from sympy import symbols
@@ -347,7 +396,7 @@ def test_the_units_of_what_is_put_in_are_compared_again_where_it_arrives(tmp_pat
         ("Eq(x, 2)", "proved"),
         ("Eq(x, symbols('p', positive=True)**0 + 1)", "proved"),
         ("Eq(x, Function('f')(y)**0 + 1)", "proved"),
-        ("Eq(x, 1)", "misprint"),
+        ("Eq(x, 1)", "argued"),
     ],
 )
 def test_what_is_compared_arrives(derived: str, kind: str, tmp_path: Path) -> None:
@@ -682,10 +731,12 @@ def test_what_is_shown_of_a_statement_is_what_is_known_of_it(tmp_path: Path) -> 
 def test_a_number_that_a_source_quotes_is_measured_again(
     digits: str, kind: str, tmp_path: Path
 ) -> None:
+    """That it is this number which the text quotes is said by words."""
     body = SENDS.partition("    page.define")[0] + '    page.settle("KEY:size", value=pi)\n'
-    told = told_of(tmp_path, body, SOURCE.replace("3.15", digits))
+    told = told_of(tmp_path, body, SOURCE.replace("3.15", digits), "--format", "json")
     assert told.exit_code == 0
-    assert kind in told.output
+    size = json.loads(told.stdout)["statements"][2]
+    assert (size["verdict"], size["argued_for"]) == ("argued", kind)
 
 
 def test_a_statement_that_is_known_is_nobodys_own() -> None:

@@ -191,6 +191,16 @@ def test_what_is_nested_is_not_counted_out(function):
     assert prove(nested, nested).kind is not Kind.REFUTED
 
 
+def test_a_number_that_is_nested_costs_what_it_is_made_of():
+    # SymPy asks each of 2^12 arcs for its decimals, and those in it once more
+    nested = x
+    for shift in range(12):
+        arcs = (sp.atan(nested + s, evaluate=False) for s in (shift, -shift - 1))
+        nested = sp.Add(*arcs, evaluate=False)
+    assert prove(nested, nested + 1, steps=100_000).kind is Kind.UNDECIDED
+    assert prove(sp.atan(sp.atan(x)), sp.atan(x), steps=100_000).kind is Kind.REFUTED
+
+
 def test_a_precision_that_reaches_the_digits_is_tried():
     # at 106 bits it may be anything, 0 too, of which the normal form knows nothing
     with mpmath.workdps(80):

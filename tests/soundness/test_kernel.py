@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from collections.abc import Iterator, Mapping
 from types import SimpleNamespace
 
 import pytest
@@ -25,7 +26,8 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.notation.terms import NoTerm, term
-from symhaptic.proof.theorems import kernel, tactics
+from symhaptic.proof.certificate import Positive
+from symhaptic.proof.theorems import axioms, kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.derivation import leaves_of, replayed
 from symhaptic.proof.theorems.familiar import ordered, square
@@ -55,7 +57,9 @@ from symhaptic.proof.theorems.leaves import (
     combined,
     identity,
     number,
+    on_box,
 )
+from symhaptic.proof.theorems.roots import first_minors
 from symhaptic.proof.theorems.tactics import denied
 
 x, y, z = symbols("x y z")
@@ -98,6 +102,79 @@ def test_what_a_theorem_says_does_not_change_with_a_list() -> None:
     assert there.conclusion == Exists((x,), ONE.conclusion)
     with pytest.raises(NotShown):
         part(known, FALSE)
+
+
+class Turns(Mapping):
+    """A mapping that is another one after it was looked at so often."""
+
+    def __init__(self, first: dict, then: dict, often: int) -> None:
+        self.all = [first] * often + [then]
+
+    def looked_at(self) -> dict:
+        return self.all.pop(0) if len(self.all) > 1 else self.all[0]
+
+    def __getitem__(self, key: object) -> object:
+        return self.looked_at()[key]
+
+    def __iter__(self) -> Iterator[object]:
+        return iter(self.looked_at())
+
+    def __len__(self) -> int:
+        return len(self.looked_at())
+
+    def items(self):
+        return self.looked_at().items()
+
+    def values(self):
+        return self.looked_at().values()
+
+
+@pytest.mark.parametrize("often", range(8))
+def test_what_a_mapping_says_is_read_once(often: int) -> None:
+    """The square of j is -1, which was a theorem of a mapping that was looked at three times."""
+    squares = axioms.known("square")
+    [a] = squares.conclusion.over
+    for rule, theorem in ((instance, squares), (placed, square(a))):
+        try:
+            shown = rule(theorem, Turns({a: S(2)}, {a: sp.I}, often))
+        except NotShown:
+            continue
+        assert shown.conclusion == Relation(S.Zero, "<=", S(4))
+    ends = Turns({x: (S.One, S(2))}, {x: (-S.One, S(2))}, often)
+    try:
+        shown = on_box(Positive(x, ends, ".", 96))
+    except NotShown:
+        return
+    assert Relation(S.One, "<=", x) in shown.hypotheses
+
+
+def test_nothing_is_of_a_class_of_its_own() -> None:
+    with pytest.raises(NoTerm, match="no kind of proposition"):
+
+        class Otherwise(Relation):
+            def at(self, values: object) -> Relation:
+                return Relation(S.One, "<", S.Zero)
+
+    class Wider(Positive):
+        pass
+
+    class Count(int):
+        pass
+
+    class Word(str):
+        pass
+
+    class Other(sp.Symbol):
+        pass
+
+    with pytest.raises(NotShown, match="nor is Wider a term"):
+        on_box(Wider(x, {x: (S.One, S(2))}, ".", 96))
+    with pytest.raises(NotShown, match="nor is Count a term"):
+        first_minors(ONE, Count(1))
+    with pytest.raises(NotShown, match="nor is Word a term"):
+        axioms.known(Word("square"))
+    with pytest.raises(NoTerm, match="the symbol x"):
+        placed(square(x), {Other("x"): S.One})
 
 
 @pytest.mark.parametrize(
@@ -346,6 +423,11 @@ def test_a_case_may_use_its_own_disjunct_only() -> None:
     found = by_cases(cover, one, other)
     assert proposition(x < 1) in found.hypotheses
     assert found.conclusion == claim
+
+
+def test_of_no_case_nothing_follows() -> None:
+    with pytest.raises(NotShown, match="one theorem for each case"):
+        by_cases(assume(FALSE))
 
 
 def test_a_denied_relation_need_not_be_the_opposite_one() -> None:

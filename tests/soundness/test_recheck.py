@@ -1,6 +1,6 @@
 """The second check says no to what is not a proof, whatever a certificate is made of."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import pytest
 import sympy as sp
@@ -149,3 +149,21 @@ def test_nothing_but_symbols_has_values():
 @pytest.mark.parametrize("bits", [0, -5, "x", None, 10**12])
 def test_no_zero_has_a_precision_beyond_reason(bits):
     assert not recheck(replace(zero(x**2 - 2, x, S.One, S(2)), bits=bits))
+
+
+JUNK = [None, 1, 1.5, "x", b"x", [], (), {}, x, S.One, arb(1), object(), x > 0, sp.Matrix([1]), int]
+JUNK += [{x: 1}, {x: (1,)}, {x: "12"}, {x: (0, int)}, (1, 2, 3), ("0", "1")]
+ROOT = Zero(x - y, x, (0, 2), arb(1, 0.1), 96, {y: arb(1)})
+LARGEST = Largest(x, Positive(2 - x, {x: (0, 1)}, ".", 96), {x: S.One}, S.One, S(2))
+
+
+@pytest.mark.parametrize("of", [Positive(x, {x: (1, 2)}, ".", 96), ROOT, LARGEST])
+def test_what_is_made_of_anything_shows_nothing(of):
+    """In one answer, and never in an error that Python or SymPy tells."""
+    assert recheck(of)
+    for field in fields(of):
+        for junk in JUNK:
+            assert recheck(replace(of, **{field.name: junk})) in (True, False)
+    for given in (Known, Named):
+        for junk in JUNK:
+            assert recheck(Positive(x, {x: (1, 2)}, ".", 96, given({y: junk}))) in (True, False)

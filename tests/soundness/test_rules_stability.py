@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from chapters import chapter
 from scipy.signal import cont2discrete
-from sympy import Rational, S, symbols
+from sympy import Function, Rational, S, symbols
 
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import plant
@@ -19,7 +19,15 @@ from symhaptic.notation.proposition import And, Exists, Iff, Implies, Predicate,
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import axiom, device_static, loop_late
 from symhaptic.proof.theorems.kernel import NotShown, assume
-from symhaptic.proof.theorems.roots import jury, last_coefficient
+from symhaptic.proof.theorems.roots import (
+    degree,
+    first_minors,
+    jury,
+    last_coefficient,
+    opposite,
+    outpaces,
+    zero_on_circle,
+)
 from symhaptic.proof.verdict import Unfounded
 
 x, y, n, p, s = symbols("x y n p q")
@@ -257,3 +265,19 @@ def test_words_for_a_reader_stand_beside_a_theorem_and_not_in_its_place():
     ):
         with pytest.raises((Unfounded, ValueError)):
             dataclasses.replace(settlement, judged=wrong).decide(())
+
+
+@pytest.mark.parametrize("power", [2**n, Function("f")(n), sp.sqrt(n), n**y, 1 / n])
+def test_of_a_power_that_cannot_be_told_nothing_is_said(power):
+    inside = assume(stable(z**power + x))
+    for ask in (
+        lambda: last_coefficient(inside),
+        lambda: degree(z**power + x, z, power),
+        lambda: first_minors(inside, 1),
+        lambda: outpaces(inside, y),
+        lambda: opposite(inside),
+    ):
+        with pytest.raises(NotShown):
+            ask()
+    with pytest.raises(NotShown):
+        zero_on_circle(z ** (2**n) + x, z, y, assume(Relation(y, "=", S.Zero)))

@@ -35,7 +35,7 @@ from symhaptic.paper.statement import Source
 from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import of_another_unit
-from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
+from symhaptic.proof.verdict import UNSETTLED, Kind, Unfounded, Verdict, called
 
 GENERATED = "written by `symhaptic report`; do not edit"
 
@@ -379,7 +379,7 @@ def committed(entries: Iterable[Entry]) -> str:
 def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
     data = json.loads(path.read_text(encoding="utf-8"))
-    return {record["id"]: record["verdict"] for record in data["statements"]}
+    return {r["id"]: called(r["verdict"], r.get("argued_for")) for r in data["statements"]}
 
 
 def places(path: Path) -> dict[str, str]:
@@ -389,7 +389,7 @@ def places(path: Path) -> dict[str, str]:
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
-    """Statements whose verdict is not the committed one; a user's own must hold.
+    """Statements whose verdict is not the committed one; a user's own must hold, or be argued to.
 
     In a ``whole`` ledger each of the committed ones is there.
     """
@@ -397,9 +397,9 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
     lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
     for entry in entries:
-        id, kind = entry.statement.id, entry.verdict.kind
+        id, kind = entry.statement.id, entry.verdict.named
         if entry.own:
-            if kind not in PASSES | {Kind.QUALIFIED, Kind.EXTERNAL, Kind.ARGUED}:
+            if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
                 lines.append(f"{id}: {entry.verdict}")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")

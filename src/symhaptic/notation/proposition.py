@@ -37,6 +37,12 @@ def _bindable(symbols: Iterable[Symbol]) -> None:
 class Proposition:
     """Something that is true or false once its free symbols have values."""
 
+    _closed: ClassVar[bool] = False
+
+    def __init_subclass__(cls) -> None:
+        if Proposition._closed:
+            raise NoTerm(f"{cls.__name__} is no kind of proposition; those are known")
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Proposition) and _alike(self, other, {}, {})
 
@@ -323,6 +329,7 @@ class Exists(_Quantified):
     """For some values of the symbols."""
 
 
+Proposition._closed = True
 TRUE, FALSE = And(()), Or(())
 
 
@@ -357,17 +364,31 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
 
 
 def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
-    """A claim that is made of what is printed: each printed relation stands in it.
+    """A claim that says what is printed: each printed relation is one that it concludes.
 
-    Raises :class:`ValueError` where one does not.
+    Raises :class:`ValueError` where one is not.
     """
-    inside = [claim]
-    for part in inside:
-        inside += part.parts
+    said = [claim]
+    for part in said:
+        said += _concluded(part)
     for relation in printed:
-        if proposition(relation) not in inside:
-            raise ValueError(f"the print {relation} is not in the claim")
+        if proposition(relation) not in said:
+            raise ValueError(f"the print {relation} is not in the claim, or not what it concludes")
     return claim
+
+
+def _concluded(of: Proposition) -> tuple[Proposition, ...]:
+    """What a proposition concludes: not its conditions, nor what it denies or leaves open.
+
+    Of an equivalence a side is, where the other is a predicate: what the named property means.
+    """
+    if isinstance(of, (And, ForAll)):
+        return of.parts
+    if isinstance(of, Implies):
+        return of.of[1:]
+    if isinstance(of, Iff):
+        return tuple(p for p, q in (of.of, of.of[::-1]) if isinstance(q, Predicate))
+    return ()
 
 
 def both(parts: Iterable[Any]) -> Proposition:

@@ -47,7 +47,7 @@ def term(of: Any) -> Expr:
     return expr
 
 
-@lru_cache(maxsize=1 << 15)
+@lru_cache(maxsize=1 << 15, typed=True)
 def _looked_through(expr: Expr) -> None:
     """Raise :class:`NoTerm` of an expression that is none; of one that is, nothing."""
     left = [expr]

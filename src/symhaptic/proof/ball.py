@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 from math import ceil, floor
 from typing import TypeAlias
 
@@ -17,6 +18,7 @@ from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction, from_leading
+from symhaptic.proof.budget import spend
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
 
@@ -331,6 +333,16 @@ def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
         return None
 
 
+_TO_EVALUATE = 100
+"""Steps for each part of a number that a function is of: SymPy works out its decimals and sign."""
+
+
+@lru_cache(maxsize=1 << 12)
+def _size(expr: Expr) -> int:
+    """How many parts it has, as often as they occur."""
+    return 1 + sum(map(_size, expr.args))
+
+
 def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
     """Symbols replaced, every divisor tested, so that SymPy cannot cancel a zero with a pole."""
     if expr in at:
@@ -345,6 +357,8 @@ def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
         bits = max(abs(base.p), base.q).bit_length() if base.is_Rational else 1
         if power.is_Rational and abs(power) * bits > _POWER and base not in (-1, 0, 1):
             raise Unsupported(f"a number of {bits} bits to the power of {power}")
+    if expr.is_Function:
+        spend(_TO_EVALUATE * sum(map(_size, args)))
     found = expr.func(*args)
     if found.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
         raise Undefined(f"{expr} is not defined")

@@ -76,6 +76,12 @@ class Positive:
     """What else must be defined and real on every piece: the sides of an inequality, which SymPy
     may have cancelled in their difference."""
 
+    def __post_init__(self) -> None:
+        # read once: a box of a class of its own may have other ends when it is read again
+        if isinstance(self.box, Mapping):
+            box = {s: tuple(e) if isinstance(e, Sequence) else e for s, e in self.box.items()}
+            object.__setattr__(self, "box", box)
+
     @property
     def pieces(self) -> int:
         """How many pieces the box was cut into."""

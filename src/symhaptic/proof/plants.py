@@ -118,6 +118,9 @@ class Named:
         default_factory=dict, repr=False, compare=False
     )
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "meanings", dict(self.meanings))  # read once
+
     @cached_property
     def of(self) -> Sequence[sp.Symbol]:
         """Gamma, delta and what else the expressions are made of."""

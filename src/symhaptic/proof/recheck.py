@@ -6,9 +6,10 @@ That program is shared with the search; a test holds it against :func:`symhaptic
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import TypeAlias
+from numbers import Number
+from typing import Any, TypeAlias
 
 import sympy as sp
 from flint import acb, acb_series, arb, ctx
@@ -56,6 +57,8 @@ def recheck(certificate: Certificate) -> bool:
     True
     """
     try:
+        if type(certificate) in _MADE_OF and not _well_made(certificate):
+            return False
         match certificate:
             case Positive():
                 return _positive(certificate)
@@ -66,6 +69,53 @@ def recheck(certificate: Certificate) -> bool:
     except _NOT_COMPUTED:
         return False
     raise TypeError(f"recheck: {certificate!r} is no certificate")
+
+
+_MADE_OF: dict[type, Sequence[tuple[str, type]]] = {
+    Positive: (("expr", Expr), ("box", Mapping), ("cuts", str), ("defined", Sequence)),
+    Zero: (
+        *(("expr", Expr), ("variable", sp.Symbol), ("between", Sequence)),
+        *(("ball", arb), ("at", Mapping)),
+    ),
+    Largest: (
+        *(("expr", Expr), ("below", Positive), ("where", Mapping)),
+        *(("lower", Expr), ("upper", Expr)),
+    ),
+}
+
+
+def _well_made(claim: Any) -> bool:
+    """Whether it is made of what a certificate of its kind is made of."""
+    if not all(isinstance(getattr(claim, name), kind) for name, kind in _MADE_OF[type(claim)]):
+        return False
+    match claim:
+        case Positive():
+            pairs, others = [*claim.box.values()], []
+            if claim.given is not None and not _means_numbers(claim.given, claim.box):
+                return False
+        case Zero():
+            pairs, others = [claim.between], [*claim.at.values()]
+        case _:
+            return _well_made(claim.below) and all(map(_is_number, claim.where.values()))
+    if not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
+        return False
+    return all(map(_is_number, (*others, *(end for pair in pairs for end in pair))))
+
+
+def _means_numbers(given: Any, box: Box) -> bool:
+    """Whether symbols mean expressions in what has a ball on a box."""
+    meanings, balls = getattr(given, "meanings", None), getattr(given, "balls", {})
+    return (
+        isinstance(meanings, Mapping)
+        and all(isinstance(meaning, Expr) for meaning in meanings.values())
+        and all(isinstance(ball, arb) for ball in balls.values())
+        and set(given.of) <= set(box)
+    )
+
+
+def _is_number(of: object) -> bool:
+    """Whether it may be the end of an interval, or a value: text is none."""
+    return isinstance(of, (Expr, Number, arb, acb))
 
 
 def _positive(claim: Positive) -> bool:

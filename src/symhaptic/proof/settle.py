@@ -89,14 +89,16 @@ class Settlement:
         found = self.found(printed)
         if self.judged is not None or found.kind not in WEIGHED:
             return found
-        assumed = self.assumed and found.kind in (Kind.PROVED, Kind.ENCLOSED)
+        assumed = self.assumed and found.kind is not Kind.DEFINITION
         if not assumed and not self._rests_on_words(found):
             return found
         return replace(found, kind=Kind.ARGUED, argued_for=found.kind)
 
     def _rests_on_words(self, found: Verdict) -> bool:
-        """Whether a condition is not read, or grounds do not say what the statement does."""
-        return bool(found.condition) or (bool(self.proofs) and not self.derived)
+        """Whether a condition is not read, nor what a number is of, or grounds do not say what the
+        statement does."""
+        unread = bool(found.condition or self.values)
+        return unread or (bool(self.proofs) and not self.derived)
 
     def found(self, printed: Printed) -> Verdict:
         """The verdict that is claimed, whatever joins its grounds."""

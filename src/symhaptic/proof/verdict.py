@@ -35,6 +35,11 @@ class Unfounded(ValueError):
     """Grounds that do not support what is claimed of a statement."""
 
 
+def called(kind: str, argued_for: str | None) -> str:
+    """A kind, and what an argument in words claims."""
+    return f"{kind} ({argued_for})" if argued_for else str(kind)
+
+
 @dataclass(frozen=True)
 class Verdict:
     """A verdict with its grounds.  True in a condition only when the statement is right.
@@ -76,9 +81,13 @@ class Verdict:
     def __bool__(self) -> bool:
         return self.kind in PASSES
 
+    @property
+    def named(self) -> str:
+        """The kind, and what is argued for."""
+        return called(self.kind, self.argued_for)
+
     def __str__(self) -> str:
-        kind = f"{self.kind} ({self.argued_for})" if self.argued_for else str(self.kind)
-        parts = [f"{kind}: {self.method}"]
+        parts = [f"{self.named}: {self.method}"]
         if self.condition:
             parts.append(f"if {self.condition}")
         if self.counterexample:

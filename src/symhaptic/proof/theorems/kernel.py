@@ -13,9 +13,9 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
 from functools import wraps
 from importlib import import_module
-from numbers import Number
 from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
 from weakref import WeakValueDictionary
@@ -38,13 +38,13 @@ from symhaptic.notation.proposition import (
     Terms,
     both,
     conjuncts,
-    field_names,
     negated,
     proposition,
     replaced,
 )
 from symhaptic.notation.terms import is_complex, symbols_in, term, without_value
 from symhaptic.proof.certificate import Positive
+from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.theorems.definedness import conditions, differs, needed, real
 
 
@@ -56,7 +56,7 @@ Judgement: TypeAlias = tuple[Iterable[Proposition], Proposition]
 """Hypotheses and conclusion."""
 
 _TOKEN = object()
-_DATA = (Basic, Proposition, Positive, Mapping, str, Number, NoneType)
+_DATA = (Positive, str, bool, int, float, Fraction, NoneType)
 
 
 class Theorem:
@@ -131,7 +131,11 @@ def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
     same = _exactly((name, args, named))
     if same in _known:
         return _known[same]
-    found = Theorem(_TOKEN, _RULES[name](*args, **dict(named)), name, (args, named))
+    try:
+        judgement = _RULES[name](*args, **dict(named))
+    except (Unsupported, Undefined) as why:  # a decider's, that it cannot tell
+        raise NotShown(str(why)) from None
+    found = Theorem(_TOKEN, judgement, name, (args, named))
     if same is not None:
         _known[same] = found
     return found
@@ -156,18 +160,16 @@ def forget() -> None:
 def _exactly(part: Any) -> Any:
     """What only equal arguments share, names of bound symbols and types included; None for those
     that cannot be told apart so."""
+    part = ("at", *part.items()) if isinstance(part, Mapping) else part
     if isinstance(part, (tuple, list)):
         parts = tuple(map(_exactly, part))
         return None if any(found is None for found in parts) else parts
     if isinstance(part, (Theorem, Basic)):
         return part
     if isinstance(part, Proposition):
-        names = field_names(type(part))  # type: ignore[arg-type]
-        return _exactly((type(part).__name__, *(getattr(part, name) for name in names)))
+        return _exactly((type(part).__name__, *part.__reduce__()[1]))
     if isinstance(part, (str, int, NoneType)):
         return type(part).__name__, part
-    if isinstance(part, Mapping):
-        return _exactly(("at", *part.items()))
     return None
 
 
@@ -181,13 +183,16 @@ def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...
 def _written(part: Any) -> Any:
     """Arguments with propositions for SymPy's relations, which decide themselves when copied.
 
-    A theorem stands where it is found again: by itself or in a sequence.
+    A theorem stands where it is found again: by itself or in a sequence.  What holds others is read
+    here and never again, and nothing is of a class of its own, which may answer as it likes.
     """
     if isinstance(part, Relational):
         return proposition(part)
     if isinstance(part, (tuple, list)):
         return tuple(_written(p) for p in part)
-    if type(part) is not Theorem and not isinstance(part, _DATA):
+    if isinstance(part, Mapping):
+        return {key: _written(value) for key, value in part.items()}
+    if not isinstance(part, (Basic, Proposition)) and type(part) not in (Theorem, *_DATA):
         raise NotShown(f"what looks like a theorem is none, nor is {type(part).__name__} a term")
     return part
 
@@ -196,10 +201,8 @@ def _theorems(parts: Iterable[Any]) -> Iterator[Theorem]:
     for part in parts:
         if isinstance(part, Theorem):
             yield part
-        elif isinstance(part, (tuple, list)):
-            yield from _theorems(part)
-        elif isinstance(part, Mapping):
-            yield from _theorems(part.values())
+        elif isinstance(part, (tuple, dict)):
+            yield from _theorems(part.values() if isinstance(part, dict) else part)
 
 
 def relation(theorem: Theorem, *signs: str) -> Relation:
@@ -313,7 +316,7 @@ def widened(theorem: Theorem, wanted: Proposition) -> Judgement:
 @rule
 def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
     """p \\/ q, and r from either, give r; each case may use its own disjunct as a hypothesis."""
-    if not isinstance(cover.conclusion, Or) or len(cover.conclusion.of) != len(cases):
+    if not isinstance(cover.conclusion, Or) or not 0 < len(cases) == len(cover.conclusion.of):
         raise NotShown("there is not one theorem for each case")
     hypotheses = set(cover.hypotheses)
     for disjunct, case in zip(cover.conclusion.of, cases, strict=True):
@@ -420,7 +423,7 @@ def _allowed(values: Terms, *claims: Proposition) -> set[Proposition]:
 def _real(values: Terms) -> set[Proposition]:
     """Nothing, if each term is real whose symbol is."""
     for symbol, value in values.items():
-        if not is_complex(symbol) and not real(term(value)):
+        if not is_complex(term(symbol)) and not real(term(value)):
             raise NotShown(f"{value} is not real by its form, {symbol} is")
     return set()
 

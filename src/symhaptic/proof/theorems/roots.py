@@ -433,5 +433,5 @@ def _leading(f: Expr, g: Expr, variable: Symbol) -> tuple[Expr, set[Proposition]
 
 def _seen_whole(gap: Expr) -> bool:
     """A sum of whole numbers and multiples of symbols, which are whole by hypothesis."""
-    poly = sp.Poly(gap, *gap.free_symbols) if gap.free_symbols else None
+    poly = gap.as_poly(*gap.free_symbols) if gap.free_symbols else None
     return all(c.is_Integer and c >= 0 for c in (poly.coeffs() if poly else [gap]))
