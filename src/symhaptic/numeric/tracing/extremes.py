@@ -53,7 +53,7 @@ def max_stable_stiffness(
     times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
     Raises :class:`ValueError` for an impossible plant or delay, and where pieces of the boundary
-    are missed, see :func:`symhaptic.numeric.tracing.region.stable_region`; NaN gives NaN.
+    are missed, see :func:`symhaptic.stable_region`; NaN gives NaN.
 
     >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
     >>> alpha.round(6).tolist()
