@@ -7,6 +7,7 @@ points of a grid, which show, and prove nothing; ``Scene.simplest`` proves.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -236,7 +237,7 @@ def _line(name: str, ends: Range, points: int) -> NDArray[Any]:
 
 def _enough(points: int) -> int:
     """So many that there is an area between them."""
-    if not isinstance(points, int) or points < 2:
+    if not isinstance(points, Integral) or points < 2:
         raise ValueError(f"points: {shown(points)} is not allowed; whole numbers >= 2 are")
     return points
 
