@@ -73,13 +73,13 @@ def largest(page):
         "The stiffness of the row that is left out is beyond (23)",
         hard * PERIOD**2,
         Rational(1, 150),
-        name=gamma,
+        name=r"\gamma",
     )
     page.step(
         "The damping of the row that is left out is beyond (23)",
         viscous * PERIOD,
         Rational(1, 20),
-        name=delta,
+        name=r"\delta",
     )
     return spring, up
 

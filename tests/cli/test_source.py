@@ -31,11 +31,11 @@ def test_the_example_is_settled_in_its_own_notation(notes):
     found = verdicts(notes, "--strict")
     assert {id: r["verdict"] for id, r in found.items()} == {
         "drift:way": "proved",
-        "drift:end": "misprint",
+        "drift:start": "misprint",
     }
     assert found["drift:way"]["source"] == "Notes on drifting masses"
     assert "c" in found["drift:way"]["statement"]
-    assert found["drift:end"]["corrected"] == r"x = \frac{mv}{b}"
+    assert found["drift:start"]["corrected"] == "F = bv"
 
 
 def test_what_is_committed_beside_it_is_held_against_it(notes):
@@ -45,28 +45,28 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
     )
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
     # the notes are mended: the verdict is another one, and that is told
-    right = SOURCE.replace("{2c}", "{c}")
+    right = SOURCE.replace(r"\frac{cv}{2}", "cv")
     (notes / "source.py").write_text(right, encoding="utf-8")
     chapter = CHAPTER.split("        corrected=")[0] + "    )\n"
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
     run = symhaptic("verify", "--source", notes)
     assert run.returncode == 1
-    assert "DIFFERS  drift:end: proved, but the ledger says misprint" in run.stdout
+    assert "DIFFERS  drift:start: proved, but the ledger says misprint" in run.stdout
 
 
 def test_what_is_argued_otherwise_is_told(notes):
     """Words say that it is wrong as it is printed, and then that it is right."""
-    chapter = CHAPTER.replace("m * v / b, name=x)", "m * v / b)")
+    chapter = CHAPTER.replace("b * v, name=F)", "b * v)")
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
     committed = notes / "ledger.json"
     symhaptic("verify", "--source", notes, "--format", "json", "-o", committed)
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
-    (notes / "source.py").write_text(SOURCE.replace("{2c}", "{c}"), encoding="utf-8")
+    (notes / "source.py").write_text(SOURCE.replace(r"\frac{cv}{2}", "cv"), encoding="utf-8")
     right = chapter.split("        corrected=")[0] + "    )\n"
     (notes / "drifting.py").write_text(right, encoding="utf-8")
     run = symhaptic("verify", "--source", notes)
     assert run.returncode == 1
-    said = "drift:end: argued (proved), but the ledger says argued (misprint)"
+    said = "drift:start: argued (proved), but the ledger says argued (misprint)"
     assert f"DIFFERS  {said}" in run.stdout
 
 
@@ -74,12 +74,12 @@ def test_an_emptied_ledger_is_not_none(notes):
     (notes / "ledger.json").write_text('{"statements": []}', encoding="utf-8")
     run = symhaptic("verify", "--source", notes, "--strict")
     assert run.returncode == 1
-    assert "DIFFERS  drift:end: misprint, but the ledger says nothing" in run.stdout
+    assert "DIFFERS  drift:start: misprint, but the ledger says nothing" in run.stdout
 
 
 def test_what_no_chapter_settles_is_undecided(notes):
     more = SOURCE.replace(
-        '{mv}{2c}",)),\n', '{mv}{2c}",)),\n    Statement("drift:late", "(3)", "never late"),\n'
+        '{cv}{2}",)),\n', '{cv}{2}",)),\n    Statement("drift:late", "(3)", "never late"),\n'
     )
     (notes / "source.py").write_text(more, encoding="utf-8")
     assert verdicts(notes)["drift:late"]["verdict"] == "undecided"
@@ -98,7 +98,7 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
     ("old", "new", "told"),
     [
         ("drift:way", "drift-way", "'drift-way' is to begin with 'drift:'"),
-        ('"drift:end"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
+        ('"drift:start"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
         ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
         ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),

@@ -216,6 +216,29 @@ def test_only_what_has_no_value_of_its_own_is_a_name():
     assert page.settle("name", Eq(x, pi), definition=True).kind == "definition"
 
 
+def test_a_name_that_stands_for_two_things_shows_neither():
+    """x is 2 and x is 3, by two steps that are both right of what they are of."""
+    page = Page("test")
+    page.step("Two", cos(theta) ** 2 + sin(theta) ** 2 + 1, S(2), name=x)
+    page.step("Three", cos(theta) ** 2 + sin(theta) ** 2 + 2, S(3), name=x)
+    for id, number in (("two", 2), ("three", 3)):
+        page.state(id, "what the name stands for", f"x = {number}")
+        assert page.settle(id, Eq(x, number)).kind == "argued"
+    page.define("A wall", K, B / T)
+    page.define("Twice as stiff", K, 2 * B / T)
+    page.state("put", "a stiffness put in", "b = K T")
+    with pytest.raises(FalseStep, match="K stands for more than one thing on the page"):
+        page.settle("put", Eq(b, B), given={K: B / T})
+
+
+def test_a_name_may_be_written_twice_for_the_same():
+    page = Page("test")
+    page.define("A wall", K, B / T)
+    page.step("Again", (B + 1) / T - 1 / T, B / T, name=K)
+    page.state("same", "a stiffness", r"K = \frac{B}{T}")
+    assert page.settle("same", Eq(K, B / T)).kind == "proved"
+
+
 # -- what is put in ---------------------------------------------------------------------
 
 

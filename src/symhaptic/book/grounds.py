@@ -94,15 +94,20 @@ def not_defined(given: Mapping[Expr, Expr], definitions: Sequence[Definition]) -
     for name, meaning in given.items():
         if meaning.is_number:
             return f"{name} = {meaning} restricts the statement; a definition is allowed"
-        if not any(_says(known, name, meaning, given) for known in _named(definitions)):
-            return f"{name} = {meaning} is not a definition on the page; `define` it there"
+        named = _named(definitions)
+        if any(_says(known, name, meaning, given) for known in named):
+            continue
+        if any(is_name(n) and n == name for n, _ in definitions) and name not in dict(named):
+            return f"{name} stands for more than one thing on the page"
+        return f"{name} = {meaning} is not a definition on the page; `define` it there"
     return None
 
 
 def _named(definitions: Sequence[Definition]) -> list[Definition]:
-    """Those of what has no value of its own, and not by itself: neither cos x nor the x of 2 x is a
-    name for what an author likes."""
-    return [(n, meaning) for n, meaning in definitions if is_name(n) and not meaning.has(n)]
+    """Those of what has no value of its own, and not by itself, and that stands for one thing:
+    neither cos x nor the x of 2 x nor that of 1 and 2 is a name for what an author likes."""
+    named = [(n, meaning) for n, meaning in definitions if is_name(n) and not meaning.has(n)]
+    return [(n, m) for n, m in named if all(_alike(m, o, {}) for other, o in named if other == n)]
 
 
 def _says(definition: Definition, name: Expr, meaning: Expr, given: Mapping[Expr, Expr]) -> bool:
