@@ -94,6 +94,7 @@ def test_numbers() -> None:
         lambda: number(lt(1, 0)),
         lambda: number(lt(0, 0)),
         lambda: number(lt(0, x)),
+        lambda: number(And((lt(0, 1), lt(0, 2)))),
         lambda: number(lt(0, sp.I)),
         lambda: number(Relation(sp.pi, "=", Rational(355, 113))),
         lambda: number(Relation(sp.sqrt(2) ** 2, "!=", S(2))),

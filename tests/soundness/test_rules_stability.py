@@ -186,6 +186,16 @@ def test_every_fraction_that_is_the_delay_gives_the_polynomial_of_the_papers_rea
         assert ours == pytest.approx(complex(defined.conclusion.of[1].of[0].subs(at)), abs=1e-12)
 
 
+def test_a_period_has_a_whole_share():
+    late = (*LOOP[:-1], Rational(2, 5))
+    for share in (0, -1, -2):
+        with pytest.raises(NotShown, match="no share of a period"):
+            loop_substituted(late, z, share)
+    # 5/2 of it is none: two are taken in the polynomial and in the hypothesis
+    half = loop_substituted(late, z, Rational(5, 2))
+    assert whole(Rational(4, 5)) in half.hypotheses and whole(1) not in half.hypotheses
+
+
 def test_a_fraction_that_is_not_the_delay_gives_no_polynomial():
     found = axiom("loop in w", *LOOP, *NAMES, p, s)
     assert Relation(d * (s + 1), "=", p) in found.hypotheses

@@ -76,8 +76,8 @@ def loop_substituted(
 
     That q d is whole is a hypothesis (``share``).
     """
-    judged = loop_polynomial(values, variable, int(share), stiffness, damping)
-    late = term(values[4])
+    share, late = int(share), term(values[4])
+    judged = loop_polynomial(values, variable, share, stiffness, damping)
     return judged[0] | {whole(share * late)}, Iff(
         (Predicate("stable_substituted", (), tuple(map(term, values))), judged[1])
     )
