@@ -66,7 +66,7 @@ def test_selected_ids_only():
 def open_question(monkeypatch):
     """eq1 is settled by no derivation, and the committed ledger knows it."""
     monkeypatch.setattr("symhaptic.book.parallel.settled", lambda *arguments: [])
-    monkeypatch.setattr("symhaptic.book.ledger.expected", lambda path: {"eq1": "undecided"})
+    monkeypatch.setattr("symhaptic.book.committed.expected", lambda path: {"eq1": "undecided"})
 
 
 def status(monkeypatch, *arguments):
@@ -85,7 +85,7 @@ def test_strict_fails_on_undecided_only(open_question, monkeypatch):
 
 def committed(id):
     from symhaptic.book.chapters import expected_ledger
-    from symhaptic.book.ledger import expected
+    from symhaptic.book.committed import expected
 
     return expected(expected_ledger())[id]
 
@@ -112,12 +112,12 @@ def test_junit_tells_what_is_undecided(open_question, monkeypatch, tmp_path):
 
 
 def test_a_statement_that_is_gone_is_missed():
-    from symhaptic.book import ledger, listing
+    from symhaptic.book import committed, ledger, listing
 
     entries = ledger.ledger([])
     known = {e.statement.id: str(e.verdict.kind) for e in entries} | {"my-own": "proved"}
-    assert ledger.surprises(entries, known, whole=False) == []
-    missed = ledger.surprises(entries, known)
+    assert committed.surprises(entries, known, whole=False) == []
+    missed = committed.surprises(entries, known)
     assert missed == ["my-own: nothing, but the ledger says proved"]
     suite = ElementTree.fromstring(listing.junit(entries, missed, strict=False))
     (case,) = (c for c in suite.iter("testcase") if c.get("name") == "my-own")

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from chapters import chapter
 
-from symhaptic.book import foreign, ledger, listing
+from symhaptic.book import committed, foreign, ledger, listing
 from symhaptic.book.foreign import mark
 from symhaptic.book.site import tables
 from symhaptic.book.site.build import sources
@@ -101,7 +101,7 @@ def test_the_ledger_of_verify_tells_it(recorded):
     assert '<property name="rocq" value="whole" />' in listing.junit(entries, [], False)
     assert "checked by Rocq, too: 1 whole, 1 with steps open" in listing.text(entries, [], False)
     # the record stands by itself, and is not copied into the committed ledger
-    assert "rocq" not in json.loads(ledger.committed(entries))["statements"][0]
+    assert "rocq" not in json.loads(committed.committed(entries))["statements"][0]
 
 
 def test_a_claim_that_has_changed_is_told_nowhere_as_checked(recorded):

@@ -17,7 +17,8 @@ from typer.testing import CliRunner, Result
 from symhaptic.book import chapters, sources
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
-from symhaptic.book.ledger import Entry, _to_be_compared, judged_again, looked_at, surprises
+from symhaptic.book.committed import surprises
+from symhaptic.book.ledger import Entry, _to_be_compared, judged_again, looked_at
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app

@@ -16,7 +16,8 @@ from xml.etree import ElementTree as ET
 from symhaptic import __version__
 from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
-from symhaptic.book.ledger import Entry, counted, places
+from symhaptic.book.committed import places
+from symhaptic.book.ledger import Entry, counted
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
 

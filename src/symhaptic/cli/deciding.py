@@ -140,7 +140,7 @@ def verify(
     from symhaptic.book import SELDOM
 
     gc.set_threshold(SELDOM)
-    from symhaptic.book import chapters, ledger, listing, parallel
+    from symhaptic.book import chapters, committed, ledger, listing, parallel
     from symhaptic.cli.foreign import judged, stale, whole
 
     writable(output)
@@ -157,7 +157,7 @@ def verify(
         known: dict[str, str] | None = committed_beside(source)
     else:
         own = own_chapters(derivation)
-        known = ledger.expected(chapters.expected_ledger())
+        known = committed.expected(chapters.expected_ledger())
     for id in wanted if not own else []:
         if known is not None and id not in known:
             refuse(f"ID: {id!r} is not a statement; {suggested(id, known, LISTED)}")
@@ -180,7 +180,7 @@ def verify(
     bad: list[BadChapter] = []
     begin = perf_counter()
     found = settled(own + shipped, workers or parallel.workers(), own, bad)
-    found, several = ledger.once(found, ledger.places(chapters.expected_ledger()))
+    found, several = ledger.once(found, committed.places(chapters.expected_ledger()))
     for id, files in several.items():
         path = next(p for p in (*reversed(own), *shipped) if chapters.source(p) in files)
         bad.append(chapters.BadChapter(path, ledger.twice(id, files)))
@@ -196,7 +196,7 @@ def verify(
             if id not in names and not bad:
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
-    surprises = [] if known is None else ledger.surprises(entries, known, whole=everything)
+    surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
     surprises += [entry.wrong for entry in found if entry.wrong]
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
@@ -224,11 +224,11 @@ def read(own: list[Path], source: Path | None) -> list[Path]:
 
 def committed_beside(source: Path) -> dict[str, str] | None:
     """The verdicts that a user has committed; None where no file is."""
-    from symhaptic.book import ledger
+    from symhaptic.book import committed
 
     path = source / "ledger.json"
     try:
-        return ledger.expected(path) if path.is_file() else None
+        return committed.expected(path) if path.is_file() else None
     except (ValueError, KeyError, TypeError):
         refuse(f"{path}: is no ledger; `symhaptic verify --format json -o` writes one")
 

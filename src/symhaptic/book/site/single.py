@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from string import Template
 
-from symhaptic.book.ledger import GENERATED
+from symhaptic.book.committed import GENERATED
 from symhaptic.book.listing import replace
 from symhaptic.book.site.build import STATIC, Numbered, write
 

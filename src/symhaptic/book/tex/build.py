@@ -10,12 +10,11 @@ from typing import Any
 
 from symhaptic.book import foreign
 from symhaptic.book.chapters import Chapter, expected_bench, expected_mutants
+from symhaptic.book.committed import GENERATED, committed
 from symhaptic.book.foreign import LEAVES, WHOLE, asked
 from symhaptic.book.ledger import (
-    GENERATED,
     Entry,
     by_source,
-    committed,
     counted,
     ledger,
     of_chapter,

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from symhaptic.book.ledger import GENERATED
+from symhaptic.book.committed import GENERATED
 from symhaptic.book.tex.tex import ReportError
 
 DRAFT = ".draft-"

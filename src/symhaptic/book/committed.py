@@ -1,0 +1,53 @@
+"""The committed ledger: every statement with its verdict in JSON, and what differs from it now."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+
+from symhaptic.book.ledger import Entry
+from symhaptic.proof.settle import ACCEPTED
+from symhaptic.proof.verdict import Kind, called
+
+GENERATED = "written by `symhaptic report`; do not edit"
+
+
+def committed(entries: Iterable[Entry]) -> str:
+    """The ledger as committed text: no times, so that it is the same from run to run.
+
+    What Rocq says stands in its own record.
+    """
+    left_out = ("seconds", "rocq")
+    records = [{k: v for k, v in e.as_json().items() if k not in left_out} for e in entries]
+    return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
+
+
+def expected(path: Path) -> dict[str, str]:
+    """The committed verdict of each statement."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: called(r["verdict"], r.get("argued_for")) for r in data["statements"]}
+
+
+def places(path: Path) -> dict[str, str]:
+    """The derivation of each statement, as far as the committed ledger tells."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
+
+
+def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
+    """Statements whose verdict is not the committed one; a user's own must hold, or be argued to.
+
+    In a ``whole`` ledger each of the committed ones is there.
+    """
+    entries = list(entries)
+    gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
+    lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
+    for entry in entries:
+        id, kind = entry.statement.id, entry.verdict.named
+        if entry.own:
+            if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
+                lines.append(f"{id}: {entry.verdict}")
+        elif kind != known.get(id):
+            lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
+    return lines
