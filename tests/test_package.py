@@ -113,6 +113,7 @@ def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     assert verdicts == {"eq1": "definition", "eq5": "qualified"}
 
 
+@pytest.mark.slow
 def test_the_wheel_says_that_it_is_typed(unpacked):
     """PEP 561: without this file a checker takes every name of the package for Any."""
     assert (unpacked / "symhaptic" / "py.typed").is_file()
@@ -148,6 +149,7 @@ def test_without_a_compiler_the_install_works_on_the_array_kernels(source, tmp_p
     assert found[-1] == "0.5 0.5 2.0 1.0"  # a free mass: t^2/2 and two roots at 1
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("cc") is None, reason="no compiler here")
 def test_the_wheel_needs_no_compiler_to_run_its_compiled_kernels(unpacked, tmp_path):
     environment = os.environ | {"PYTHONPATH": str(unpacked), "PATH": str(tmp_path)}

@@ -64,6 +64,7 @@ def test_cmake_finds_it(installed, tmp_path):
     run(["build/user"], tmp_path)
 
 
+@pytest.mark.slow
 def test_pkg_config_finds_it(installed, tmp_path, monkeypatch):
     needs("pkg-config")
     language, folder = installed
@@ -75,6 +76,7 @@ def test_pkg_config_finds_it(installed, tmp_path, monkeypatch):
     run(["./user"], tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", one_of(USERS, "c"))
 def test_nothing_is_undefined(language, folders):
     """Neither the self-test nor the controller reads or writes where it must not."""

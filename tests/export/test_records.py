@@ -98,7 +98,7 @@ def test_what_people_read_may_only_become_shorter():
     Four of them, two without a spring, keep a wall whose squares vanish from being called stable;
     three keep the digits of long delays.
     """
-    assert source().count("\n") <= 901
+    assert source().count("\n") <= 880
     scene = request.scene("no-stiffness")
-    assert source(parts=scene, whole_delays=True).count("\n") <= 212
+    assert source(parts=scene, whole_delays=True).count("\n") <= 206
     assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2511

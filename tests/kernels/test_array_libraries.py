@@ -252,6 +252,7 @@ def test_traced_values_are_not_looked_at():
     assert np.asarray(margin) == pytest.approx([0.5, -math.inf, 0.0], abs=1e-14)
 
 
+@pytest.mark.slow
 def test_torch_compiles_around_public_functions():
     """Its graph breaks there: thousands of operations would keep it busy for minutes."""
     torch = torch_()

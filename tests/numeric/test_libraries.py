@@ -19,7 +19,11 @@ def roots_outside(alpha, beta, gamma, delta, delay):
     return int((np.abs(np.roots(p)) > 1).sum())
 
 
-@pytest.mark.parametrize("library", ["numpy", "array-api-strict", "jax", "torch"])
+JAX = pytest.param("jax", marks=pytest.mark.slow)
+"""It compiles each function."""
+
+
+@pytest.mark.parametrize("library", ["numpy", "array-api-strict", JAX, "torch"])
 def test_public_functions_answer_in_the_library_of_their_arguments(library):
     rng = np.random.default_rng(91)
     alpha, beta = rng.uniform(-0.5, 1, (2, 40))

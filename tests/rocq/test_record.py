@@ -156,6 +156,7 @@ def test_an_axiom_that_nobody_named_leaves_nothing_whole():
     assert assumptions.told(file, {id: [foreign.REALS]})[id] == "whole"
 
 
+@pytest.mark.slow
 def test_leaves_leave_open_what_is_made_of_them():
     whole = printed(chapter("s3b_rise"))
     alone = whole.leaves()

@@ -156,25 +156,22 @@ def _value(target: Target, block: Block) -> str:
 _BRIEF = 48
 """Characters up to which a choice between two results is one expression."""
 
-_SHORT = 88
-"""Characters up to which declarations and short statements share a line."""
-
 
 def _declared(target: Target, lines: list[str], head: str, name: str) -> None:
-    """One more declaration, on the line of those before if that stays short."""
+    """One more declaration, on the line of those before if there is room."""
     before = lines[-1] if lines else ""
     joined = f"{before[:-1]}, {name}"
-    if target.shares and before.startswith(head) and len(joined) <= _SHORT:
+    if target.shares and before.startswith(head) and len(joined) <= WIDTH:
         lines[-1] = joined
     else:
         lines.append(head + name)
 
 
 def _beside(target: Target, lines: list[str], pad: str, statement: str) -> None:
-    """One more short statement, beside those that set values before it if that stays short."""
+    """One more short statement, beside those that set values before it if there is room."""
     before = lines[-1] if lines else ""
     joined = f"{before} {statement}"
-    if target.shares and len(joined) <= _SHORT and _SETS.fullmatch(before):
+    if target.shares and len(joined) <= WIDTH and _SETS.fullmatch(before):
         lines[-1] = joined
     else:
         lines.append(pad + statement)

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "95208ac77355ec19"
+STAMP = "74bea5c3cd5d8cdc"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -203,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "95208ac77355ec19")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "74bea5c3cd5d8cdc")) return -1;
     return filled(module);
 }
 

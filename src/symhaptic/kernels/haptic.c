@@ -86,8 +86,8 @@ static inline Fading brief_fading(Pair rate) {
 // x/y of pairs
 static inline Pair pair_quot(Pair x, Pair y) {
     const double total = x.hi/y.hi, left = x.hi - total*y.hi;
-    const double left2 = left - fma(total, y.hi, -(total*y.hi));
-    const double rest = x.lo - total*y.lo, left3 = left2 + rest;
+    const double left2 = left - fma(total, y.hi, -(total*y.hi)), rest = x.lo - total*y.lo;
+    const double left3 = left2 + rest;
     return (Pair){total, left3/y.hi};
 }
 
@@ -101,9 +101,8 @@ static inline Fading fading_pair(Pair rate) {
 // what the root of |square + square_low| misses
 static inline double root_miss(Pair square, double root) {
     const double sign_low = square.hi < 0.0 ? -square.lo : square.lo;
-    const double left = fabs(square.hi) - (root*root);
-    const double left2 = left - fma(root, root, -(root*root)), left3 = left2 + sign_low;
-    const double whole = root == 0.0 ? 1.0 : root;
+    const double left = fabs(square.hi) - (root*root), left2 = left - fma(root, root, -(root*root));
+    const double left3 = left2 + sign_low, whole = root == 0.0 ? 1.0 : root;
     return 0.5*left3/whole;
 }
 
@@ -287,8 +286,7 @@ static inline Wave waving_pair(Pair square, double angle) {
         return (Wave){{total2.hi, both + 0.5*square.lo},
             one_plus((Pair){square.hi*sin_series(square.hi), 0.16666666666666666*square.lo})};
     }
-    const double angle_low = root_miss(square, angle), sine = sin(angle);
-    const double cosine = cos(angle);
+    const double angle_low = root_miss(square, angle), sine = sin(angle), cosine = cos(angle);
     return (Wave){{cosine, -angle_low*sine},
         pair_quot((Pair){sine, angle_low*cosine}, (Pair){angle, angle_low})};
 }
@@ -297,15 +295,12 @@ static inline Wave waving_pair(Pair square, double angle) {
 static inline Turns whole_turns(double half, Pair square, double root, double stiff) {
     if ((half < 0.75) && (root < 67108864.0) && (root > 3.0)) {
         const double count = floor(0.5*root/3.141592653589793 + 0.5);
-        const Pair prod3 = two_prod(count, 6.283185307179586);
-        const Pair diff6 = two_diff(root, -prod3.hi);
+        const Pair prod3 = two_prod(count, 6.283185307179586), diff6 = two_diff(root, -prod3.hi);
         const double missed = root_miss(square, root), turns = count*count;
         const Pair prod = two_prod(turns, 39.47841760435743);
         const Pair prod2 = two_prod(turns, 2.5061182034958845e-15);
-        const Pair diff = two_diff(-square.hi, prod.hi);
-        const Pair diff2 = two_diff(diff.hi, prod.lo);
-        const Pair diff3 = two_diff(diff2.hi, prod2.hi);
-        const Pair diff4 = two_diff(diff3.hi, square.lo);
+        const Pair diff = two_diff(-square.hi, prod.hi), diff2 = two_diff(diff.hi, prod.lo);
+        const Pair diff3 = two_diff(diff2.hi, prod2.hi), diff4 = two_diff(diff3.hi, square.lo);
         const double turned_low = 1.4920070805839235e-31*turns;
         const double low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const double back = 2.4492935982947064e-16*count;
@@ -485,8 +480,7 @@ static inline double numerator_gap_creep(const Motion *motion, const Creeping *c
     }
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
-    const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const double whole = delta*creeping->p.hi;
+    const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -587,9 +581,8 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double cut2 = (at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low;
     const double some3 = fabs(k1) < 8.0*fabs(q) ? q : 1.0, at3 = k1/some3;
     const double cut3 = (at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low;
-    const double less = fmin(cut2, cut3), more = fmax(cut2, cut3);
-    const double first = fmin(cut, less), middle = fmax(cut, less);
-    const double last = fmax(middle, more), middle2 = fmin(middle, more);
+    const double less = fmin(cut2, cut3), more = fmax(cut2, cut3), first = fmin(cut, less);
+    const double middle = fmax(cut, less), last = fmax(middle, more), middle2 = fmin(middle, more);
     const double p = first*(first*(first*k3 + k2) + k1) + k0;
     const double p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double p3 = k0 + last*(k1 + last*(k2 + k3*last));
@@ -605,23 +598,20 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double strength = fabs(alpha) + fabs(beta);
     if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
-    const double across = m2 - m0, lost = loss*loss, square = m0*m2;
-    const double size = across*across, even = together*(m0 + m2), linear = size - even;
-    const double pushed_ = alpha*together;
+    const double across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
+    const double even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
     const double near0 = (at_one - pushed_)*(at_one + pushed_);
     const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
         lost;
-    const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0;
-    const double near3 = -force*square, even2 = apart*(m0 + m2), linear2 = size - even2;
-    const double pushed2 = apart*wall_far;
+    const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0, near3 = -force*square;
+    const double even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
     const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
         (wall_far*wall_far) + lost;
     const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
     const double far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
     const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
-    const double tilt = 0.25*rest - 0.25*middle;
-    const double real = 0.25*rest*together - 0.25*apart*middle;
+    const double tilt = 0.25*rest - 0.25*middle, real = 0.25*rest*together - 0.25*apart*middle;
     const double one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
     const double wave = 0.25*alpha*rest - 0.25*middle*wall_far;
     const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
@@ -657,16 +647,14 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        const Pair prod = wide_prod(swinging.envelope, swinging.wave);
-        const Pair decayed = slow_fade(&motion);
+        const Pair prod = wide_prod(swinging.envelope, swinging.wave), decayed = slow_fade(&motion);
         return (Device4){fast_two_sum(prod.hi, prod.lo),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
-    const Pair decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
@@ -727,8 +715,8 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     const double strength = fabs(alpha) + fabs(beta);
     if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
-    const double force = beta*slope, cross = n0*n1, lost = loss*loss;
-    const double square = cross*force + e, push = alpha*together, pull = apart*wall_far;
+    const double force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
+    const double push = alpha*together, pull = apart*wall_far;
     const double near0 = (at_one - push)*(at_one + push);
     const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost;
     const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
@@ -736,16 +724,14 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         lost;
     const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
     const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
-    const double real = 0.25*beyond*together - 0.25*apart*center;
-    const double m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
-    const double wave = 0.25*alpha*beyond - 0.25*center*wall_far;
+    const double real = 0.25*beyond*together - 0.25*apart*center, m0 = (n1*n1)*sine + real*real;
+    const double m1 = (n1*n1)*tilt - n1*real, wave = 0.25*alpha*beyond - 0.25*center*wall_far;
     const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
-    const double square2 = near1*near1, product = 4.0*near0*square;
-    const double size = square2 + fabs(product), square3 = own1*own1;
-    const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2);
-    const double square4 = far1*far1, product3 = 4.0*far0*square;
-    const double size3 = square4 + fabs(product3), side = slope >= 0.0 ? 1.0 : -1.0;
+    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
+    const double product = 4.0*near0*square, size = square2 + fabs(product), square3 = own1*own1;
+    const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2), square4 = far1*far1;
+    const double product3 = 4.0*far0*square, size3 = square4 + fabs(product3);
+    const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const double disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
@@ -778,11 +764,10 @@ static inline Response ahead_in_phase(double psi, double at_one, double at_minus
     const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const double above_j = 2.0*loss*t, below_j = across*t;
     const double rest = below_j*below_j + 2.0*total2.hi*total2.lo;
-    const double size = rest + total2.hi*total2.hi;
-    const double low2 = above_j*total2.lo - below_j*total.lo;
+    const double size = rest + total2.hi*total2.hi, low2 = above_j*total2.lo - below_j*total.lo;
     const double found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
-    const double low22 = total.hi*total2.lo + total2.hi*total.lo;
-    const double rest2 = above_j*below_j + low22, found3 = rest2 + total.hi*total2.hi;
+    const double low22 = total.hi*total2.lo + total2.hi*total.lo, rest2 = above_j*below_j + low22;
+    const double found3 = rest2 + total.hi*total2.hi;
     return (Response){found2/size, found3/size};
 }
 
@@ -802,9 +787,8 @@ static inline Device5 device_at_minus_one_together_n_gap(double gamma, double de
 
 // cos((k + 1) x) and sin((k + 1) x)
 static inline CosSin next_wave(double k, double x) {
-    const double count = k + 1.0, before = count - 1.0, angle = count*x;
-    const double missed = k - before, off = missed*x + fma(count, x, -(count*x));
-    const double sine = sin(angle), cosine = cos(angle);
+    const double count = k + 1.0, before = count - 1.0, angle = count*x, missed = k - before;
+    const double off = missed*x + fma(count, x, -(count*x)), sine = sin(angle), cosine = cos(angle);
     if (fabs(off) < 7.450580596923828e-09) {
         return (CosSin){cosine - off*sine, cosine*off + sine};
     }
@@ -848,8 +832,8 @@ static inline double next_guess(double b, double fb, double a, double fa, double
     const double edge2 = fmin(0.5, edge);
     double guess = 0.5;
     if (safe > 0.0) {
-        const double one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one;
-        const double there = fc/two, other = fa/three, last = fb/two;
+        const double one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one, there = fc/two;
+        const double other = fa/three, last = fb/two;
         guess = here*there + last*other*(c - a)/whole3;
     }
     const double share = fmin(guess, 1.0 - edge2), share2 = fmax(edge2, share);
@@ -859,13 +843,11 @@ static inline double next_guess(double b, double fb, double a, double fa, double
 // the angle of the largest stiffness for delays below a period
 static inline double early_angle(double at_one, double at_minus_one, double loss, double together,
     double apart, double last) {
-    const double t = apart*apart*apart, t2 = together*together*together;
-    const double t3 = together*together, t4 = apart*t3, t5 = apart*apart, t6 = 2.0*loss;
-    const double t7 = at_minus_one + t6, t8 = 4.0*together, t9 = 16.0*apart;
-    const double t10 = at_one + t6, t11 = 2.0*at_one, t12 = 5.0*at_minus_one;
-    const double t13 = -at_one, t14 = 4.0*loss, t15 = apart*together;
-    const double t16 = 16.0*together, t17 = at_one*last, t18 = apart*t11;
-    const double t19 = at_one*t5;
+    const double t = apart*apart*apart, t2 = together*together*together, t3 = together*together;
+    const double t4 = apart*t3, t5 = apart*apart, t6 = 2.0*loss, t7 = at_minus_one + t6;
+    const double t8 = 4.0*together, t9 = 16.0*apart, t10 = at_one + t6, t11 = 2.0*at_one;
+    const double t12 = 5.0*at_minus_one, t13 = -at_one, t14 = 4.0*loss, t15 = apart*together;
+    const double t16 = 16.0*together, t17 = at_one*last, t18 = apart*t11, t19 = at_one*t5;
     const double k = end_slope(at_minus_one, loss, together, apart, last);
     const double k2 = last*(32.0*at_minus_one*t3 + last*
         (64.0*apart*loss + 128.0*at_minus_one*last - 96.0*at_minus_one*together) - 96.0*t5 - t7*t9*
@@ -913,13 +895,12 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
 // has the sign of the slope of the boundary's alpha
 static inline double boundary_slope(double theta, double l, double at_one, double at_minus_one,
     double loss, double together, double apart, double across) {
-    const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = next_wave(t, t2).sine;
-    const double t4 = tan(t2), t5 = t4*t4, t6 = 4.0*t5, t7 = apart*t5;
-    const double t8 = together - t7, t9 = at_minus_one*t5, t10 = at_one - t9;
-    const double t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
+    const double t = 2.0*l + 2.0, t2 = 0.5*theta, t3 = next_wave(t, t2).sine, t4 = tan(t2);
+    const double t5 = t4*t4, t6 = 4.0*t5, t7 = apart*t5, t8 = together - t7, t9 = at_minus_one*t5;
+    const double t10 = at_one - t9, t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
     const double t13 = 2.0*loss*t4*t8 - 2.0*across*t10*t4, t14 = across*across;
-    const double t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6;
-    const double t18 = t15*t17, t19 = t5 + 1.0;
+    const double t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6, t18 = t15*t17;
+    const double t19 = t5 + 1.0;
     return (t11*t3 + t12*t13)*(t18*(l + 1.5) + t19*
         (loss*t15*(at_one + t9) - across*t17*(t7 + together))) - t4*
         (0.5*t18 + t19*(t15*(2.0*t16 - at_minus_one*t10) - t17*(2.0*t14 - apart*t8)))*
@@ -975,8 +956,7 @@ static inline double undelayed_angle(double at_one, double at_minus_one, double 
         t3*(2.0*together - apart));
     double above, below;
     if (k2 > 0.0) {
-        const double discriminant = k2*k2 - 4.0*k*k3;
-        const double root = sqrt(fmax(0.0, discriminant));
+        const double discriminant = k2*k2 - 4.0*k*k3, root = sqrt(fmax(0.0, discriminant));
         above = k2 + root; below = fmax(0.0, -2.0*k);
     } else {
         const double discriminant = k2*k2 - 4.0*k*k3;
@@ -999,13 +979,11 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         const double theta = d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0 ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
             later_angle(d, l, at_one, at_minus_one, loss, together, apart, across));
-        const double t = next_wave(l, theta).sine, t2 = 0.5*theta, t3 = sin(t2);
-        const double t4 = cos(t2), t5 = t4*t4, t6 = t3*t3, t7 = 4.0*t5*t6;
-        const double t8 = t5*together - apart*t6, t9 = 1.0/((across*across)*t7 + t8*t8);
-        const double t10 = at_one*t5 - at_minus_one*t6;
+        const double t = next_wave(l, theta).sine, t2 = 0.5*theta, t3 = sin(t2), t4 = cos(t2);
+        const double t5 = t4*t4, t6 = t3*t3, t7 = 4.0*t5*t6, t8 = t5*together - apart*t6;
+        const double t9 = 1.0/((across*across)*t7 + t8*t8), t10 = at_one*t5 - at_minus_one*t6;
         const double t11 = 2.0*loss*t8 - 2.0*across*t10, t12 = across*loss*t7 + t10*t8;
-        const double t13 = t9*next_wave(l, theta).cosine;
-        const double t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
+        const double t13 = t9*next_wave(l, theta).cosine, t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
         const double stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0*t14*t6;
         double good;
         if ((delta > 0.0) && (gamma > -stiffness) && (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) {
@@ -1059,8 +1037,7 @@ static inline double damping_at(double alpha, double beta, double l, double epsi
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
 static inline double chord(double k, double x) {
-    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0;
-    const double along = next_wave(k, x).cosine;
+    const double turn_ = x*(k + 1.0), order = 2.0*k + 2.0, along = next_wave(k, x).cosine;
     if (turn_ < 1.5) {
         const double wave = sinc(0.5*turn_), inner = 0.5*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25*inner*(order*order));
@@ -1070,8 +1047,8 @@ static inline double chord(double k, double x) {
 
 // has the sign of the slope of DampingAt, at a fraction
 static inline double rising(double alpha, double beta, double l, double epsilon, double psi) {
-    const double t = 2.0*psi, t2 = 2.0*alpha/(sinc(psi)*sinc(psi));
-    const double t3 = 0.5*alpha + beta, t4 = 2.0*l, t5 = t4 + 2.0, t6 = t4 + 4.0;
+    const double t = 2.0*psi, t2 = 2.0*alpha/(sinc(psi)*sinc(psi)), t3 = 0.5*alpha + beta;
+    const double t4 = 2.0*l, t5 = t4 + 2.0, t6 = t4 + 4.0;
     const double early = t3*(t5*t5)*sinc(psi*t5) - t2*chord(l, t);
     const double steep = early + epsilon*(-early - t2*chord(l + 1.0, t) + t3*(t6*t6)*sinc(psi*t6));
     return 2.0*beta*epsilon*(1.0 - epsilon)*(alpha + beta)*sinc(2.0*psi) + steep*
@@ -1135,8 +1112,7 @@ static inline double between(double share, double early, double late) {
 // negative beyond the angle in phase with the delay
 static inline double lead(double theta, double l, double epsilon) {
     if (theta*(l + 1.0) < 4.0) {
-        const double early = next_wave(l, theta).sine;
-        const double late = next_wave(l + 1.0, theta).sine;
+        const double early = next_wave(l, theta).sine, late = next_wave(l + 1.0, theta).sine;
         return early + epsilon*(late - early);
     }
     return -1.0;
@@ -1167,11 +1143,10 @@ static inline double straight(double stiffness, double damping, double k, double
 static inline double turning(double phi, double l, double epsilon, double wave, double wave2,
     double wave3, double wave4, double wave5, double wave6, double wave7, double wave8,
     double wave9, double wave10, double wave11, double wave12) {
-    const double t = sin(phi), t2 = l + 1.0, t3 = cos(phi), t4 = t3/t2, t5 = 0.5*t4;
-    const double t6 = t - t5, t7 = epsilon*(1.0 - epsilon), t8 = 2.0*l;
-    const double t9 = 2.0*t4/(wave7*wave7);
-    const double t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3, t11 = t6*wave5;
-    const double t12 = 1.0/wave7, t13 = wave9*(t8 + 1.0), t14 = t12*t5, t15 = t13*t14;
+    const double t = sin(phi), t2 = l + 1.0, t3 = cos(phi), t4 = t3/t2, t5 = 0.5*t4, t6 = t - t5;
+    const double t7 = epsilon*(1.0 - epsilon), t8 = 2.0*l, t9 = 2.0*t4/(wave7*wave7);
+    const double t10 = t*wave10*((t8 + 2.0)*(t8 + 2.0)) - t9*wave3, t11 = t6*wave5, t12 = 1.0/wave7;
+    const double t13 = wave9*(t8 + 1.0), t14 = t12*t5, t15 = t13*t14;
     const double t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0) - t15 - t6*wave6);
     return -2.0*t6*t7*wave8*(t + t5) - (epsilon*
         (t*wave12*((t8 + 4.0)*(t8 + 4.0)) - t10 - t9*wave4) + t10)*
@@ -1255,8 +1230,7 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
-    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
-    *e_out = exp(-delta);
+    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace; *e_out = exp(-delta);
 }
 
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
@@ -1266,11 +1240,11 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
-    const double t0 = 1.0 - epsilon, t1 = t0*t0, t2 = delta*t0;
-    const double n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = epsilon*epsilon;
-    const double n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*exp(-t2);
-    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
-    *a_out = device.trace; *e_out = exp(-delta);
+    const double t0 = 1.0 - epsilon, t1 = t0*t0, t2 = delta*t0, n1 = plant_n1(gamma*t1, t2);
+    const double t3 = n1*t1, t4 = epsilon*epsilon, n0 = plant_n0(gamma*t4, delta*epsilon);
+    const double t5 = n0*t4*exp(-t2);
+    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5; *a_out = device.trace;
+    *e_out = exp(-delta);
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
@@ -1346,12 +1320,10 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
         const double t5 = max_stiffness_angle(gamma, delta, d, d, 0.0, device.n1, device.n0, t1,
             device.at_minus_one, t3, device.together, t4);
         const CosSin cossin = next_wave(d, t5);
-        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7);
-        const double t10 = device.together + t4, t11 = t9*t9, t12 = t8*t8;
-        const double t13 = t11*t12, t14 = device.together*t11 - t12*t4;
-        const double t15 = 1.0/((t10*t10)*t13 + t14*t14);
-        const double t17 = t1*t11 - device.at_minus_one*t12, t18 = t14*t16 - t10*t17;
-        const double t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
+        const double t7 = 0.5*t5, t8 = sin(t7), t9 = cos(t7), t10 = device.together + t4;
+        const double t11 = t9*t9, t12 = t8*t8, t13 = t11*t12, t14 = device.together*t11 - t12*t4;
+        const double t15 = 1.0/((t10*t10)*t13 + t14*t14), t17 = t1*t11 - device.at_minus_one*t12;
+        const double t18 = t14*t16 - t10*t17, t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
         const double t21 = -cossin.sine*t15*t19/sin(t5) - 0.5*t18*t20;
         *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0*t12*t21 - t19*t20; *beta_out = t21;
         *theta_out = t5; return;
@@ -1360,12 +1332,11 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
     const double t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0,
         t1, device.at_minus_one, t3, device.together, delayed.apart);
     const CosSin cossin2 = next_wave(whole, t27);
-    const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = t30*t30;
-    const double t33 = t29*t29, t34 = device.together*t32 - delayed.apart*t33;
+    const double t28 = 0.5*t27, t29 = sin(t28), t30 = cos(t28), t32 = t30*t30, t33 = t29*t29;
+    const double t34 = device.together*t32 - delayed.apart*t33;
     const double t35 = 2.0*delayed.m2 - 2.0*delayed.m0, t36 = t32*t33;
-    const double t37 = 1.0/(t34*t34 + (t35*t35)*t36);
-    const double t38 = t1*t32 - device.at_minus_one*t33, t39 = t16*t34 - t35*t38;
-    const double t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
+    const double t37 = 1.0/(t34*t34 + (t35*t35)*t36), t38 = t1*t32 - device.at_minus_one*t33;
+    const double t39 = t16*t34 - t35*t38, t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
     const double t42 = -cossin2.sine*t37*t40/sin(t27) - 0.5*t39*t41;
     *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0*t33*t42 - t40*t41; *beta_out = t42;
     *theta_out = t27;
@@ -1398,15 +1369,12 @@ void haptic_passivity_boundary(double theta, double delta, double d, double *alp
     }
     const double whole = floor(d), part = d - whole, t2 = 0.5*theta;
     if (part == 0.0) {
-        const double t0 = lead(theta, d, 0.0), t1 = delta/spread(d, theta);
-        const double t15 = sinc(t2), sine = next_wave(d, theta).sine;
-        const double t3 = sine*(t15*t15)*(d + 1.0)/theta;
-        *alpha_out = rated(t0, 2.0*t1*t3);
-        *beta_out = rated(t0, t1*(chord(d, theta) - t3)); return;
+        const double t0 = lead(theta, d, 0.0), t1 = delta/spread(d, theta), t15 = sinc(t2);
+        const double sine = next_wave(d, theta).sine, t3 = sine*(t15*t15)*(d + 1.0)/theta;
+        *alpha_out = rated(t0, 2.0*t1*t3); *beta_out = rated(t0, t1*(chord(d, theta) - t3)); return;
     }
-    const double t6 = lead(theta, whole, part), t7 = whole + 1.0;
-    const double t8 = touching(theta, whole, part), t9 = cos(t8), t10 = t9/t7;
-    const double t11 = sin(t8), t12 = t11 - 0.5*t10;
+    const double t6 = lead(theta, whole, part), t7 = whole + 1.0, t8 = touching(theta, whole, part);
+    const double t9 = cos(t8), t10 = t9/t7, t11 = sin(t8), t12 = t11 - 0.5*t10;
     const double t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const double t16 = sin(t2), t17 = cos(t2);
     const double t14 = delta/(0.5*t13 + 0.5*
@@ -1421,24 +1389,20 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
     }
     const double whole = floor(d), part = d - whole, t3 = 2.0*delta;
     if (part == 0.0) {
-        const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1);
-        const double t4 = 0.5*t1;
-        *alpha_out = t2*t3; *beta_out = delta*(1.0/(t0*sin(t4)) - t2); *theta_out = t4;
-        return;
+        const double t0 = d + 1.0, t1 = 3.141592653589793/t0, t2 = tan(0.25*t1), t4 = 0.5*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(1.0/(t0*sin(t4)) - t2); *theta_out = t4; return;
     }
     const double t7 = passive_angle(whole, part);
     const CosSin cossin = next_wave(whole, t7);
     const double t9 = whole + 1.0;
     const CosSin cossin2 = next_wave(t9, t7);
-    const double t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine);
-    const double t12 = 0.5*t7, t13 = sin(t12), t14 = t13*t13, t15 = 2.0*whole;
-    const double t16 = t15 + 2.0, sine_2 = next_wave(t16, t12).sine;
-    const double t17 = 2.0*sine_2*t13;
+    const double t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine), t12 = 0.5*t7;
+    const double t13 = sin(t12), t14 = t13*t13, t15 = 2.0*whole, t16 = t15 + 2.0;
+    const double sine_2 = next_wave(t16, t12).sine, t17 = 2.0*sine_2*t13;
     const double t18 = (t10*t17 + t14*(4.0*part + 4.0*whole + 4.0))/
         (t10*cos(t7) + (part + t9)*(part*(cossin2.sine - cossin.sine) + cossin.sine + 1.0)*sin(t7));
     const double t19 = 2.0*part;
-    *alpha_out = t18*t3;
-    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0))/(t14*(t16 + t19));
+    *alpha_out = t18*t3; *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0))/(t14*(t16 + t19));
     *theta_out = t7;
 }
 

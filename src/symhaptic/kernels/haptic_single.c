@@ -78,8 +78,8 @@ static inline Fading brief_fading(Pair rate) {
 // x/y of pairs
 static inline Pair pair_quot(Pair x, Pair y) {
     const float total = x.hi/y.hi, left = x.hi - total*y.hi;
-    const float left2 = left - fmaf(total, y.hi, -(total*y.hi));
-    const float rest = x.lo - total*y.lo, left3 = left2 + rest;
+    const float left2 = left - fmaf(total, y.hi, -(total*y.hi)), rest = x.lo - total*y.lo;
+    const float left3 = left2 + rest;
     return (Pair){total, left3/y.hi};
 }
 
@@ -281,8 +281,7 @@ static inline Wave waving_pair(Pair square, float angle) {
         return (Wave){{total2.hi, both + 0.5f*square.lo},
             one_plus((Pair){square.hi*sin_series(square.hi), 0.16666667f*square.lo})};
     }
-    const float angle_low = root_miss(square, angle), sine = sinf(angle);
-    const float cosine = cosf(angle);
+    const float angle_low = root_miss(square, angle), sine = sinf(angle), cosine = cosf(angle);
     return (Wave){{cosine, -angle_low*sine},
         pair_quot((Pair){sine, angle_low*cosine}, (Pair){angle, angle_low})};
 }
@@ -291,15 +290,11 @@ static inline Wave waving_pair(Pair square, float angle) {
 static inline Turns whole_turns(float half, Pair square, float root, float stiff) {
     if ((half < 0.75f) && (root < 4096.0f) && (root > 3.0f)) {
         const float count = floorf(0.5f*root/3.1415927f + 0.5f);
-        const Pair prod3 = two_prod(count, 6.2831855f);
-        const Pair diff6 = two_diff(root, -prod3.hi);
+        const Pair prod3 = two_prod(count, 6.2831855f), diff6 = two_diff(root, -prod3.hi);
         const float missed = root_miss(square, root), turns = count*count;
-        const Pair prod = two_prod(turns, 39.478416f);
-        const Pair prod2 = two_prod(turns, 1.1614864e-06f);
-        const Pair diff = two_diff(-square.hi, prod.hi);
-        const Pair diff2 = two_diff(diff.hi, prod.lo);
-        const Pair diff3 = two_diff(diff2.hi, prod2.hi);
-        const Pair diff4 = two_diff(diff3.hi, square.lo);
+        const Pair prod = two_prod(turns, 39.478416f), prod2 = two_prod(turns, 1.1614864e-06f);
+        const Pair diff = two_diff(-square.hi, prod.hi), diff2 = two_diff(diff.hi, prod.lo);
+        const Pair diff3 = two_diff(diff2.hi, prod2.hi), diff4 = two_diff(diff3.hi, square.lo);
         const float turned_low = -1.1704737e-14f*turns;
         const float low = diff.lo + diff2.lo + diff3.lo + diff4.lo - prod2.lo - turned_low;
         const float back = -1.7484555e-07f*count;
@@ -478,8 +473,7 @@ static inline float numerator_gap_creep(const Motion *motion, const Creeping *cr
     }
     const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
-    const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo;
-    const float whole = delta*creeping->p.hi;
+    const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
 }
 
@@ -538,8 +532,7 @@ static inline Angle turn_angle(float x, float y) {
 
 // the nearest whole number of turns in the phase at a crossing
 static inline float phase_turns(const Loop *loop, float y, float rest, float off) {
-    const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest);
-    const float sine = 2.0f*sqrtf(at*still);
+    const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
     const Angle angle = turn_angle(off*(2.0f*loop->loss - 4.0f), loop->loss*sine);
     const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
     const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
@@ -583,10 +576,9 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float cut2 = (at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low;
     const float some3 = fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f, at3 = k1/some3;
     const float cut3 = (at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low;
-    const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3);
-    const float first = fminf(cut, less), middle = fmaxf(cut, less);
-    const float last = fmaxf(middle, more), middle2 = fminf(middle, more);
-    const float p = first*(first*(first*k3 + k2) + k1) + k0;
+    const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3), first = fminf(cut, less);
+    const float middle = fmaxf(cut, less), last = fmaxf(middle, more);
+    const float middle2 = fminf(middle, more), p = first*(first*(first*k3 + k2) + k1) + k0;
     const float p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const float p3 = k0 + last*(k1 + last*(k2 + k3*last));
     const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
@@ -601,22 +593,20 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float strength = fabsf(alpha) + fabsf(beta);
     if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = m2 - m0, lost = loss*loss, square = m0*m2;
-    const float size = across*across, even = together*(m0 + m2), linear = size - even;
-    const float pushed_ = alpha*together, near0 = (at_one - pushed_)*(at_one + pushed_);
+    const float across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
+    const float even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
+    const float near0 = (at_one - pushed_)*(at_one + pushed_);
     const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
         lost;
-    const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f;
-    const float near3 = -force*square, even2 = apart*(m0 + m2), linear2 = size - even2;
-    const float pushed2 = apart*wall_far;
+    const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f, near3 = -force*square;
+    const float even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
     const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
         (wall_far*wall_far) + lost;
     const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
     const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
-    const float tilt = 0.25f*rest - 0.25f*middle;
-    const float real = 0.25f*rest*together - 0.25f*apart*middle;
+    const float tilt = 0.25f*rest - 0.25f*middle, real = 0.25f*rest*together - 0.25f*apart*middle;
     const float one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
     const float wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
     const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
@@ -653,16 +643,14 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta)
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        const Pair prod = wide_prod(swinging.envelope, swinging.wave);
-        const Pair decayed = slow_fade(&motion);
+        const Pair prod = wide_prod(swinging.envelope, swinging.wave), decayed = slow_fade(&motion);
         return (Device4){fast_two_sum(prod.hi, prod.lo),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
-    const Pair decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
@@ -710,9 +698,9 @@ static inline float crossing_turns(const Loop *loop, float y, float rest, float 
 
 // (-b - root)/(2 a) and (-b + root)/(2 a), without cancellation; -1 for what is infinite
 static inline Roots quadratic_roots(float c, float b, float a, float root) {
-    const float q = -0.5f*b - 0.5f*(b >= 0.0f ? root : -root);
-    const float lead_ = a == 0.0f ? 1.0f : a, own = q == 0.0f ? 1.0f : q;
-    const float one = a == 0.0f ? -1.0f : q/lead_, two = q == 0.0f ? -1.0f : c/own;
+    const float q = -0.5f*b - 0.5f*(b >= 0.0f ? root : -root), lead_ = a == 0.0f ? 1.0f : a;
+    const float own = q == 0.0f ? 1.0f : q, one = a == 0.0f ? -1.0f : q/lead_;
+    const float two = q == 0.0f ? -1.0f : c/own;
     if (b >= 0.0f) { return (Roots){one, two}; }
     return (Roots){two, one};
 }
@@ -723,8 +711,8 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     const float strength = fabsf(alpha) + fabsf(beta);
     if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
-    const float force = beta*slope, cross = n0*n1, lost = loss*loss;
-    const float square = cross*force + e, push = alpha*together, pull = apart*wall_far;
+    const float force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
+    const float push = alpha*together, pull = apart*wall_far;
     const float near0 = (at_one - push)*(at_one + push);
     const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - force*(together*together) + lost;
     const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
@@ -732,16 +720,14 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         lost;
     const float center = 2.0f*at_one/(e + 1.0f), beyond = 2.0f*at_minus_one/(e + 1.0f);
     const float sine = 0.25f*beyond*center, tilt = 0.25f*beyond - 0.25f*center;
-    const float real = 0.25f*beyond*together - 0.25f*apart*center;
-    const float m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
-    const float wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
+    const float real = 0.25f*beyond*together - 0.25f*apart*center, m0 = (n1*n1)*sine + real*real;
+    const float m1 = (n1*n1)*tilt - n1*real, wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
     const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
-    const float square2 = near1*near1, product = 4.0f*near0*square;
-    const float size = square2 + fabsf(product), square3 = own1*own1;
-    const float product2 = 4.0f*own0*own2, size2 = square3 + fabsf(product2);
-    const float square4 = far1*far1, product3 = 4.0f*far0*square;
-    const float size3 = square4 + fabsf(product3), side = slope >= 0.0f ? 1.0f : -1.0f;
+    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
+    const float product = 4.0f*near0*square, size = square2 + fabsf(product), square3 = own1*own1;
+    const float product2 = 4.0f*own0*own2, size2 = square3 + fabsf(product2), square4 = far1*far1;
+    const float product3 = 4.0f*far0*square, size3 = square4 + fabsf(product3);
+    const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const float disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
@@ -774,11 +760,10 @@ static inline Response ahead_in_phase(float psi, float at_one, float at_minus_on
     const Pair total2 = fast_two_sum(diff2.hi, diff2.lo - missed2);
     const float above_j = 2.0f*loss*t, below_j = across*t;
     const float rest = below_j*below_j + 2.0f*total2.hi*total2.lo;
-    const float size = rest + total2.hi*total2.hi;
-    const float low2 = above_j*total2.lo - below_j*total.lo;
+    const float size = rest + total2.hi*total2.hi, low2 = above_j*total2.lo - below_j*total.lo;
     const float found = above_j*total2.hi - below_j*total.hi, found2 = found + low2;
-    const float low22 = total.hi*total2.lo + total2.hi*total.lo;
-    const float rest2 = above_j*below_j + low22, found3 = rest2 + total.hi*total2.hi;
+    const float low22 = total.hi*total2.lo + total2.hi*total.lo, rest2 = above_j*below_j + low22;
+    const float found3 = rest2 + total.hi*total2.hi;
     return (Response){found2/size, found3/size};
 }
 
@@ -798,8 +783,8 @@ static inline Device5 device_at_minus_one_together_n_gap(float gamma, float delt
 
 // cos((k + 1) x) and sin((k + 1) x)
 static inline CosSin next_wave(float k, float x) {
-    const float count = k + 1.0f, before = count - 1.0f, angle = count*x;
-    const float missed = k - before, quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
+    const float count = k + 1.0f, before = count - 1.0f, angle = count*x, missed = k - before;
+    const float quarters = floorf(2.0f*angle/3.1415927f + 0.5f);
     const Pair diff = two_diff(angle - 1.5707964f*quarters,
         fmaf(quarters, 1.5707964f, -(quarters*1.5707964f)));
     const Pair diff2 = two_diff(diff.hi, -4.371139e-08f*quarters);
@@ -852,8 +837,8 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
     const float edge2 = fminf(0.5f, edge);
     float guess = 0.5f;
     if (safe > 0.0f) {
-        const float one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one;
-        const float there = fc/two, other = fa/three, last = fb/two;
+        const float one = fb - fa, two = fb - fc, three = fa - fc, here = fa/one, there = fc/two;
+        const float other = fa/three, last = fb/two;
         guess = here*there + last*other*(c - a)/whole3;
     }
     const float share = fminf(guess, 1.0f - edge2), share2 = fmaxf(edge2, share);
@@ -863,13 +848,11 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
 // the angle of the largest stiffness for delays below a period
 static inline float early_angle(float at_one, float at_minus_one, float loss, float together,
     float apart, float last) {
-    const float t = apart*apart*apart, t2 = together*together*together;
-    const float t3 = together*together, t4 = apart*t3, t5 = apart*apart, t6 = 2.0f*loss;
-    const float t7 = at_minus_one + t6, t8 = 4.0f*together, t9 = 16.0f*apart;
-    const float t10 = at_one + t6, t11 = 2.0f*at_one, t12 = 5.0f*at_minus_one;
-    const float t13 = -at_one, t14 = 4.0f*loss, t15 = apart*together;
-    const float t16 = 16.0f*together, t17 = at_one*last, t18 = apart*t11;
-    const float t19 = at_one*t5;
+    const float t = apart*apart*apart, t2 = together*together*together, t3 = together*together;
+    const float t4 = apart*t3, t5 = apart*apart, t6 = 2.0f*loss, t7 = at_minus_one + t6;
+    const float t8 = 4.0f*together, t9 = 16.0f*apart, t10 = at_one + t6, t11 = 2.0f*at_one;
+    const float t12 = 5.0f*at_minus_one, t13 = -at_one, t14 = 4.0f*loss, t15 = apart*together;
+    const float t16 = 16.0f*together, t17 = at_one*last, t18 = apart*t11, t19 = at_one*t5;
     const float k = end_slope(at_minus_one, loss, together, apart, last);
     const float k2 = last*(32.0f*at_minus_one*t3 + last*
         (64.0f*apart*loss + 128.0f*at_minus_one*last - 96.0f*at_minus_one*together) - 96.0f*t5 - t7*
@@ -916,13 +899,12 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
 // has the sign of the slope of the boundary's alpha
 static inline float boundary_slope(float theta, float l, float at_one, float at_minus_one,
     float loss, float together, float apart, float across) {
-    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = next_wave(t, t2).sine;
-    const float t4 = tanf(t2), t5 = t4*t4, t6 = 4.0f*t5, t7 = apart*t5;
-    const float t8 = together - t7, t9 = at_minus_one*t5, t10 = at_one - t9;
-    const float t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
+    const float t = 2.0f*l + 2.0f, t2 = 0.5f*theta, t3 = next_wave(t, t2).sine, t4 = tanf(t2);
+    const float t5 = t4*t4, t6 = 4.0f*t5, t7 = apart*t5, t8 = together - t7, t9 = at_minus_one*t5;
+    const float t10 = at_one - t9, t11 = across*loss*t6 + t10*t8, t12 = next_wave(t, t2).cosine;
     const float t13 = 2.0f*loss*t4*t8 - 2.0f*across*t10*t4, t14 = across*across;
-    const float t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6;
-    const float t18 = t15*t17, t19 = t5 + 1.0f;
+    const float t15 = t14*t6 + t8*t8, t16 = loss*loss, t17 = t10*t10 + t16*t6, t18 = t15*t17;
+    const float t19 = t5 + 1.0f;
     return (t11*t3 + t12*t13)*(t18*(l + 1.5f) + t19*
         (loss*t15*(at_one + t9) - across*t17*(t7 + together))) - t4*
         (0.5f*t18 + t19*(t15*(2.0f*t16 - at_minus_one*t10) - t17*(2.0f*t14 - apart*t8)))*
@@ -971,16 +953,14 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
 // the angle of the largest stiffness without delay
 static inline float undelayed_angle(float at_one, float at_minus_one, float loss, float together,
     float apart) {
-    const float k = end_slope(at_minus_one, loss, together, apart, 0.0f);
-    const float t = 2.0f*apart, t2 = -together, t3 = 2.0f*together;
-    const float t4 = together*together;
+    const float k = end_slope(at_minus_one, loss, together, apart, 0.0f), t = 2.0f*apart;
+    const float t2 = -together, t3 = 2.0f*together, t4 = together*together;
     const float k2 = t3*((apart*apart)*at_one + together*(at_minus_one*(t + t2) + loss*t));
     const float k3 = together*(at_minus_one*t4 + at_one*(t4 + (-apart - t2)*(-apart - t2)) + loss*
         t3*(2.0f*together - apart));
     float above, below;
     if (k2 > 0.0f) {
-        const float discriminant = k2*k2 - 4.0f*k*k3;
-        const float root = sqrtf(fmaxf(0.0f, discriminant));
+        const float discriminant = k2*k2 - 4.0f*k*k3, root = sqrtf(fmaxf(0.0f, discriminant));
         above = k2 + root; below = fmaxf(0.0f, -2.0f*k);
     } else {
         const float discriminant = k2*k2 - 4.0f*k*k3;
@@ -1003,13 +983,11 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         const float theta = d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0f ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
             later_angle(d, l, at_one, at_minus_one, loss, together, apart, across));
-        const float t = next_wave(l, theta).sine, t2 = 0.5f*theta, t3 = sinf(t2);
-        const float t4 = cosf(t2), t5 = t4*t4, t6 = t3*t3, t7 = 4.0f*t5*t6;
-        const float t8 = t5*together - apart*t6, t9 = 1.0f/((across*across)*t7 + t8*t8);
-        const float t10 = at_one*t5 - at_minus_one*t6;
+        const float t = next_wave(l, theta).sine, t2 = 0.5f*theta, t3 = sinf(t2), t4 = cosf(t2);
+        const float t5 = t4*t4, t6 = t3*t3, t7 = 4.0f*t5*t6, t8 = t5*together - apart*t6;
+        const float t9 = 1.0f/((across*across)*t7 + t8*t8), t10 = at_one*t5 - at_minus_one*t6;
         const float t11 = 2.0f*loss*t8 - 2.0f*across*t10, t12 = across*loss*t7 + t10*t8;
-        const float t13 = t9*next_wave(l, theta).cosine;
-        const float t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
+        const float t13 = t9*next_wave(l, theta).cosine, t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
         const float stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0f*t14*t6;
         float good;
         if ((delta > 0.0f) && (gamma > -stiffness) && (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) {
@@ -1063,8 +1041,7 @@ static inline float damping_at(float alpha, float beta, float l, float epsilon, 
 
 // (2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3
 static inline float chord(float k, float x) {
-    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f;
-    const float along = next_wave(k, x).cosine;
+    const float turn_ = x*(k + 1.0f), order = 2.0f*k + 2.0f, along = next_wave(k, x).cosine;
     if (turn_ < 1.5f) {
         const float wave = sinc(0.5f*turn_), inner = 0.5f*(wave*wave) - gap(turn_);
         return order*(along*gap(x) + 0.25f*inner*(order*order));
@@ -1074,8 +1051,8 @@ static inline float chord(float k, float x) {
 
 // has the sign of the slope of DampingAt, at a fraction
 static inline float rising(float alpha, float beta, float l, float epsilon, float psi) {
-    const float t = 2.0f*psi, t2 = 2.0f*alpha/(sinc(psi)*sinc(psi));
-    const float t3 = 0.5f*alpha + beta, t4 = 2.0f*l, t5 = t4 + 2.0f, t6 = t4 + 4.0f;
+    const float t = 2.0f*psi, t2 = 2.0f*alpha/(sinc(psi)*sinc(psi)), t3 = 0.5f*alpha + beta;
+    const float t4 = 2.0f*l, t5 = t4 + 2.0f, t6 = t4 + 4.0f;
     const float early = t3*(t5*t5)*sinc(psi*t5) - t2*chord(l, t);
     const float steep = early + epsilon*(-early - t2*chord(l + 1.0f, t) + t3*(t6*t6)*sinc(psi*t6));
     return 2.0f*beta*epsilon*(1.0f - epsilon)*(alpha + beta)*sinc(2.0f*psi) + steep*
@@ -1140,8 +1117,7 @@ static inline float between(float share, float early, float late) {
 // negative beyond the angle in phase with the delay
 static inline float lead(float theta, float l, float epsilon) {
     if (theta*(l + 1.0f) < 4.0f) {
-        const float early = next_wave(l, theta).sine;
-        const float late = next_wave(l + 1.0f, theta).sine;
+        const float early = next_wave(l, theta).sine, late = next_wave(l + 1.0f, theta).sine;
         return early + epsilon*(late - early);
     }
     return -1.0f;
@@ -1172,9 +1148,8 @@ static inline float straight(float stiffness, float damping, float k, float angl
 static inline float turning(float phi, float l, float epsilon, float wave, float wave2,
     float wave3, float wave4, float wave5, float wave6, float wave7, float wave8, float wave9,
     float wave10, float wave11, float wave12) {
-    const float t = sinf(phi), t2 = l + 1.0f, t3 = cosf(phi), t4 = t3/t2, t5 = 0.5f*t4;
-    const float t6 = t - t5, t7 = epsilon*(1.0f - epsilon), t8 = 2.0f*l;
-    const float t9 = 2.0f*t4/(wave7*wave7);
+    const float t = sinf(phi), t2 = l + 1.0f, t3 = cosf(phi), t4 = t3/t2, t5 = 0.5f*t4, t6 = t - t5;
+    const float t7 = epsilon*(1.0f - epsilon), t8 = 2.0f*l, t9 = 2.0f*t4/(wave7*wave7);
     const float t10 = t*wave10*((t8 + 2.0f)*(t8 + 2.0f)) - t9*wave3, t11 = t6*wave5;
     const float t12 = 1.0f/wave7, t13 = wave9*(t8 + 1.0f), t14 = t12*t5, t15 = t13*t14;
     const float t16 = epsilon*(t11 + t14*wave11*(t8 + 3.0f) - t15 - t6*wave6);
@@ -1188,8 +1163,7 @@ static inline float turning(float phi, float l, float epsilon, float wave, float
 // the wall whose worst angle is 2 psi, as an angle
 static inline float turn(float psi, float l, float epsilon) {
     const float wave = sinf(psi), wave2 = cosf(psi), wave3 = chord(l, 2.0f*psi);
-    const float wave4 = chord(l + 1.0f, 2.0f*psi);
-    const float wave5 = next_wave(l, 2.0f*psi).cosine;
+    const float wave4 = chord(l + 1.0f, 2.0f*psi), wave5 = next_wave(l, 2.0f*psi).cosine;
     const float wave6 = next_wave(l + 1.0f, 2.0f*psi).cosine, wave7 = sinc(psi);
     const float wave8 = sinc(2.0f*psi), wave9 = sinc(psi*(2.0f*l + 1.0f));
     const float wave10 = sinc(psi*(2.0f*l + 2.0f)), wave11 = sinc(psi*(2.0f*l + 3.0f));
@@ -1237,8 +1211,7 @@ static inline float passive_slope(float theta, float l, float epsilon) {
 static inline float passive_angle(float l, float epsilon) {
     const float low = 0.0f, above = passive_slope(low, l, epsilon);
     if (above <= 0.0f) { return low; }
-    const float high = 3.1415927f/(epsilon + l + 1.0f);
-    const float below = passive_slope(high, l, epsilon);
+    const float high = 3.1415927f/(epsilon + l + 1.0f), below = passive_slope(high, l, epsilon);
     if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
@@ -1261,8 +1234,7 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
-    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace;
-    *e_out = expf(-delta);
+    *n1_out = device.n1; *n0_out = device.n0; *a_out = device.trace; *e_out = expf(-delta);
 }
 
 void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
@@ -1272,11 +1244,11 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
-    const float t0 = 1.0f - epsilon, t1 = t0*t0, t2 = delta*t0;
-    const float n1 = plant_n1(gamma*t1, t2), t3 = n1*t1, t4 = epsilon*epsilon;
-    const float n0 = plant_n0(gamma*t4, delta*epsilon), t5 = n0*t4*expf(-t2);
-    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5;
-    *a_out = device.trace; *e_out = expf(-delta);
+    const float t0 = 1.0f - epsilon, t1 = t0*t0, t2 = delta*t0, n1 = plant_n1(gamma*t1, t2);
+    const float t3 = n1*t1, t4 = epsilon*epsilon, n0 = plant_n0(gamma*t4, delta*epsilon);
+    const float t5 = n0*t4*expf(-t2);
+    *m2_out = t3; *m1_out = device.together - t3 - t5; *m0_out = t5; *a_out = device.trace;
+    *e_out = expf(-delta);
 }
 
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d) {
@@ -1355,26 +1327,23 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         const float t5 = max_stiffness_angle(gamma, delta, d, d, 0.0f, device.n1, device.n0, t1,
             device.at_minus_one, t3, device.together, t4);
         const CosSin cossin = next_wave(d, t5);
-        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7);
-        const float t10 = device.together + t4, t11 = t9*t9, t12 = t8*t8, t13 = t11*t12;
-        const float t14 = device.together*t11 - t12*t4;
-        const float t15 = 1.0f/((t10*t10)*t13 + t14*t14);
-        const float t17 = t1*t11 - device.at_minus_one*t12, t18 = t14*t16 - t10*t17;
-        const float t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
+        const float t7 = 0.5f*t5, t8 = sinf(t7), t9 = cosf(t7), t10 = device.together + t4;
+        const float t11 = t9*t9, t12 = t8*t8, t13 = t11*t12, t14 = device.together*t11 - t12*t4;
+        const float t15 = 1.0f/((t10*t10)*t13 + t14*t14), t17 = t1*t11 - device.at_minus_one*t12;
+        const float t18 = t14*t16 - t10*t17, t19 = t10*t13*t16 + t14*t17, t20 = cossin.cosine*t15;
         const float t21 = -cossin.sine*t15*t19/sinf(t5) - 0.5f*t18*t20;
-        *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20;
-        *beta_out = t21; *theta_out = t5; return;
+        *alpha_out = cossin.sine*t15*t18*t8*t9 - 2.0f*t12*t21 - t19*t20; *beta_out = t21;
+        *theta_out = t5; return;
     }
     const Delayed delayed = late_device(gamma, delta, part);
     const float t27 = max_stiffness_angle(gamma, delta, d, whole, part, delayed.m2, delayed.m0, t1,
         device.at_minus_one, t3, device.together, delayed.apart);
     const CosSin cossin2 = next_wave(whole, t27);
-    const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = t30*t30;
-    const float t33 = t29*t29, t34 = device.together*t32 - delayed.apart*t33;
+    const float t28 = 0.5f*t27, t29 = sinf(t28), t30 = cosf(t28), t32 = t30*t30, t33 = t29*t29;
+    const float t34 = device.together*t32 - delayed.apart*t33;
     const float t35 = 2.0f*delayed.m2 - 2.0f*delayed.m0, t36 = t32*t33;
-    const float t37 = 1.0f/(t34*t34 + (t35*t35)*t36);
-    const float t38 = t1*t32 - device.at_minus_one*t33, t39 = t16*t34 - t35*t38;
-    const float t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
+    const float t37 = 1.0f/(t34*t34 + (t35*t35)*t36), t38 = t1*t32 - device.at_minus_one*t33;
+    const float t39 = t16*t34 - t35*t38, t40 = t16*t35*t36 + t34*t38, t41 = cossin2.cosine*t37;
     const float t42 = -cossin2.sine*t37*t40/sinf(t27) - 0.5f*t39*t41;
     *alpha_out = cossin2.sine*t29*t30*t37*t39 - 2.0f*t33*t42 - t40*t41; *beta_out = t42;
     *theta_out = t27;
@@ -1408,15 +1377,13 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
     }
     const float whole = floorf(d), part = d - whole, t2 = 0.5f*theta;
     if (part == 0.0f) {
-        const float t0 = lead(theta, d, 0.0f), t1 = delta/spread(d, theta);
-        const float t15 = sinc(t2), sine = next_wave(d, theta).sine;
-        const float t3 = sine*(t15*t15)*(d + 1.0f)/theta;
-        *alpha_out = rated(t0, 2.0f*t1*t3);
-        *beta_out = rated(t0, t1*(chord(d, theta) - t3)); return;
+        const float t0 = lead(theta, d, 0.0f), t1 = delta/spread(d, theta), t15 = sinc(t2);
+        const float sine = next_wave(d, theta).sine, t3 = sine*(t15*t15)*(d + 1.0f)/theta;
+        *alpha_out = rated(t0, 2.0f*t1*t3); *beta_out = rated(t0, t1*(chord(d, theta) - t3));
+        return;
     }
-    const float t6 = lead(theta, whole, part), t7 = whole + 1.0f;
-    const float t8 = touching(theta, whole, part), t9 = cosf(t8), t10 = t9/t7;
-    const float t11 = sinf(t8), t12 = t11 - 0.5f*t10;
+    const float t6 = lead(theta, whole, part), t7 = whole + 1.0f, t8 = touching(theta, whole, part);
+    const float t9 = cosf(t8), t10 = t9/t7, t11 = sinf(t8), t12 = t11 - 0.5f*t10;
     const float t13 = between(part, straight(t10, t12, whole, t2), straight(t10, t12, t7, t2));
     const float t16 = sinf(t2), t17 = cosf(t2);
     const float t14 = delta/(0.5f*t13 + 0.5f*
@@ -1431,25 +1398,21 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
     }
     const float whole = floorf(d), part = d - whole, t3 = 2.0f*delta;
     if (part == 0.0f) {
-        const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1);
-        const float t4 = 0.5f*t1;
-        *alpha_out = t2*t3; *beta_out = delta*(1.0f/(t0*sinf(t4)) - t2);
-        *theta_out = t4; return;
+        const float t0 = d + 1.0f, t1 = 3.1415927f/t0, t2 = tanf(0.25f*t1), t4 = 0.5f*t1;
+        *alpha_out = t2*t3; *beta_out = delta*(1.0f/(t0*sinf(t4)) - t2); *theta_out = t4; return;
     }
     const float t7 = passive_angle(whole, part);
     const CosSin cossin = next_wave(whole, t7);
     const float t9 = whole + 1.0f;
     const CosSin cossin2 = next_wave(t9, t7);
-    const float t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine);
-    const float t12 = 0.5f*t7, t13 = sinf(t12), t14 = t13*t13, t15 = 2.0f*whole;
-    const float t16 = t15 + 2.0f, sine_2 = next_wave(t16, t12).sine;
-    const float t17 = 2.0f*sine_2*t13;
+    const float t10 = cossin.cosine + part*(cossin2.cosine - cossin.cosine), t12 = 0.5f*t7;
+    const float t13 = sinf(t12), t14 = t13*t13, t15 = 2.0f*whole, t16 = t15 + 2.0f;
+    const float sine_2 = next_wave(t16, t12).sine, t17 = 2.0f*sine_2*t13;
     const float t18 = (t10*t17 + t14*(4.0f*part + 4.0f*whole + 4.0f))/
         (t10*cosf(t7) + (part + t9)*(part*(cossin2.sine - cossin.sine) + cossin.sine + 1.0f)*
         sinf(t7));
     const float t19 = 2.0f*part;
-    *alpha_out = t18*t3;
-    *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0f))/(t14*(t16 + t19));
+    *alpha_out = t18*t3; *beta_out = delta*(t17 - t18*(t14*(t15 + t19) + 1.0f))/(t14*(t16 + t19));
     *theta_out = t7;
 }
 
