@@ -133,11 +133,20 @@ def test_a_scene_leaves_arguments_out():
         ({"id": "eq11", "scene": Parts(damping=False)}, "without damping"),
         ({"id": "eq11", "scene": "no-dely"}, "scene: no-dely: .* did you mean 'no-delay'"),
         ({"id": "linear_limt"}, "id: 'linear_limt' .* did you mean 'linear_limit'"),
+        ({"id": ["eq11"]}, r"^id: \['eq11'\] is not allowed; text such as 'eq11' is$"),
+        ({"id": ["eq11"], "form": "derived"}, r"^id: \['eq11'\] is not allowed"),
+        ({"id": "eq11", "derivatives": [["delta"]]}, r"^derivatives: .* no argument \['delta'\]"),
     ],
 )
 def test_what_is_not_known_is_named(arguments, named):
     with pytest.raises(ValueError, match=named):
         lambdify(**arguments)
+
+
+@pytest.mark.parametrize("derivatives", [3, 1.5, {"delta": 1}, True])
+def test_derivatives_that_are_no_names_are_named(derivatives):
+    with pytest.raises(TypeError, match=r"^derivatives: .* is not allowed; names of arguments are"):
+        lambdify("eq11", derivatives=derivatives)
 
 
 def test_counted_roots_are_those_of_the_kernel_and_of_the_matrix():
