@@ -103,6 +103,7 @@ def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
         (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(mass=None), "mass: None is not allowed; finite numbers >= 0 are"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
         (

@@ -110,6 +110,7 @@ def stable_region(
         array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
         numbers[name] = arguments.single(name, array)
+    tolerance = arguments.one("tolerance", tolerance)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
     loop = Loop(**numbers, sheet=sheet)
