@@ -54,6 +54,15 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
     assert "DIFFERS  drift:start: proved, but the ledger says misprint" in run.stdout
 
 
+def test_a_chapter_without_its_source_is_told_where_its_verdicts_are_held_against_the_ledger(notes):
+    run = symhaptic("verify", "--derivation", notes / "drifting.py")
+    assert run.returncode == 1
+    assert "counterexample F = 1, v = 1, b = 1; a statement of one's own is to hold" in run.stdout
+    assert f"`symhaptic verify --source {notes}` compares with its ledger" in run.stderr
+    run = symhaptic("verify", "drift:way", "--derivation", notes / "drifting.py")
+    assert (run.returncode, run.stderr) == (0, "")
+
+
 def test_what_is_argued_otherwise_is_told(notes):
     """Words say that it is wrong as it is printed, and then that it is right."""
     chapter = CHAPTER.replace("b * v, name=F)", "b * v)")
