@@ -110,6 +110,8 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ('"drift:start"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
         ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
         ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
+        ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
+        ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has two names for 'b'"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],

@@ -301,6 +301,14 @@ def test_vectors_that_do_not_match_are_unreadable(line):
         read(line)
 
 
+def test_what_a_source_calls_otherwise_has_that_name_alone():
+    swapped = read("k = b", (("b", "k"), ("k", "b")))
+    assert swapped == (sp.Eq(*sp.symbols("b k")),)
+    assert read("jK", (("j", "k"),)) == (sp.prod(sp.symbols("k K")),)
+    with pytest.raises(Unreadable, match=r"'b', which the source calls 'c', in 'c = b'"):
+        read("c = b", (("c", "b"),))
+
+
 def test_short_names_of_relations():
     assert read(r"K \le B \ge T") == read(r"K \leq B \geq T")
 

@@ -56,7 +56,7 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     (Eq(omega, pi/(T*(d + 1))),)
     >>> read(r"b > \frac{KT}{2} + |B|")
     (b > K*T/2 + Abs(B),)
-    >>> read(r"k_w < 2b/T", notation=(("k_w", "K"),))
+    >>> read(r"k_w < 2b/T", notation=(("k_w", "K"),))  # K is then no other name for it
     (K < 2*b/T,)
     """
     return _Reader(latex, notation).line()
@@ -65,7 +65,8 @@ def read(latex: str, notation: Notation = ()) -> Printed:
 class _Reader:
     def __init__(self, latex: str, notation: Notation = ()) -> None:
         self.latex = latex
-        self.names = {**_SYMBOLS, **dict(notation)}
+        self.own = dict(notation)
+        self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
@@ -245,6 +246,8 @@ class _Reader:
 
     def name(self, token: str) -> Expr:
         spelled = token + self.subscript()
+        if spelled in self.own:
+            return sp.Symbol(self.own[spelled])
         if spelled == "j":
             return sp.I
         if spelled == "e":
@@ -253,6 +256,9 @@ class _Reader:
             return sp.Function(spelled)(self.group())
         if spelled in self.names:
             return sp.Symbol(self.names[spelled])
+        if spelled in _SYMBOLS:
+            other = next(tex for tex, name in self.own.items() if name == _SYMBOLS[spelled])
+            raise Unreadable(f"{spelled!r}, which the source calls {other!r}, in {self.latex!r}")
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
 
 
