@@ -126,6 +126,13 @@ def test_a_bad_source_is_told_in_one_line(notes, old, new, told):
     assert len(run.stderr.splitlines()) == 1
 
 
+def test_of_two_sources_none_is_left_out_in_silence(notes):
+    for twice in (("--source", notes, "--source", notes), (f"--source={notes}", "--source", notes)):
+        run = symhaptic("verify", *twice)
+        said = "symhaptic: error: --source: is given more than once; one value is allowed\n"
+        assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
+
+
 def test_a_folder_without_a_source_or_chapters_is_refused(notes, tmp_path):
     run = symhaptic("verify", "--source", tmp_path)
     assert run.returncode == 2
