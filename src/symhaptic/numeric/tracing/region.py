@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -41,7 +41,7 @@ class Region(Shape):
     loop: Loop
     polygon: Any
     """Shapely's polygon or polygons."""
-    corners: Array
+    corners: Array = field(compare=False)
     """One row (alpha, beta) per corner."""
     error: float
     """No point of the outline is farther than this from the boundary."""

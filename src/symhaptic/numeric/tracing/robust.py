@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,7 @@ class RobustRegion(Shape):
     sheet: str
     polygon: Any
     """Shapely's polygon or polygons."""
-    springs: Array
+    springs: Array = field(compare=False)
     """The stiffnesses gamma whose stable regions were intersected, rising."""
     error: float
     """Estimate of how far the outline may be off."""
