@@ -178,3 +178,17 @@ def test_a_loop_that_nothing_stabilises():
     assert stable_(0.0, 0.0, 0.3, 0.1, 2.0)
     assert not stable_(-0.3, 0.1, 0.3, 0.5, 1.0)  # a root at 1
     assert not stable_(0.1, 0.1, np.pi**2, 0.0, 0.0)  # whole half swings in a period
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [1j, 1 + 0j, "1", b"1", np.complex64(1), np.datetime64("2020-01-01"), 10**400, -(10**400),
+     np.array(1j), np.array("1"), np.array([1j, 1.0]), np.array(["1", "2"])],
+)  # fmt: skip
+def test_what_is_no_real_number_is_outside_of_every_domain(bad):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for other in (1.0, np.ones(2)):
+            assert np.isnan(lambdify("linear_limit")(0.1, bad, other)).all()
+            assert not np.any(lambdify("is_stable")(0.1, 0.2, bad, 0.1, other))
+            assert np.all(lambdify("unstable_roots")(0.1, 0.2, bad, 0.1, other) == -1)
