@@ -72,6 +72,12 @@ class Region(Shape):
 
         Its angle is NaN where it lies on a line of a real root only.
         """
+        for name, value in (("alpha", alpha), ("beta", beta)):
+            array = arguments.finite(name, value)
+            arguments.refuse(name, array, np.isnan(array), "finite numbers are")
+            arguments.single(name, array)
+        if alpha == beta == 0:
+            raise ValueError(f"alpha: {alpha} beside beta={beta} is not allowed; a direction is")
         found = farthest(self.loop, np.array([alpha, beta]))
         for corner in self.corners:
             if corner @ (alpha, beta) > np.dot((alpha, beta), found[:2]) or np.isnan(found[0]):
