@@ -271,6 +271,14 @@ def test_what_is_given_is_named_and_not_called_missing(arguments, said):
         sweep("is_stable", **{"scene": scene, "K": [1.0], "B": 1.0, **arguments})
 
 
+def test_a_delay_of_nan_spoils_its_own_wall_only():
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3)
+    found = sweep("max_stable_stiffness", scene, delay=[np.nan, 0.001]).K.values
+    assert np.isnan(found[0])
+    assert found[1] == sweep("max_stable_stiffness", scene, delay=0.001).K.values
+    assert not sweep("is_stable", scene, K=1.0, B=1.0, delay=np.nan).is_stable
+
+
 def test_a_bar_on_a_terminal_only(capsys, monkeypatch):
     sweep("is_stable", chunks=1000, **WALLS)
     assert capsys.readouterr() == ("", "")

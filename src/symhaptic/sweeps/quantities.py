@@ -216,7 +216,12 @@ def _scaled(name: str, si: Mapping[str, Any]) -> Any:
     return np.asarray(si[part] * scales[part])
 
 
-_periods = np.frompyfunc(lambda late, period: nearest(decimal(late) / decimal(period)), 2, 1)
+def _in_periods(late: float, period: float) -> float:
+    """A delay without units; NaN stays NaN."""
+    return nearest(decimal(late) / decimal(period)) if not math.isnan(late) else late
+
+
+_periods = np.frompyfunc(_in_periods, 2, 1)
 
 
 def work_of(quantity: str | Callable[..., Any], axes: Mapping[str, Any], in_si: bool) -> Work:
