@@ -133,11 +133,20 @@ def test_a_scene_leaves_arguments_out():
         ({"id": "eq11", "scene": Parts(damping=False)}, "without damping"),
         ({"id": "eq11", "scene": "no-dely"}, "scene: no-dely: .* did you mean 'no-delay'"),
         ({"id": "linear_limt"}, "id: 'linear_limt' .* did you mean 'linear_limit'"),
+        ({"id": ["eq11"]}, r"^id: \['eq11'\] is not allowed; text such as 'eq11' is$"),
+        ({"id": ["eq11"], "form": "derived"}, r"^id: \['eq11'\] is not allowed"),
+        ({"id": "eq11", "derivatives": [["delta"]]}, r"^derivatives: .* no argument \['delta'\]"),
     ],
 )
 def test_what_is_not_known_is_named(arguments, named):
     with pytest.raises(ValueError, match=named):
         lambdify(**arguments)
+
+
+@pytest.mark.parametrize("derivatives", [3, 1.5, {"delta": 1}, True])
+def test_derivatives_that_are_no_names_are_named(derivatives):
+    with pytest.raises(TypeError, match=r"^derivatives: .* is not allowed; names of arguments are"):
+        lambdify("eq11", derivatives=derivatives)
 
 
 def test_counted_roots_are_those_of_the_kernel_and_of_the_matrix():
@@ -169,3 +178,17 @@ def test_a_loop_that_nothing_stabilises():
     assert stable_(0.0, 0.0, 0.3, 0.1, 2.0)
     assert not stable_(-0.3, 0.1, 0.3, 0.5, 1.0)  # a root at 1
     assert not stable_(0.1, 0.1, np.pi**2, 0.0, 0.0)  # whole half swings in a period
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [1j, 1 + 0j, "1", b"1", np.complex64(1), np.datetime64("2020-01-01"), 10**400, -(10**400),
+     np.array(1j), np.array("1"), np.array([1j, 1.0]), np.array(["1", "2"])],
+)  # fmt: skip
+def test_what_is_no_real_number_is_outside_of_every_domain(bad):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for other in (1.0, np.ones(2)):
+            assert np.isnan(lambdify("linear_limit")(0.1, bad, other)).all()
+            assert not np.any(lambdify("is_stable")(0.1, 0.2, bad, 0.1, other))
+            assert np.all(lambdify("unstable_roots")(0.1, 0.2, bad, 0.1, other) == -1)

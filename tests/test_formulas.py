@@ -1,5 +1,7 @@
 """What a formula says of itself, and how it serves somebody's own test."""
 
+import re
+
 import pytest
 from sympy import cos, pi, symbols, tan
 
@@ -45,6 +47,7 @@ def test_what_is_no_formula_yet_is_named(id):
         formula(id)
 
 
-def test_an_id_that_is_no_word_is_refused_as_one_that_is_not_known():
-    with pytest.raises(ValueError, match=r"^id: 11 is not a formula"):
-        formula(11)
+@pytest.mark.parametrize("id", [11, None, ["eq11"], {}])
+def test_an_id_that_is_no_word_is_refused_as_one_that_is_not_known(id):
+    with pytest.raises(ValueError, match=rf"^id: {re.escape(repr(id))} is not a formula"):
+        formula(id)

@@ -3,6 +3,9 @@
 import pytest
 from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
 
+from symhaptic.book.site.chapter import statement_link
+from symhaptic.book.tex.forms import reference
+from symhaptic.book.tex.words import beside_formulas, settled_at
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
 from symhaptic.paper.reading import read
@@ -66,3 +69,24 @@ def test_a_prime_stands_behind_the_letter():
     assert latex(Symbol("delta'")) == r"\delta'"
     assert latex(Symbol("n_1''")) == "n_1''"
     assert latex(Symbol("K'")) == "K'"
+
+
+@pytest.mark.parametrize(
+    ("id", "shown", "place"),
+    [
+        ("eq11", "(11)", "eq11"),
+        ("tab2", "Table II", "tab2"),
+        ("rules:four", r"\texttt{\scriptsize rules:four}", "rules:four"),
+        ("tablet", r"\texttt{\scriptsize tablet}", "tablet"),
+        ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal-masses"),
+        ("my:5%&#{^~", r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}", "my:5-"),
+        ("a\\b-c", r"\texttt{\scriptsize a\textbackslash{}b-\allowbreak c}", "a-b-c"),
+    ],
+)
+def test_any_id_can_be_printed_and_linked(id, shown, place):
+    assert (reference(id), settled_at(id)) == (shown, place)
+
+
+def test_a_note_has_words_beside_formulas():
+    assert beside_formulas(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
+    assert statement_link("a<b") == ":ref:`aless thanb <statement-a-b>`"

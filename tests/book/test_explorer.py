@@ -355,11 +355,29 @@ def test_a_link_carries_the_state(site, page):
     )
 
 
-@pytest.mark.parametrize("hash", ["#m=0", "#m=-1&K=x", "#T=1e999", "#b=NaN&q=1", "#%"])
-def test_a_bad_link_is_the_state_at_the_start(site, opened, hash):
+@pytest.mark.parametrize(
+    ("hash", "said"),
+    [
+        ("#m=0", ["The link has m = 0; Mass in kg: a number from 1e-12", "the picture shows 0.1."]),
+        ("#m=-1&K=x", ["m = -1; Mass in kg", "K = x; Stiffness in N/m", "the picture shows 1000."]),
+        ("#T=1e999", ["T = 1e999; Sampling period in s"]),
+        ("#b=NaN&q=1", ["b = NaN; Damping", "q = 1; it may have m, b, k, T, t_d, K, B."]),
+        ("#toString=1", ["toString = 1; it may have m, b"]),
+        ("#%", []),
+        ("#region", []),
+    ],
+)
+def test_a_bad_link_is_the_state_at_the_start_and_says_so(site, opened, hash, said):
     opened.goto((site / "explorer.html").as_uri() + hash)
     assert opened.input_value("#field-m") == "0.1"
     assert opened.input_value("#field-b") == "0.5"
+    wrong = opened.inner_text("#wrong")
+    assert bool(wrong) is bool(said)
+    assert all(part in wrong for part in said)
+    go(opened, "#m=0.2&b=x")
+    assert opened.inner_text("#wrong").startswith("The link has b = x; Damping in Ns/m: 0 or a")
+    opened.fill("#field-m", "0.3")
+    assert opened.inner_text("#wrong") == ""
 
 
 def test_a_bad_number_is_marked_and_changes_nothing(page):

@@ -223,6 +223,8 @@ def test_a_range_costs_at_least_what_its_points_do():
         (-0.1, {}, "rtol: -0.1 is not allowed; finite numbers > 0 are"),
         (math.nan, {}, "rtol: nan is not allowed; finite numbers > 0 are"),
         ("1", {}, "rtol: '1' is not allowed; finite numbers > 0 are"),
+        (10**400, {}, "rtol: 1000.* is not allowed; finite numbers > 0 are"),
+        (0.1, {"mass": 10**400}, "mass: 1000.* is not allowed; finite numbers > 0 are"),
         (0.1, {"damping": -1.0}, "damping: -1.0 is not allowed; finite numbers >= 0 are"),
         (0.1, {"B": math.inf}, "B: inf is not allowed; finite numbers are"),
         (0.1, {"mass": (0, 1)}, "mass: 0 is not allowed; finite numbers > 0 are"),

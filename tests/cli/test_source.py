@@ -54,6 +54,15 @@ def test_what_is_committed_beside_it_is_held_against_it(notes):
     assert "DIFFERS  drift:start: proved, but the ledger says misprint" in run.stdout
 
 
+def test_a_chapter_without_its_source_is_told_where_its_verdicts_are_held_against_the_ledger(notes):
+    run = symhaptic("verify", "--derivation", notes / "drifting.py")
+    assert run.returncode == 1
+    assert "counterexample F = 1, v = 1, b = 1; a statement of one's own is to hold" in run.stdout
+    assert f"`symhaptic verify --source {notes}` compares with its ledger" in run.stderr
+    run = symhaptic("verify", "drift:way", "--derivation", notes / "drifting.py")
+    assert (run.returncode, run.stderr) == (0, "")
+
+
 def test_what_is_argued_otherwise_is_told(notes):
     """Words say that it is wrong as it is printed, and then that it is right."""
     chapter = CHAPTER.replace("b * v, name=F)", "b * v)")
@@ -101,6 +110,8 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ('"drift:start"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
         ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
         ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
+        ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
+        ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has two names for 'b'"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],
@@ -113,6 +124,13 @@ def test_a_bad_source_is_told_in_one_line(notes, old, new, told):
     assert told in run.stderr
     assert "source.py" in run.stderr
     assert len(run.stderr.splitlines()) == 1
+
+
+def test_of_two_sources_none_is_left_out_in_silence(notes):
+    for twice in (("--source", notes, "--source", notes), (f"--source={notes}", "--source", notes)):
+        run = symhaptic("verify", *twice)
+        said = "symhaptic: error: --source: is given more than once; one value is allowed\n"
+        assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
 
 
 def test_a_folder_without_a_source_or_chapters_is_refused(notes, tmp_path):

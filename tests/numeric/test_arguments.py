@@ -11,10 +11,12 @@ from symhaptic import (
     characteristic_polynomial,
     delay_margin,
     discretize,
+    grid_boundary,
     is_stable,
     linear_limit,
     max_stable_stiffness,
     passivity_boundary,
+    robust_region,
     stability_boundary,
     stable_region,
     unstable_roots,
@@ -34,7 +36,8 @@ FUNCTIONS = {
 GIVEN = {"alpha": 0.1, "beta": 0.2, "gamma": 0.3, "delta": 0.4, "delay": 1, "theta": 1.0}
 PLACES = [(f, name) for f, names in FUNCTIONS.items() for name in names]
 NO_NUMBERS = [1j, np.array([1j]), np.array([[1 + 1j, 2]] * 9), "1.0", b"1", None, [0.1, None],
-              [[1, 2], [3]], {}, object(), np.datetime64("2020-01-01"), 10**400]  # fmt: skip
+              [[1, 2], [3]], {}, object(), np.datetime64("2020-01-01"), 10**400,
+              10**5000]  # fmt: skip
 
 
 @pytest.mark.parametrize(("function", "name"), PLACES, ids=lambda v: getattr(v, "__name__", v))
@@ -47,6 +50,32 @@ def test_what_is_no_real_number_is_named_on_one_line(function, name):
         assert text.endswith("is not allowed; real numbers are")
         assert "\n" not in text
         assert len(text) < 140
+
+
+@pytest.mark.parametrize("bad", [None, "1", (1, "a"), {}, 10**400])
+def test_what_is_asked_for_beside_a_plant_is_named_too(bad):
+    for name, call in {
+        "tolerance": lambda: stable_region(0.0, 0.4, 1, tolerance=bad),
+        "tolerance: ": lambda: robust_region(0.4, 1, tolerance=bad),
+        "threshold": lambda: grid_boundary(0.0, 0.4, 1, [0, 1], [0, 1], threshold=bad),
+        "delta": lambda: robust_region(bad, 1),
+        "delay": lambda: robust_region(0.4, bad),
+    }.items():
+        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; real numbers are$"):
+            call()
+
+
+@pytest.mark.parametrize("several", [[], [0.1, 0.2]])
+def test_of_a_region_and_its_tolerance_there_is_one(several):
+    for name, call in {
+        "tolerance": lambda: stable_region(0.0, 0.4, 1, tolerance=several),
+        "delta": lambda: robust_region(several, 1),
+        "delay": lambda: robust_region(0.4, several),
+    }.items():
+        with pytest.raises(ValueError, match=rf"^{name}: .* is not allowed; one number is$"):
+            call()
+    with pytest.raises(ValueError, match=r"^delay: .* is not allowed; at most 100000 periods are"):
+        robust_region(0.4, 1e15)
 
 
 @pytest.mark.parametrize("number", [

@@ -268,6 +268,16 @@ MISLEADING = [
     "987 000",
     "2 3",
     r"\sqrt[3]{T}",
+    r"B^23",
+    r"B^1.5",
+    r"B^(d + 1)",
+    r"B^\sin T",
+    r"2\sin B 3",
+    r"K = \sin^{-1} B",
+    r"K = \tan^{-1}(B)",
+    r"K = B \quad K > 0",
+    r"\frac12 B",
+    r"\frac B 2",
 ]
 
 
@@ -289,6 +299,18 @@ MISSHAPEN = [
 def test_vectors_that_do_not_match_are_unreadable(line):
     with pytest.raises(Unreadable):
         read(line)
+
+
+def test_what_a_source_calls_otherwise_has_that_name_alone():
+    swapped = read("k = b", (("b", "k"), ("k", "b")))
+    assert swapped == (sp.Eq(*sp.symbols("b k")),)
+    assert read("jK", (("j", "k"),)) == (sp.prod(sp.symbols("k K")),)
+    with pytest.raises(Unreadable, match=r"'b', which the source calls 'c', in 'c = b'"):
+        read("c = b", (("c", "b"),))
+
+
+def test_short_names_of_relations():
+    assert read(r"K \le B \ge T") == read(r"K \leq B \geq T")
 
 
 def test_function_does_not_swallow_the_next_one():

@@ -89,11 +89,25 @@ def test_it_is_checked_again_and_says_so():
     assert safe._repr_html_().startswith("<table>")
 
 
+@pytest.mark.parametrize("bad", ["1", None, 1j])
+def test_what_is_no_number_is_named(bad):
+    safe = phantom()
+    for name, ask in {
+        "K": lambda: safe.contains(bad, 20.0),
+        "B": lambda: safe.contains(1000.0, bad),
+        "B:": lambda: safe.limit_at(bad),
+        "K:": lambda: safe.is_passive(bad, 1.0),
+    }.items():
+        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; real numbers are"):
+            ask()
+
+
 def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
     safe = phantom()
     assert safe.contains(1000.0, 20.0) is True
     assert type(safe.limit_at(20.0)) is float
     assert not safe.contains([np.nan, np.inf, -1.0, 1000.0], [20.0, 20.0, 20.0, np.nan]).any()
+    assert np.array_equal(safe.limit_at([np.nan, -1.0]), [np.nan, 0.0], equal_nan=True)
     assert safe.limit_at([-1.0, 1e9]).tolist() == [0.0, 0.0]
 
 
@@ -103,6 +117,7 @@ def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
         (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(mass=None), "mass: None is not allowed; finite numbers >= 0 are"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
         (

@@ -48,6 +48,11 @@ def test_pi_is_not_three_and_a_quarter(page):
     assert len(page.certificates) == 1  # of the zero, checked again at the end
 
 
+def test_a_condition_that_is_left_out_is_told_in_latex(page):
+    with pytest.raises(FalseStep, match=r"^mine: provided: K > 0 is not allowed; LaTeX of a"):
+        page.settle("mine", Eq(K, B / T), provided=K > 0)
+
+
 def test_a_value_has_no_open_symbols_and_is_real():
     with pytest.raises(NoSuchRoot, match="without x"):
         value(x + 1)

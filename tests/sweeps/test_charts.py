@@ -66,6 +66,8 @@ def test_leaving_out_the_damper_costs_what_is_proved():
     [
         (lambda: charts.robust_limits(stiffness=0.001), "^stiffness: 0.001 is not allowed; (low"),
         (lambda: charts.model_costs(damping=(0, 1, 2)), "^damping: (0, 1, 2) is not allowed; (l"),
+        (lambda: charts.stiffest(delay=(2, 1)), "^delay: (2, 1) is not allowed; (lowest, highest"),
+        (lambda: charts.stiffest(damping=(0, "a")), "^delta: (0, 'a') is not allowed; (lowest"),
         (lambda: charts.stiffest(delay=2), "^delay: 2 is not allowed; (lowest, highest) is$"),
         (lambda: charts.delay_margin(K=1), "^K: 1 is not allowed; (lowest, highest) is$"),
         (lambda: charts.robust_limits(points=1), "^points: 1 is not allowed; whole numbers >= 2"),

@@ -252,6 +252,33 @@ def test_other_mistakes():
         sweep("is_stable", Scene(mass=1.0, sampling_period=1.0), K=1.0, B=1.0, mass=[0.0])
 
 
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"K": "1"}, "K: '1' is not allowed; real numbers are"),
+        ({"sheet": 3}, "sheet: 3 is not allowed; 'exact' or 'principal' is"),
+        ({"sheets": "exact"}, "sheets: is not allowed; allowed are K, B"),
+        ({"scene": "device"}, "scene: 'device' is not allowed; a Scene is"),
+        ({"over": 3, "reduce": "all"}, "over: 3 is not allowed; a word or several are"),
+        ({"over": "K", "reduce": [3]}, r"reduce: \[3\] is not allowed; a word or several are"),
+        ({"workers": 0}, "workers: 0 is not allowed; whole numbers > 0 are"),
+        ({"workers": 1.5}, "workers: 1.5 is not allowed; whole numbers > 0 are"),
+    ],
+)
+def test_what_is_given_is_named_and_not_called_missing(arguments, said):
+    scene = Scene(mass=1.0, sampling_period=1.0)
+    with pytest.raises(ValueError, match=f"^{said}"):
+        sweep("is_stable", **{"scene": scene, "K": [1.0], "B": 1.0, **arguments})
+
+
+def test_a_delay_of_nan_spoils_its_own_wall_only():
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3)
+    found = sweep("max_stable_stiffness", scene, delay=[np.nan, 0.001]).K.values
+    assert np.isnan(found[0])
+    assert found[1] == sweep("max_stable_stiffness", scene, delay=0.001).K.values
+    assert not sweep("is_stable", scene, K=1.0, B=1.0, delay=np.nan).is_stable
+
+
 def test_a_bar_on_a_terminal_only(capsys, monkeypatch):
     sweep("is_stable", chunks=1000, **WALLS)
     assert capsys.readouterr() == ("", "")

@@ -47,7 +47,7 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
         id, kind = entry.statement.id, entry.verdict.named
         if entry.own:
             if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
-                lines.append(f"{id}: {entry.verdict}")
+                lines.append(f"{id}: {entry.verdict}; a statement of one's own is to hold")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
     return lines

@@ -77,11 +77,12 @@ def formula(id: str) -> Formula:
     >>> eq6.derived[0], str(eq6.verdict.kind), eq6.units
     (b > K*T/2 + Abs(B), 'qualified', ('Ns/m',))
     """
+    word = id if isinstance(id, str) else ""
     found: dict[str, tuple[Printed, Verdict]] = {}
-    for path in needed([id], shipped()):
+    for path in needed([word], shipped()):
         found |= _settled(path)
-    statement = STATEMENTS.get(id)
-    derived, verdict = found.get(id, ((), None))
+    statement = STATEMENTS.get(word)
+    derived, verdict = found.get(word, ((), None))
     if statement is None or verdict is None or not (statement.printed or derived):
         known = [k for k, known in STATEMENTS.items() if known.printed]
         close = suggested(id, known, "`symhaptic verify --list` lists all")

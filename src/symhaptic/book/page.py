@@ -94,6 +94,8 @@ class Page(Steps):
         statement = STATEMENTS.get(id) or self.own.get(id)
         if statement is None:
             raise FalseStep(f"no statement {id!r}")
+        if not isinstance(provided, str | None):
+            raise FalseStep(f"{id}: provided: {provided} is not allowed; LaTeX of a condition is")
         theorems = [g for g in grounds if isinstance(g, Theorem)]
         proving = (Evidence, Fact, Witness, Theorem)
         forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]

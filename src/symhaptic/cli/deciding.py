@@ -200,6 +200,13 @@ def verify(
     surprises += [entry.wrong for entry in found if entry.wrong]
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
+    for path in own if source is None and surprises else []:
+        if (path.parent / chapters.SOURCE_FILE).is_file():
+            typer.echo(
+                f"symhaptic: {path} is a chapter of a source, asked here whether what it settles "
+                f"holds; `symhaptic verify --source {path.parent}` compares with its ledger",
+                err=True,
+            )
     text = {
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,

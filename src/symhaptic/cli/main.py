@@ -80,6 +80,18 @@ def _said_once(warning: str) -> None:
     typer.echo(f"symhaptic: warning: {warning}", err=True)
 
 
+def once(command: Any, given: list[str]) -> None:
+    """Refuse an option with two values, of which the parser takes the last without a word."""
+    before = given[: given.index("--")] if "--" in given else given
+    called = next((command.commands[word] for word in before if word in command.commands), None)
+    for option in called.params if called else ():
+        if option.param_type_name != "option" or option.multiple or option.is_flag:
+            continue
+        names = [word.partition("=")[0] for word in before]
+        if sum(name in option.opts for name in names) > 1:
+            refuse(f"{option.opts[0]}: is given more than once; one value is allowed")
+
+
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
     warnings.showwarning = _warned
@@ -87,6 +99,7 @@ def main() -> None:
         sys.stdout.reconfigure(errors="backslashreplace")
     command = typer.main.get_command(app)
     try:
+        once(command, sys.argv[1:])
         status = command.main(standalone_mode=False)
         if status == _INTERRUPTED:  # so newer Typers say it
             raise KeyboardInterrupt

@@ -84,11 +84,25 @@ def arrays(*values):
     kind = xp.result_type(xp.float32, *kinds) if kinds else _default(xp)
     where = {} if is_lazy_array(given[0]) else {"device": device(given[0])}
     return xp, *(
-        xp.astype(v, kind, copy=False)
+        _real(xp, v, kind)
         if is_array_api_obj(v) and not isinstance(v, numpy.generic)
-        else xp.asarray(v, dtype=kind, **where)
+        else xp.asarray(_outside_or(v), dtype=kind, **where)
         for v in values
     )
+
+
+def _real(xp, v, kind):
+    """The array in this kind, NaN where its elements are complex, text or dates."""
+    if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
+        return xp.full_like(v, math.nan, dtype=kind)
+    return xp.astype(v, kind, copy=False)
+
+
+def _outside_or(v):
+    """The value, or NaN for what is no real number, or an integer that no float holds."""
+    if isinstance(v, (complex, str, bytes)) or (isinstance(v, int) and abs(v) >> 1023):
+        return math.nan
+    return math.nan if isinstance(v, numpy.generic) and v.dtype.kind not in "biuf" else v
 
 
 def _default(xp):

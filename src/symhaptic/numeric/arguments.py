@@ -12,6 +12,8 @@ import numpy as np
 from array_api_compat import array_namespace
 from numpy.typing import ArrayLike, NDArray
 
+from symhaptic.notation.quantities import shown
+
 Array = NDArray[np.float64]
 
 _BLOCK = 16384
@@ -51,16 +53,15 @@ def _is_real(value: object) -> bool:
     return hasattr(value, "__float__") and not isinstance(value, np.complexfloating)
 
 
-def _shown(value: object) -> str:
-    """The value on one line that fits a message."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= 80 else f"{text[:77]}..."
+def one(name: str, value: Any) -> float:
+    """The argument, which is one number."""
+    return single(name, real(name, value))
 
 
 def single(name: str, values: Array) -> float:
     """The argument as one number."""
     if values.size != 1:
-        raise ValueError(f"{name}: {_shown(values)} is not allowed; one number is")
+        raise ValueError(f"{name}: {shown(values)} is not allowed; one number is")
     return float(values.reshape(())) + 0.0  # no negative zero
 
 
@@ -134,7 +135,7 @@ _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
 
 def refuse_all(name: str, value: object) -> NoReturn:
     """Raise :class:`ValueError` for what is no real number."""
-    raise ValueError(f"{name}: {_shown(value)} is not allowed; real numbers are")
+    raise ValueError(f"{name}: {shown(value)} is not allowed; real numbers are")
 
 
 def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
@@ -156,7 +157,7 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """The argument, which must be one of a few words."""
     if not isinstance(value, str) or value not in allowed:
         words = " or ".join(map(repr, allowed))
-        raise ValueError(f"{name}: {_shown(value)} is not allowed; {words} is")
+        raise ValueError(f"{name}: {shown(value)} is not allowed; {words} is")
     return value
 
 

@@ -21,7 +21,7 @@ _TOKEN = re.compile(
     r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
     r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
 )
-_IGNORED = {r"\br", r"\changed", r"\left", r"\right", r"\quad", r"\,", r"\;", r"\!", "&"}
+_IGNORED = {r"\br", r"\changed", r"\left", r"\right", r"\,", r"\;", r"\!", "&"}
 _RELATIONS: dict[str, type] = {
     "=": sp.Eq,
     ":=": sp.Eq,
@@ -29,8 +29,8 @@ _RELATIONS: dict[str, type] = {
     r"\approx": sp.Eq,
     "<": sp.StrictLessThan,
     ">": sp.StrictGreaterThan,
-    r"\leq": sp.LessThan,
-    r"\geq": sp.GreaterThan,
+    **dict.fromkeys((r"\leq", r"\le"), sp.LessThan),
+    **dict.fromkeys((r"\geq", r"\ge"), sp.GreaterThan),
 }
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
@@ -56,7 +56,7 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     (Eq(omega, pi/(T*(d + 1))),)
     >>> read(r"b > \frac{KT}{2} + |B|")
     (b > K*T/2 + Abs(B),)
-    >>> read(r"k_w < 2b/T", notation=(("k_w", "K"),))
+    >>> read(r"k_w < 2b/T", notation=(("k_w", "K"),))  # K is then no other name for it
     (K < 2*b/T,)
     """
     return _Reader(latex, notation).line()
@@ -65,7 +65,8 @@ def read(latex: str, notation: Notation = ()) -> Printed:
 class _Reader:
     def __init__(self, latex: str, notation: Notation = ()) -> None:
         self.latex = latex
-        self.names = {**_SYMBOLS, **dict(notation)}
+        self.own = dict(notation)
+        self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
@@ -140,6 +141,8 @@ class _Reader:
             return self.group()
         value = self.power()
         while self.starts_factor() and self.peek() not in _FUNCTIONS:
+            if self.peek()[0].isdigit():
+                raise Unreadable(f"a number right of a factor in {self.latex!r}")
             value = value * self.power()
         return value
 
@@ -157,14 +160,25 @@ class _Reader:
         base = self.atom()
         if self.peek() == "^":
             self.take()
-            exponent = self.group() if self.peek() == "{" else self.atom()
+            exponent = self.exponent()
             return sp.exp(exponent) if base is _E else base**exponent
         if base is _E:
             raise Unreadable(f"e without exponent in {self.latex!r}")
         return base
 
+    def exponent(self) -> Expr:
+        """What stands in braces, or what TeX raises without: one digit or letter, not more."""
+        token = self.peek()
+        if token == "{":
+            return self.group()
+        if token in {*_CLOSING, *_FUNCTIONS, "|"} or (token[:1].isdigit() and len(token) > 1):
+            raise Unreadable(f"an exponent {token!r} without braces in {self.latex!r}")
+        return self.atom()
+
     def group(self) -> Expr:
         opening = self.take()
+        if opening not in _CLOSING:
+            raise Unreadable(f"expected {{, found {opening!r} in {self.latex!r}")
         value = self.sum()
         self.take(_CLOSING[opening])
         return value
@@ -195,7 +209,9 @@ class _Reader:
             power = sp.S.One
             if self.peek() == "^":
                 self.take()
-                power = self.group() if self.peek() == "{" else self.atom()
+                power = self.exponent()
+            if power == -1:
+                raise Unreadable(f"{token}^{{-1}}, an inverse or 1/{token}, in {self.latex!r}")
             return _FUNCTIONS[token](self.argument()) ** power
         if token.startswith(r"\text"):
             unit = token[token.index("{") + 1 : -1].strip()
@@ -230,6 +246,8 @@ class _Reader:
 
     def name(self, token: str) -> Expr:
         spelled = token + self.subscript()
+        if spelled in self.own:
+            return sp.Symbol(self.own[spelled])
         if spelled == "j":
             return sp.I
         if spelled == "e":
@@ -238,6 +256,9 @@ class _Reader:
             return sp.Function(spelled)(self.group())
         if spelled in self.names:
             return sp.Symbol(self.names[spelled])
+        if spelled in _SYMBOLS:
+            other = next(tex for tex, name in self.own.items() if name == _SYMBOLS[spelled])
+            raise Unreadable(f"{spelled!r}, which the source calls {other!r}, in {self.latex!r}")
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
 
 

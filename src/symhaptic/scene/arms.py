@@ -121,7 +121,7 @@ class ArmRange:
                 object.__setattr__(self, per, default)
         for name, unit in _RANGED.items():
             value = getattr(self, name)
-            if value is not None:
+            if value is not None or name == "mass":
                 object.__setattr__(self, name, _ends(name, value, unit))
 
     @classmethod

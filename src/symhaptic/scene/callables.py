@@ -63,6 +63,8 @@ def lambdify(
     >>> float(alpha), float(alpha_by_d)
     (0.5, -0.25)
     """
+    if not isinstance(id, str):
+        raise ValueError(f"id: {id!r} is not allowed; text such as 'eq11' is")
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
@@ -78,6 +80,8 @@ def lambdify(
         (wanted,) = request.chosen([id], _parts(scene))
     except Refused as wrong:
         raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
+    if not isinstance(derivatives, Sequence | None):
+        raise TypeError(f"derivatives: {derivatives!r} is not allowed; names of arguments are")
     if isinstance(derivatives, str):
         derivatives = [name.strip() for name in derivatives.split(",") if name.strip()]
     if derivatives:

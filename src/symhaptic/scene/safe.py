@@ -18,6 +18,7 @@ from symhaptic.bounds.safe.delay import borne, guessed
 from symhaptic.bounds.safe.find import certified
 from symhaptic.bounds.safe.passive import is_passive, passive
 from symhaptic.notation.quantities import decimal, in_unit, number, shown
+from symhaptic.numeric import arguments
 from symhaptic.scene.arms import Arm, ArmRange
 
 if TYPE_CHECKING:
@@ -80,11 +81,11 @@ class SafeWalls:
     def limit_at(self, B: Any) -> Any:
         """The largest stiffness in N/m that is proved safe with the damping ``B`` in Ns/m.
 
-        0 where none is.  Arrays are welcome.
+        0 where none is, NaN for NaN.  Arrays are welcome.
         """
-        B = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
+        B = arguments.real("B", in_unit("B", B, "N*s/m"))
         last = len(self._tops) - 1
-        found = np.zeros_like(B)
+        found = np.where(np.isnan(B), np.nan, 0.0)
         sides: tuple[Literal["left", "right"], ...] = ("left", "right")
         for side in sides:  # an edge belongs to the columns on both sides of it
             at = np.searchsorted(self._edges, B, side=side) - 1
@@ -97,7 +98,7 @@ class SafeWalls:
 
         ``False`` says that nothing is proved, and so do NaN and infinite numbers.
         """
-        K = np.asarray(in_unit("K", K, "N/m"), dtype=float)
+        K = arguments.real("K", in_unit("K", K, "N/m"))
         found = (self.softest <= K) & (self.limit_at(B) >= K)
         return bool(found) if np.ndim(found) == 0 else found
 
@@ -105,8 +106,8 @@ class SafeWalls:
         """Whether walls are proved passive, and so for every arm that is."""
         from shapely import Polygon, intersects_xy
 
-        K = np.asarray(in_unit("K", K, "N/m"), dtype=float)
-        B = np.asarray(in_unit("B", B, "N*s/m"), dtype=float)
+        K = arguments.real("K", in_unit("K", K, "N/m"))
+        B = arguments.real("B", in_unit("B", B, "N*s/m"))
         if len(self.passive_corners) < 3:
             return False if K.ndim + B.ndim == 0 else np.zeros(np.broadcast(K, B).shape, bool)
         found = intersects_xy(Polygon(self.passive_corners).convex_hull, *np.broadcast_arrays(K, B))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -121,7 +121,7 @@ class StableWalls(Shape):
     """The same without units."""
     polygon: Any
     """Shapely's polygon or polygons, in N/m and Ns/m; ``area`` is in N^2 s/m^2."""
-    corners: NDArray[np.float64]
+    corners: NDArray[np.float64] = field(compare=False)
     """One row (K, B) per corner."""
 
     @property

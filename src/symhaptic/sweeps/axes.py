@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from symhaptic.notation.quantities import dimensionless, in_unit, shown
 from symhaptic.notation.suggest import suggested
 from symhaptic.numeric import arguments
+from symhaptic.scene.scene import Scene
 from symhaptic.sweeps.plan import REDUCTIONS, Input, Plan, Variable, lengths_of
 from symhaptic.sweeps.quantities import IN_SI, INPUTS, Meaning, Result, Work, work_of
-
-if TYPE_CHECKING:
-    from symhaptic.scene.scene import Scene
 
 _PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz"}
 """Units as Pint spells them."""
@@ -32,9 +30,10 @@ def plan_of(
 
     Raises :class:`ValueError` for what is impossible.
     """
-    words = {n: v for n, v in axes.items() if isinstance(v, str)}
-    work = work_of(quantity, words, scene is not None)
-    given = {n: v for n, v in axes.items() if n not in words}
+    if scene is not None and not isinstance(scene, Scene):
+        raise ValueError(f"scene: {shown(scene)} is not allowed; a Scene is")
+    work = work_of(quantity, axes, scene is not None)
+    given = {n: v for n, v in axes.items() if n not in work.words}
     if scene is not None:
         given = _of_scene(scene, work, given)
     meanings = IN_SI if scene is not None else INPUTS
@@ -50,7 +49,7 @@ def plan_of(
             if sizes.setdefault(dim, size) != size:
                 raise ValueError(f"{name}: {size} values along {dim!r} are not allowed; "
                                  f"{sizes[dim]} are")  # fmt: skip
-    along, reduced = _words(over), _words(reduce)
+    along, reduced = _words("over", over), _words("reduce", reduce)
     for dim in along:
         if dim not in sizes:
             raise ValueError(f"over: {dim!r} is not allowed; {suggested(dim, sizes)}")
@@ -71,8 +70,13 @@ def plan_of(
     return plan, {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
 
 
-def _words(value: str | Sequence[str]) -> tuple[str, ...]:
-    return (value,) if isinstance(value, str) else tuple(value)
+def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
+    words: tuple[Any, ...] = (value,)
+    if isinstance(value, Iterable) and not isinstance(value, str):
+        words = tuple(value)
+    if not all(isinstance(word, str) for word in words):
+        raise ValueError(f"{name}: {shown(value)} is not allowed; a word or several are")
+    return words
 
 
 def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ points of a grid, which show, and prove nothing; ``Scene.simplest`` proves.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
@@ -230,7 +231,11 @@ def _arms(scene: Scene | None, stiffness: Range | None, damping: Range | None) -
 
 def _line(name: str, ends: Range, points: int) -> NDArray[Any]:
     """Points from the one end of a range to the other."""
-    if not isinstance(ends, tuple | list | np.ndarray) or len(ends) != 2:
+    pair = isinstance(ends, tuple | list | np.ndarray) and len(ends) == 2
+    rising = False
+    with suppress(TypeError):
+        rising = pair and bool(ends[0] <= ends[1])
+    if not rising:
         raise ValueError(f"{name}: {shown(ends)} is not allowed; (lowest, highest) is")
     return np.linspace(*ends, points)
 

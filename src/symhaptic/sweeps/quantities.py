@@ -216,13 +216,20 @@ def _scaled(name: str, si: Mapping[str, Any]) -> Any:
     return np.asarray(si[part] * scales[part])
 
 
-_periods = np.frompyfunc(lambda late, period: nearest(decimal(late) / decimal(period)), 2, 1)
+def _in_periods(late: float, period: float) -> float:
+    """A delay without units; NaN stays NaN."""
+    return nearest(decimal(late) / decimal(period)) if not math.isnan(late) else late
 
 
-def work_of(quantity: str | Callable[..., Any], words: Mapping[str, Any], in_si: bool) -> Work:
+_periods = np.frompyfunc(_in_periods, 2, 1)
+
+
+def work_of(quantity: str | Callable[..., Any], axes: Mapping[str, Any], in_si: bool) -> Work:
     """The quantity of this name, a public function, or a function of the user's own.
 
-    Raises :class:`ValueError` for a name that is none, and for a scene with one's own function.
+    What a public function takes besides its arrays goes to it as it is, and what is text to a
+    function of the user's own.  Raises :class:`ValueError` for a name that is none, and for a
+    scene with one's own function.
     """
     name = quantity if isinstance(quantity, str) else getattr(quantity, "__name__", "")
     known = QUANTITIES.get(name)
@@ -231,14 +238,16 @@ def work_of(quantity: str | Callable[..., Any], words: Mapping[str, Any], in_si:
         if callable(quantity) and quantity is not function:
             known = None
     if known is None:
-        return _own(quantity, words, in_si)
-    needed = tuple(n for n in inspect.signature(function).parameters if n in INPUTS)
+        return _own(quantity, {n: v for n, v in axes.items() if isinstance(v, str)}, in_si)
+    takes = inspect.signature(function).parameters
+    needed = tuple(n for n in takes if n in INPUTS)
+    words = {n: v for n, v in axes.items() if n in takes and n not in INPUTS}
     if not in_si:
-        return Work(function, needed, known.results, dict(words), name, known.statement)
+        return Work(function, needed, known.results, words, name, known.statement)
     parts = [p for n in needed for p in _PARTS.get(n, (n,))]
     results = tuple(_in_si(r) for r in known.results)
     all_parts = (*parts, "mass", "sampling_period")
-    return Work(function, all_parts, results, dict(words), name, known.statement, True)
+    return Work(function, all_parts, results, words, name, known.statement, True)
 
 
 def _in_si(result: Result) -> Result:

@@ -26,6 +26,8 @@ _AT_ONCE = 1024
 @contextmanager
 def executor(on: Any, workers: int | None) -> Iterator[Executor]:
     """Threads, processes, a client of Dask's, or the user's own executor, which stays open."""
+    if workers is not None and (not isinstance(workers, int) or workers < 1):
+        raise ValueError(f"workers: {shown(workers)} is not allowed; whole numbers > 0 are")
     if on in ("threads", "processes"):
         if workers is None:
             from dask.system import CPU_COUNT

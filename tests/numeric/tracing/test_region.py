@@ -1,5 +1,7 @@
 """Stable regions beside eigenvalues, certified corners and a boundary sampled anew."""
 
+import pickle
+
 import matplotlib
 import mpmath
 import numpy as np
@@ -8,7 +10,7 @@ import shapely
 from matplotlib.figure import Figure
 from oracle import certified, coefficients, radius
 
-from symhaptic import stability_boundary, stable_region
+from symhaptic import Scene, robust_region, stability_boundary, stable_region
 
 matplotlib.use("Agg")
 
@@ -182,6 +184,34 @@ def test_plot_draws_one_closed_line():
     drawn = axes.lines[0].get_xydata()
     assert np.array_equal(drawn[0], drawn[-1])
     assert len(axes.patches) == 1
+
+
+def test_regions_are_compared_by_what_they_are_of():
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3)
+    for make in (
+        lambda: stable_region(0.001, 0.02, 1),
+        lambda: robust_region(0.1, 0, tolerance=0.1),
+        scene.stable_region,
+    ):
+        region = make()
+        assert region == make() == pickle.loads(pickle.dumps(region))
+        assert len({region, make()}) == 1
+        assert region != stable_region(0.001, 0.03, 1)
+
+
+@pytest.mark.parametrize(
+    ("direction", "said"),
+    [
+        (("1", 0.0), "alpha: '1' is not allowed; real numbers are"),
+        ((0.0, np.nan), "beta: nan is not allowed; finite numbers are"),
+        ((np.inf, 0.0), "alpha: inf is not allowed; finite numbers are"),
+        (([1.0, 2.0], 0.0), "alpha: .* is not allowed; one number is"),
+        ((0.0, 0.0), "alpha: 0.0 beside beta=0.0 is not allowed; a direction is"),
+    ],
+)
+def test_what_is_no_direction_is_named(direction, said):
+    with pytest.raises(ValueError, match=f"^{said}"):
+        stable_region(0.001, 0.02, 1).farthest(*direction)
 
 
 @pytest.mark.parametrize("bad", [0.0, 1.0, -1e-3, 1e-13, np.nan])

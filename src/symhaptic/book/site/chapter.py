@@ -192,7 +192,7 @@ def kind(verdict: str) -> str:
 
 def statement_link(id: str) -> str:
     """The id of a statement, which leads to where it is settled."""
-    return f":ref:`{id} <statement-{anchor(id)}>`"
+    return f":ref:`{_link_text(id)} <statement-{anchor(id)}>`"
 
 
 def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:

@@ -33,7 +33,7 @@ from symhaptic.book.tex.parts import parts
 from symhaptic.book.tex.place import drafted, left_over, refuse_foreign
 from symhaptic.book.tex.results import results
 from symhaptic.book.tex.tex import ReportError, filled, typeset
-from symhaptic.book.tex.words import escaped, prose
+from symhaptic.book.tex.words import escaped, literally, prose
 from symhaptic.proof.verdict import Kind
 
 MEANINGS = (
@@ -156,7 +156,7 @@ def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
     place = numbers.get(entry.derivation or "")
     location = escaped(entry.statement.location)
     return {
-        "id": id.replace("-", "-\\allowbreak "),
+        "id": literally(id).replace("-", "-\\allowbreak "),
         "says": f"{prose(entry.statement.says)} \\textcolor{{black!60}}{{({location})}}",
         "kind": str(entry.verdict.kind),
         "chapter": f"chapter {place}" if place else "",
@@ -175,21 +175,15 @@ def _foreign(entries: list[Entry]) -> dict[str, Any]:
         "checked": foreign.counted(entry.rocq for entry in entries),
         "leaves": foreign.leaves(),
         "unchecked": [
-            (why, ", ".join(id.replace("-", "-\\allowbreak ") for id in ids))
+            (why, ", ".join(literally(id).replace("-", "-\\allowbreak ") for id in ids))
             for why, ids in sorted(found.items(), key=lambda item: (-len(item[1]), item[0]))
         ],
     }
 
 
-_SIGNS = {
-    **{sign: f"\\{sign}" for sign in "_%#&{}$"},
-    **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\textasciitilde{}"},
-}
-
-
 def _literally(text: str) -> str:
     """Words of another program, which may break within a name."""
-    return "".join(_SIGNS.get(c, c) + r"\allowbreak " * (c in "/.(") for c in text)
+    return "".join(literally(c) + r"\allowbreak " * (c in "/.(") for c in text)
 
 
 # -- writing --------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from symhaptic.book.record import Settled
 from symhaptic.book.tex.breaking import broken, width
-from symhaptic.book.tex.words import prose
+from symhaptic.book.tex.words import beside_formulas, literally, prose, settled_at
 from symhaptic.notation.latex import latex
 from symhaptic.paper import Statement
 from symhaptic.proof.verdict import Kind, Verdict
@@ -50,7 +50,7 @@ def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
         long = letters(ground) > BESIDE
         if ground and not long:
             beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
-        place = f"\\statementplace{{{statement.id}}}{reference(statement.id)}"
+        place = f"\\statementplace{{{settled_at(statement.id)}}}{reference(statement.id)}"
         rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
         if width(verdict.proposition or "") > LONG_CLAIM:
             rows[-1] += f"\n\\claimed{{${running(verdict.proposition or '')}$}}"
@@ -75,7 +75,7 @@ def _answered(item: Settled) -> str:
     says = prose(statement.says)
     if verdict.claimed is Kind.QUALIFIED:
         says += f", for {condition(verdict)}"
-    place = f"\\statementlink{{{statement.id}}}{{{reference(statement.id)}}}"
+    place = f"\\statementlink{{{settled_at(statement.id)}}}{{{reference(statement.id)}}}"
     return f"\\answer{{{place}}}{{{says}}}{{\\kind{{{verdict.kind}}}{{{verdict.kind}}}}}"
 
 
@@ -100,7 +100,7 @@ def printed(statement: Statement) -> str:
     shown = stack(lines)
     if statement.domain:
         shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
-    if not statement.id.startswith(("eq", "tab")):
+    if not _NUMBERED.fullmatch(statement.id):
         shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
     return shown
 
@@ -125,14 +125,17 @@ def condition(verdict: Verdict) -> str:
     return f"${running}$"
 
 
+_NUMBERED = re.compile(r"(eq|tab)(\d+)")
+"""The ids of the paper's equations and tables."""
+
+
 def reference(id: str) -> str:
     """The number of an equation or table, or the id of another statement."""
-    if id.startswith("eq"):
-        return f"({id[2:]})"
-    if id.startswith("tab"):
-        return f"Table {'I' * int(id[3:])}"
+    if number := _NUMBERED.fullmatch(id):
+        return f"({number[2]})" if number[1] == "eq" else f"Table {'I' * int(number[2])}"
     # the column holds thirteen letters; the longest word, "interconnection", breaks after five
-    breaking = re.sub(r"-|\b\w{5}(?=\w{9})", r"\g<0>\\allowbreak ", id)
+    parts = re.split(r"(?<=-)|(?<=\b\w{5})(?=\w{9})", id)
+    breaking = "\\allowbreak ".join(map(literally, parts))
     return f"\\texttt{{\\scriptsize {breaking}}}"
 
 
@@ -239,7 +242,8 @@ def shown_by(verdict: Verdict) -> list[str]:
         at = ",\\ ".join(f"{_symbol(k)}={v}" for k, v in verdict.counterexample.items())
         parts.append(f"differs at ${at}$")
     if verdict.note:
-        parts.append(verdict.note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
+        note = beside_formulas(verdict.note)
+        parts.append(note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
     return parts
 
 

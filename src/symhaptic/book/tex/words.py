@@ -12,9 +12,24 @@ def escaped(text: str) -> str:
     return re.sub(r"([_%#&{}])", r"\\\1", text)
 
 
+_SIGNS = {
+    **{sign: f"\\{sign}" for sign in "_%#&{}$"},
+    **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\textasciitilde{}"},
+}
+
+
+def literally(text: str) -> str:
+    """Any letters as they are, such as those of a name."""
+    return "".join(_SIGNS.get(c, c) for c in text)
+
+
 def prose(text: str) -> str:
     """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
-    text = referred(text, lambda number: f"\\chapterlink{{{number}}}")
+    return beside_formulas(referred(text, lambda number: f"\\chapterlink{{{number}}}"))
+
+
+def beside_formulas(text: str) -> str:
+    """The signs of TeX in words beside formulas are written out."""
     parts = re.split(r"(\$[^$]*\$)", text)
     return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
 
@@ -30,6 +45,11 @@ def number(value: float) -> str:
         return mantissa
     ten = f"10^{{{int(power)}}}"
     return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
+
+
+def settled_at(id: str) -> str:
+    """The id of a statement as the place of a link; that of the paper's as it is."""
+    return re.sub(r"[^A-Za-z0-9:]+", "-", id)
 
 
 def anchor(name: str) -> str:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from numbers import Real
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from symhaptic.bounds.simplest.at_damping import at_damping, error_of_line
@@ -14,7 +13,7 @@ from symhaptic.bounds.simplest.cost import Cost, Model, cost, error
 from symhaptic.bounds.simplest.max_stiffness import stiffest
 from symhaptic.bounds.simplest.plants import NOTHING, Box, Interval, NotCovered
 from symhaptic.model.parts import Parts
-from symhaptic.notation.quantities import decimal, in_unit, shown
+from symhaptic.notation.quantities import decimal, in_unit, number
 
 Range: TypeAlias = float | tuple[float, float]
 """One number, or the lowest and the highest."""
@@ -159,9 +158,5 @@ _UNITS = {"rtol": "", "mass": "kg", "stiffness": "N/m", "damping": "N*s/m", "B":
 
 def _real(name: str, value: Any, least: str) -> Fraction:
     """A finite number, in its range; a quantity of Pint's is converted."""
-    value = in_unit(name, value, _UNITS[name])
-    real = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
-    if not real or (least and value < 0) or (least == "> 0" and value == 0):
-        allowed = f"finite numbers {least}".strip()
-        raise ValueError(f"{name}: {shown(value)} is not allowed; {allowed} are")
-    return decimal(value)
+    number(name, value, _UNITS[name], least)
+    return decimal(in_unit(name, value, _UNITS[name]))

@@ -94,6 +94,7 @@ def grid_boundary(
     al, be = arguments.finite("alphas", alphas), arguments.finite("betas", betas)
     for name, values in (("alphas", al), ("betas", be)):
         arguments.refuse(name, values, np.isnan(values), "finite numbers are")
+    threshold = arguments.one("threshold", threshold)
     if not threshold > 0:
         raise ValueError(f"threshold: {threshold!r} is not allowed; numbers > 0 are")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -41,7 +41,7 @@ class Region(Shape):
     loop: Loop
     polygon: Any
     """Shapely's polygon or polygons."""
-    corners: Array
+    corners: Array = field(compare=False)
     """One row (alpha, beta) per corner."""
     error: float
     """No point of the outline is farther than this from the boundary."""
@@ -72,6 +72,12 @@ class Region(Shape):
 
         Its angle is NaN where it lies on a line of a real root only.
         """
+        for name, value in (("alpha", alpha), ("beta", beta)):
+            array = arguments.finite(name, value)
+            arguments.refuse(name, array, np.isnan(array), "finite numbers are")
+            arguments.single(name, array)
+        if alpha == beta == 0:
+            raise ValueError(f"alpha: {alpha} beside beta={beta} is not allowed; a direction is")
         found = farthest(self.loop, np.array([alpha, beta]))
         for corner in self.corners:
             if corner @ (alpha, beta) > np.dot((alpha, beta), found[:2]) or np.isnan(found[0]):
@@ -110,6 +116,7 @@ def stable_region(
         array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
         numbers[name] = arguments.single(name, array)
+    tolerance = arguments.one("tolerance", tolerance)
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
     loop = Loop(**numbers, sheet=sheet)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,7 @@ class RobustRegion(Shape):
     sheet: str
     polygon: Any
     """Shapely's polygon or polygons."""
-    springs: Array
+    springs: Array = field(compare=False)
     """The stiffnesses gamma whose stable regions were intersected, rising."""
     error: float
     """Estimate of how far the outline may be off."""
@@ -59,9 +59,13 @@ def robust_region(
     (True, 1)
     """
     arguments.one_of("sheet", sheet, SHEETS)
+    numbers = {}
     for name, value in (("delta", delta), ("delay", delay)):
-        array = arguments.nonnegative(name, value)
+        array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
+        numbers[name] = arguments.single(name, array)
+    delta, delay = numbers["delta"], numbers["delay"]
+    tolerance = arguments.one("tolerance", tolerance)
     if not 1e-6 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-6 <= tolerance < 1 is")
     if delta == 0:
@@ -74,8 +78,9 @@ def robust_region(
         return stable_region(_spring(angle, delta), delta, delay, sheet, fine)
 
     count = int(np.ceil(_PER_TURN * (delay + 1)))
+    regions = [region(-delta / 2)]  # which refuses too long a delay
     angles = [-delta / 2, *np.linspace(0, np.pi, count + 1)]
-    regions = [region(angle) for angle in angles]
+    regions += [region(angle) for angle in angles[1:]]
     shape = _common([r.polygon for r in regions])
     error = max(r.error for r in regions)
     gaps = list(itertools.pairwise(angles))

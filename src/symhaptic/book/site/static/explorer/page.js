@@ -25,6 +25,7 @@ document.addEventListener("DOMContentLoaded", () => {
   };
   const showControls = explorer.controls(find("quantities"), find("ratios"), (key, text) => {
     if (["m", "b", "k"].includes(key)) find("device").value = find("arm").value = "";
+    find("wrong").textContent = "";
     change({ [key]: text });
   });
   explorer.presets(find("device"), find("arm"), (fresh, sources) => {
@@ -99,7 +100,9 @@ document.addEventListener("DOMContentLoaded", () => {
     change({});
   }).observe(region.parentElement);
   addEventListener("hashchange", (event) => {  // rest may have put the old address back by now
-    state = explorer.fromHash(new URL(event.newURL).hash);
+    const { hash } = new URL(event.newURL);
+    state = explorer.fromHash(hash);
+    find("wrong").textContent = explorer.refused(hash, state);
     change({});
   });
   const copied = async (button, text) => {
@@ -116,6 +119,7 @@ document.addEventListener("DOMContentLoaded", () => {
   find("save-svg").addEventListener("click", () => explorer.saveSvg(region, "walls"));
   find("save-png").addEventListener("click", () => explorer.savePng(region, "walls"));
   measure();
+  find("wrong").textContent = explorer.refused(location.hash, state);
   draw();
   rest();
   idle(() => warm(WARM));

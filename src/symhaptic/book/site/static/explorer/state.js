@@ -60,8 +60,20 @@
   explorer.fromHash = (hash) => {
     const state = explorer.start();
     for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
-      if (key in state && explorer.allowed(key, text)) state[key] = String(Number(text));
+      if (taken(key, text)) state[key] = String(Number(text));
     }
     return state;
   };
+
+  const taken = (key, text) => Object.hasOwn(explorer.quantities, key) && explorer.allowed(key, text);
+
+  // in words, what a link has that is not taken; one without numbers is a place in the page
+  explorer.refused = (hash, state) => (hash.includes("=") ? [...new URLSearchParams(hash.replace(/^#/, ""))] : [])
+    .filter(([key, text]) => !taken(key, text))
+    .map(([key, text]) => {
+      const q = Object.hasOwn(explorer.quantities, key) && explorer.quantities[key];
+      const known = q ? `${q.label} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${state[key]}.`
+        : `it may have ${Object.keys(explorer.quantities).join(", ")}.`;
+      return `The link has ${key} = ${text}; ${known}`;
+    }).join(" ");
 })();
