@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 from oracle import moduli, radius
 
 from symhaptic import delay_margin, is_stable, stability_boundary
+from symhaptic.numeric.crossings import wall
+from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
 from symhaptic.numeric.tracing.bands import first_step
 
@@ -333,3 +335,37 @@ def test_long_work_is_told_on_a_terminal_only(capsys, monkeypatch):
     assert "delay margins" in err
     delay_margin(walls[:10], 0.05, 0.0, 0.0)
     assert capsys.readouterr() == ("", "")
+
+
+def test_no_loss_is_between_the_delays_at_which_a_root_may_have_left():
+    """Beside a count at every whole delay, behind fractions and whole periods."""
+    rng = np.random.default_rng(17)
+    seen = 0
+    for _ in range(400):
+        al, be = rng.uniform(0, 0.5), rng.uniform(0, 1.5)
+        g, dl = rng.choice([0.0, rng.uniform(0, 3)]), rng.uniform(0, 1)
+        part = rng.choice([1.0, rng.uniform()])
+        one = [np.array([v]) for v in (al, be, g, dl)]
+        loops = losses.Loops(wall(*one[:2]), *one[2:], device(*one[2:]))
+        if not is_stable(*one, part)[0]:
+            continue
+        every = np.arange(1.0, 60.0)
+        counted = every[~np.asarray(is_stable(al, be, g, dl, every + part))]
+        ahead, last = loops.leaving(np.zeros(1), np.array([part]), 64)
+        assert counted.size == 0 or last[0] < counted[0] or counted[0] in ahead
+        seen += counted.size > 0
+    assert seen > 50
+
+
+def test_roots_that_hardly_turn_are_not_counted_period_by_period():
+    """Next to two turns of an undamped device in a period: 1e11 periods between two changes."""
+    margin = delay_margin(-19.542720960471023, 0.15761762497816365, 39.47841760450612, 0.0)
+    assert np.isfinite(margin)
+
+
+def test_what_has_no_bound_decides_nothing_and_is_not_warned_of():
+    margin = delay_margin(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0)
+    # beside the count of roots, which is another code
+    assert is_stable(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0, 0.4999)
+    assert not is_stable(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0, 0.5001)
+    assert margin == pytest.approx(0.5, abs=1e-4)

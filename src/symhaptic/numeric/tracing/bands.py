@@ -377,9 +377,10 @@ def one_way(b: Bands, steps: Array) -> tuple[Array, Array]:
     along, across = (sum(errors) for errors in zip(*(part[1:] for part in parts), strict=True))
     h = rise / force
     real = -(h.center * np.conj(moved)).real
-    off = np.abs(h.center.real) * along + np.abs(h.center.imag) * across
-    off += h.along * (np.abs(moved.real) + along) + h.across * (np.abs(moved.imag) + across)
-    off *= 1 + _ROUNDING
+    with np.errstate(invalid="ignore"):  # a box without end decides nothing: NaN
+        off = np.abs(h.center.real) * along + np.abs(h.center.imag) * across
+        off += h.along * (np.abs(moved.real) + along) + h.across * (np.abs(moved.imag) + across)
+        off *= 1 + _ROUNDING
     way = np.where(np.abs(real) > off, np.sign(real), 0.0)
     lost = h.along * (1 + _ROUNDING) - way * h.center.real
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):

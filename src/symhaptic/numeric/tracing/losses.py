@@ -29,7 +29,7 @@ _AT_ONCE = 8192
 """Parts that are looked at together, which bounds the memory."""
 
 _FIRST = 4
-"""So many whole periods are looked at first where roots can leave, then always more."""
+"""So many times that a root may leave are looked at first, then always more."""
 
 _MANY = 2**16
 """So many at once, of all parts together."""
@@ -84,18 +84,59 @@ class Loops(NamedTuple):
     def can_leave(self, part: Array) -> NDArray[np.bool_]:
         """Whether roots can leave at all behind a fraction 0 < part <= 1."""
         x = self.behind(np.where(part == 1, 0.0, part))
-        leave = np.abs(x.numerator_at_minus_one * self.v.at_minus_one) > x.at_minus_one
+        leave = leads_at_minus_one(x, self.v)
         for c in crossings(surplus(x, self.v), False):
             leave |= c.there & c.rises
         return leave
 
     def many(self, steps: Array, part: Array) -> NDArray[np.bool_]:
         """The same for many whole delays of each loop, in rows, behind a fraction 0 < part <= 1."""
+        x, v, whole = self._in_rows(part)
+        return np.asarray(stability.count(x, v, steps + whole, False) == 0)
+
+    def leaving(self, steps: Array, part: Array, count: int) -> tuple[Array, Array]:
+        """The next whole periods with which a root may have left behind a fraction 0 <= part <= 1.
+
+        In rows, infinite at the end; and those up to which these are all.  Between them roots come
+        back only.
+        """
+        x, v, whole = self._in_rows(part)
+        late = steps[:, None] + whole
+        later = np.arange(float(count))
+        ahead = [np.floor(change) + 1 for change in next_changes(x, v, late, later)]
+        leads = leads_at_minus_one(x, v)
+        ahead.append(np.where(leads, late + later + 1, np.inf))
+        last = np.minimum.reduce([a[:, -1:] for a in ahead])
+        together = np.sort(np.concatenate(ahead, axis=1), axis=1)
+        return np.where(together <= last, together, np.inf) - whole, (last - whole)[:, 0]
+
+    def _in_rows(self, part: Array) -> tuple[Device, Wall, Array]:
+        """The plants behind a fraction 0 < part <= 1 of a period, and the walls; and the whole
+        periods more that are in it."""
         whole = part == 1
-        x, v = self.behind(np.where(whole, 0.0, part)), self.v
-        x, v = Device(*(a[:, None] for a in x)), Wall(*(a[:, None] for a in v))
-        late = steps + np.where(whole, 1.0, 0.0)[:, None]
-        return np.asarray(stability.count(x, v, late, False) == 0)
+        x = self.behind(np.where(whole, 0.0, part))
+        columns = Device(*(a[:, None] for a in x)), Wall(*(a[:, None] for a in self.v))
+        return *columns, np.where(whole, 1.0, 0.0)[:, None]
+
+
+def next_changes(x: Device, v: Wall, steps: Array, later: Array) -> list[Array]:
+    """Of each crossing, the real number of periods at which its pair of roots leaves the circle.
+
+    For whole delays: the next time, or so many times ``later``; infinite where none leaves.
+    """
+    found = []
+    for crossing in crossings(surplus(x, v), True):
+        bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
+        odd = 2 * (stability.turns(bare, late, steps) - later) - 1
+        theta = late.halves * np.pi + late.rest
+        at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
+        found.append(np.where(crossing.there & crossing.rises, at, np.inf))
+    return found
+
+
+def leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
+    """Whether the wall is stronger than the plant there: a root is outside every other period."""
+    return np.asarray(np.abs(x.numerator_at_minus_one * v.at_minus_one) > x.at_minus_one)
 
 
 class _Parts(NamedTuple):
@@ -177,21 +218,24 @@ class _Search:
         lost = self._counted(parts)
         self._found(parts.take(lost))
         left = ~lost & (parts.steps < np.minimum(until, self.least[parts.at] - parts.begin))
-        parts, until = parts.take(left)._replace(steps=parts.steps[left] + 1), until[left]
+        parts, until = parts.take(left), until[left]
         end, count = parts.begin + parts.width, _FIRST
         if parts.at.size:
             left = self.loops.take(parts.at).can_leave(end)
             parts, until, end = parts.take(left), until[left], end[left]
         while parts.at.size:
-            until = np.minimum(until, self.least[parts.at] - parts.begin)
-            steps = parts.steps[:, None] + np.arange(count)
-            lost = ~self.loops.take(parts.at).many(steps, end) & (steps <= until[:, None])
+            latest = np.minimum(self.least[parts.at] - parts.begin, arguments.LONGEST)
+            until = np.minimum(until, latest)
+            loops = self.loops.take(parts.at)
+            steps, last = loops.leaving(parts.steps, end, count)
+            near = steps <= until[:, None]
+            lost = ~loops.many(np.where(near, steps, 0.0), end) & near
             some = np.asarray(lost.any(axis=1))
             first = steps[np.arange(some.size), lost.argmax(axis=1)]
             first = parts._replace(steps=first).take(some)
             self._found(first.take(self._counted(first)))
-            left = np.asarray(~some & (steps[:, -1] < until))
-            parts = parts._replace(steps=steps[:, -1] + 1).take(left)
+            left = np.asarray(~some & (last < until))
+            parts = parts._replace(steps=last).take(left)
             until, end = until[left], end[left]
             count = min(4 * count, max(_FIRST, _MANY // max(parts.at.size, 1)))
 

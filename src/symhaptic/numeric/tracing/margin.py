@@ -11,14 +11,14 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symhaptic.numeric import arguments, stability
+from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import kept
-from symhaptic.numeric.crossings import Wall, crossings, surplus, wall
+from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.given import Given
-from symhaptic.numeric.plant import Device, device
+from symhaptic.numeric.plant import device
 from symhaptic.numeric.stability import SHEETS, is_stable
-from symhaptic.numeric.tracing.losses import Loops, first_loss
+from symhaptic.numeric.tracing.losses import Loops, first_loss, leads_at_minus_one, next_changes
 
 _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
@@ -92,36 +92,14 @@ def _finished(
     return np.where(known, lost, np.nan)
 
 
-def _next_change(x: Device, v: Wall, steps: Array, later: Array) -> Array:
-    """The real number of periods at which a pair of roots leaves the circle, for whole delays.
-
-    The next time, or so many times ``later``.
-    """
-    change = np.full(np.broadcast_shapes(steps.shape, x.m2.shape, later.shape), np.inf)
-    for crossing in crossings(surplus(x, v), True):
-        bare, late = stability.phase(x, v, crossing), stability.theta(crossing)
-        odd = 2 * (stability.turns(bare, late, steps) - later) - 1
-        theta = late.halves * np.pi + late.rest
-        at = ((bare.halves - odd) * np.pi + bare.rest) / theta - 2
-        change = np.minimum(change, np.where(crossing.there & crossing.rises, at, np.inf))
-    return change
-
-
-def _leads_at_minus_one(x: Device, v: Wall) -> NDArray[np.bool_]:
-    return np.abs(x.numerator_at_minus_one * v.at_minus_one) > x.at_minus_one
-
-
 def _first_lost(loops: Loops) -> Array:
     """The first whole number of periods at which a root is outside; infinite if there is none."""
-    steps = np.zeros(loops.gamma.size)
-    lost = np.full(steps.size, np.inf)
-    leads = _leads_at_minus_one(loops.x, loops.v)
+    steps, none = np.zeros((2, loops.gamma.size))
+    lost = none + np.inf
     left, count = np.arange(steps.size), 1
     while left.size:
-        some, later = loops.take(left), np.arange(float(count))
-        x, v = Device(*(a[:, None] for a in some.x)), Wall(*(a[:, None] for a in some.v))
-        change = np.floor(_next_change(x, v, steps[left, None], later))
-        ahead = np.where(leads[left, None], steps[left, None] + later, change) + 1
+        some = loops.take(left)
+        ahead, last = some.leaving(steps[left], none[left], count)
         row, column = np.nonzero(ahead <= arguments.LONGEST)
         outside = np.zeros(ahead.shape, dtype=bool)
         here = ahead[row, column]
@@ -129,8 +107,8 @@ def _first_lost(loops: Loops) -> Array:
         first = ahead[np.arange(left.size), outside.argmax(axis=1)]
         found = outside.any(axis=1)
         lost[left[found]] = first[found]
-        steps[left] = ahead[:, -1]
-        left = left[~found & (ahead[:, -1] <= arguments.LONGEST)]
+        steps[left] = last
+        left = left[~found & (last <= arguments.LONGEST)]
         count = max(1, min(4 * count, _AHEAD // max(left.size, 1)))
     return lost
 
@@ -139,11 +117,11 @@ def _principal(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
     known = ~np.isnan(alpha + beta + gamma + delta)
     al, be, g, dl = (np.where(known, a, 0.0) for a in (alpha, beta, gamma, delta))
     x, v = device(g, dl), wall(al, be)
-    change = _next_change(x, v, np.zeros_like(g), np.zeros(()))
+    change = np.minimum.reduce(next_changes(x, v, np.zeros_like(g), np.zeros(())))
     # where the wall leads at -1, the phase of z^d there is the next to change
     side = np.where(v.slope >= 0, 1.0, -1.0)
     end = np.where(v.at_minus_one > 0, side, 0.0) + (x.numerator_at_minus_one > 0)
     turns = np.rint((end - 3) / 2)
     at = end - 3 - (2 * turns - 1)
-    change = np.where(_leads_at_minus_one(x, v), np.minimum(change, at), change)
+    change = np.where(leads_at_minus_one(x, v), np.minimum(change, at), change)
     return _finished(change, al, be, g, dl, known)
