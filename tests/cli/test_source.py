@@ -111,7 +111,8 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
         ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
         ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
-        ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has two names for 'b'"),
+        ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has 'b' twice on a side"),
+        ('(("c", "b"),)', '(("c", "b"), ("c", "T"))', "the notation has 'c' twice on a side"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],
@@ -131,6 +132,8 @@ def test_of_two_sources_none_is_left_out_in_silence(notes):
         run = symhaptic("verify", *twice)
         said = "symhaptic: error: --source: is given more than once; one value is allowed\n"
         assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
+    run = symhaptic("verify", "eq11", "-oone.txt", "-oother.txt")
+    assert (run.returncode, run.stderr) == (2, said.replace("--source", "-o"))
 
 
 def test_a_folder_without_a_source_or_chapters_is_refused(notes, tmp_path):

@@ -67,9 +67,9 @@ def add(
     Raises ``ValueError`` with one line on what is wrong with it.
     """
     found = {}
-    called = [name for _, name in source.notation]
-    if twice := [name for name in called if called.count(name) > 1]:
-        raise ValueError(f"the notation has two names for {twice[0]!r}; one is allowed")
+    for side in zip(*source.notation, strict=True):
+        if twice := [word for word in side if side.count(word) > 1]:
+            raise ValueError(f"the notation has {twice[0]!r} twice on a side; once is allowed")
     if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
         raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
     for statement in statements:

@@ -87,7 +87,7 @@ def once(command: Any, given: list[str]) -> None:
     for option in called.params if called else ():
         if option.param_type_name != "option" or option.multiple or option.is_flag:
             continue
-        names = [word.partition("=")[0] for word in before]
+        names = [word[:2] if word[1:2] != "-" else word.partition("=")[0] for word in before]
         if sum(name in option.opts for name in names) > 1:
             refuse(f"{option.opts[0]}: is given more than once; one value is allowed")
 

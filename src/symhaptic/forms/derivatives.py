@@ -207,7 +207,7 @@ def with_derivatives(form: Form, by: tuple[str, ...]) -> Form:
     """
     symbols = {s.name: s for s in form.arguments}
     for name in by:
-        if name not in list(symbols):
+        if name not in list(symbols):  # a list is no key of a mapping
             raise NoForm(f"{form.name}: has no argument {name!r}; it has {', '.join(symbols)}")
     if counts(form):
         raise NoForm(f"{form.name}: has no derivative, since it counts roots")

@@ -148,7 +148,7 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
             *(("gamma <= 9.8",) * parts.stiffness),
             *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
             *((f"no 0 < delta < 5 ulp(1) if {far} > pi",) * (parts.stiffness and parts.damping)),
-            "NaN elsewhere and where no wall is stable",
+            "NaN elsewhere, and where no wall is stable or none that is a little softer",
         ),
         held=("alpha",),
     )

@@ -125,7 +125,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
@@ -203,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "74bea5c3cd5d8cdc")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "5685e95ac003ba10")) return -1;
     return filled(module);
 }
 

@@ -75,7 +75,8 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 <
- * delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere and where no wall is stable.
+ * delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none
+ * that is a little softer.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,

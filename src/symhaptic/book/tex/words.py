@@ -47,11 +47,6 @@ def number(value: float) -> str:
     return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
 
 
-def settled_at(id: str) -> str:
-    """The id of a statement as the place of a link; that of the paper's as it is."""
-    return re.sub(r"[^A-Za-z0-9:]+", "-", id)
-
-
 def anchor(name: str) -> str:
     """A name as the place of a link, in letters that TeX leaves alone."""
     return re.sub(r"[^A-Za-z0-9]+", "-", name)
