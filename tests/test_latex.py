@@ -5,7 +5,7 @@ from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import beside_formulas, settled_at
+from symhaptic.book.tex.words import anchor, beside_formulas
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
 from symhaptic.paper.reading import read
@@ -76,15 +76,15 @@ def test_a_prime_stands_behind_the_letter():
     [
         ("eq11", "(11)", "eq11"),
         ("tab2", "Table II", "tab2"),
-        ("rules:four", r"\texttt{\scriptsize rules:four}", "rules:four"),
+        ("rules:four", r"\texttt{\scriptsize rules:four}", "rules-four"),
         ("tablet", r"\texttt{\scriptsize tablet}", "tablet"),
         ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal-masses"),
-        ("my:5%&#{^~", r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}", "my:5-"),
+        ("my:5%&#{^~", r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}", "my-5-"),
         ("a\\b-c", r"\texttt{\scriptsize a\textbackslash{}b-\allowbreak c}", "a-b-c"),
     ],
 )
 def test_any_id_can_be_printed_and_linked(id, shown, place):
-    assert (reference(id), settled_at(id)) == (shown, place)
+    assert (reference(id), anchor(id)) == (shown, place)
 
 
 def test_a_note_has_words_beside_formulas():
