@@ -2,6 +2,7 @@
 
 import importlib.util
 import warnings
+from inspect import signature
 
 import mpmath
 import numpy as np
@@ -79,6 +80,16 @@ def test_many_digits():
         assert abs(n1 - (0.5 - delta / 6)) < mpmath.mpf("1e-49")
         assert abs(n0 - (0.5 - delta / 3)) < mpmath.mpf("1e-49")
         assert abs(a - (2 - delta)) < mpmath.mpf("1e-48")
+
+
+def test_many_digits_take_arguments_by_name():
+    """(B + b)/(d + 1/2) of the linear condition: 3 over 3/2, by hand."""
+    for modules in ("numpy", "mpmath"):
+        limit = lambdify("linear_limit", modules=modules)
+        assert limit(d=1, delta=1, beta=2) == 2
+        assert [*signature(limit).parameters] == ["beta", "delta", "d"]
+        with pytest.raises(TypeError, match=r"linear_limit.*missing.*'d'"):
+            limit(1, 2)
 
 
 def test_single_precision_on_its_own_scale():

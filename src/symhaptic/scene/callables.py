@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cache
+from inspect import Parameter, Signature
 from typing import Any
 
 import mpmath
@@ -117,11 +118,14 @@ def _on_arrays(form: Form) -> Callable[..., Any]:
 
 
 def _in_digits(form: Form) -> Callable[..., Any]:
-    def function(*numbers: Any) -> Any:
-        if len(numbers) != len(form.arguments):
-            names = ", ".join(s.name for s in form.arguments)
-            raise TypeError(f"{form.name}({names}) takes {len(form.arguments)} numbers")
-        at = dict(zip(form.arguments, map(mpmath.mpmathify, numbers), strict=True))
+    signature = Signature([Parameter(s.name, _EITHER_WAY) for s in form.arguments])
+
+    def function(*numbers: Any, **named: Any) -> Any:
+        try:
+            given = signature.bind(*numbers, **named).args
+        except TypeError as wrong:
+            raise TypeError(f"{form.name}{signature}: {wrong}") from None
+        at = dict(zip(form.arguments, map(mpmath.mpmathify, given), strict=True))
         if not all(_inside(*pair) for pair in zip(form.within, at.items(), strict=True)):
             nothing = (_NOTHING[form.outside],) * len(form.results)
             return nothing if len(nothing) > 1 else nothing[0]
@@ -130,9 +134,12 @@ def _in_digits(form: Form) -> Callable[..., Any]:
             return found[0] != 0
         return found if len(found) > 1 else found[0]
 
+    function.__name__ = form.name
+    function.__signature__ = signature  # type: ignore[attr-defined]
     return function
 
 
+_EITHER_WAY = Parameter.POSITIONAL_OR_KEYWORD
 _NOTHING = {sp.nan: mpmath.nan, sp.Integer(-1): mpmath.mpf(-1), sp.false: False}
 _NO_END = {BELOW_PI: sp.pi, **dict.fromkeys((LARGEST, STIFFEST, LONGEST), sp.Float(10) ** 1000)}
 
