@@ -133,9 +133,9 @@ def reference(id: str) -> str:
     """The number of an equation or table, or the id of another statement."""
     if number := _NUMBERED.fullmatch(id):
         return f"({number[2]})" if number[1] == "eq" else f"Table {'I' * int(number[2])}"
-    # the column holds thirteen letters; the longest word, "interconnection", breaks after five
-    parts = re.split(r"(?<=-)|(?<=\b\w{5})(?=\w{9})", id)
-    breaking = "\\allowbreak ".join(map(literally, parts))
+    # a column may hold thirteen letters; a longer word, "interconnection", breaks where it has to
+    words = (re.split(r"(?<=\b\w{5})(?=\w{9})", word) for word in re.split(r"(?<=-)", id))
+    breaking = "\\allowbreak ".join("\\penalty1000 ".join(map(literally, w)) for w in words)
     return f"\\texttt{{\\scriptsize {breaking}}}"
 
 
