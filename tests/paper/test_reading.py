@@ -278,6 +278,9 @@ MISLEADING = [
     r"K = B \quad K > 0",
     r"\frac12 B",
     r"\frac B 2",
+    r"K(T) = B",
+    r"B(\gamma) = K",
+    r"K_{\text{lin}}(d_1)",
 ]
 
 

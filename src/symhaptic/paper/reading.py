@@ -246,6 +246,8 @@ class _Reader:
 
     def name(self, token: str) -> Expr:
         spelled = token + self.subscript()
+        if spelled not in FUNCTIONS and self.peek() == "(":
+            self.refuse_value_of(spelled)
         if spelled in self.own:
             return sp.Symbol(self.own[spelled])
         if spelled == "j":
@@ -260,6 +262,18 @@ class _Reader:
             other = next(tex for tex, name in self.own.items() if name == _SYMBOLS[spelled])
             raise Unreadable(f"{spelled!r}, which the source calls {other!r}, in {self.latex!r}")
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
+
+    def refuse_value_of(self, name: str) -> None:
+        """Refuse v(t), which nobody writes for a product."""
+        start = self.at
+        self.take("(")
+        of = self.take()
+        if of[-1:].isalpha() and of not in _FUNCTIONS:
+            of += self.subscript()
+            if self.peek() == ")":
+                shown = f"{name}({of})"
+                raise Unreadable(f"{shown!r}, a value of {name!r} or a product, in {self.latex!r}")
+        self.at = start
 
 
 _E = sp.Symbol("_base_of_the_exponential")
