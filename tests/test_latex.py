@@ -89,4 +89,5 @@ def test_any_id_can_be_printed_and_linked(id, shown, place):
 
 def test_a_note_has_words_beside_formulas():
     assert beside_formulas(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
+    assert beside_formulas(r"x^2 of $x^2$ at 3 $ or \^o") == r"x\^{}2 of $x^2$ at 3 \$ or \^o"
     assert statement_link("a<b") == ":ref:`aless thanb <statement-a-b>`"

@@ -31,7 +31,10 @@ def prose(text: str) -> str:
 def beside_formulas(text: str) -> str:
     """The signs of TeX in words beside formulas are written out."""
     parts = re.split(r"(\$[^$]*\$)", text)
-    return "".join(p if p[:1] == "$" else re.sub(r"(?<!\\)([%#&_])", r"\\\1", p) for p in parts)
+    return "".join(
+        part if i % 2 else re.sub(r"(?<!\\)[%#&_^$]", lambda sign: _SIGNS[sign[0]], part)
+        for i, part in enumerate(parts)
+    )
 
 
 def number(value: float) -> str:
