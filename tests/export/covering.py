@@ -36,12 +36,12 @@ def covering(factors, allowed, tries=60, seed=1):
 def every_value(first, second):
     """All pairs as parameters of a test, those slow that are not needed for each value to occur.
 
-    The first of ``second`` meets each of ``first``, and each other of ``second`` another of these.
-    Those of one of ``second`` are beside each other.
+    Each of the longer meets the next of the other.  Those of one of ``second`` are beside each
+    other.
     """
     first, second = list(first), list(second)
-    usual = {(one, second[0]) for one in first}
-    usual |= {(first[place % len(first)], other) for place, other in enumerate(second)}
+    rows = range(max(len(first), len(second)))
+    usual = {(first[row % len(first)], second[row % len(second)]) for row in rows}
     return [
         pytest.param(one, other, marks=[] if (one, other) in usual else pytest.mark.slow)
         for other in second
