@@ -17,6 +17,12 @@ FEW = {
 }  # fmt: skip
 
 
+@pytest.mark.parametrize("chart", FEW, ids=lambda f: f.__name__)
+def test_what_is_no_scene_is_named(chart):
+    with pytest.raises(ValueError, match="scene: 'free mass' is not allowed; a Scene is"):
+        chart("free mass")
+
+
 @pytest.mark.parametrize("scene", [None, SCENE], ids=["23", "scene"])
 @pytest.mark.parametrize("chart", FEW, ids=lambda f: f.__name__)
 def test_charts_have_units_and_room(chart, scene, tmp_path):

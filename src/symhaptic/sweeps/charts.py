@@ -15,6 +15,7 @@ import numpy as np
 
 from symhaptic.notation.quantities import shown
 from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
+from symhaptic.sweeps.axes import checked
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 from symhaptic.sweeps.sweep import sweep
 
@@ -52,6 +53,7 @@ def robust_limits(
 
     >>> figure = robust_limits(points=20)
     """
+    checked(scene)
     names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
     late: dict[str, Any] = {} if delay is None else {"delay": delay}
     if scene is None:
@@ -102,6 +104,7 @@ def stiffest(
 
     >>> figure = stiffest(points=20)
     """
+    checked(scene)
     fixed: dict[str, Any] = {}
     if scene is None:
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
@@ -137,6 +140,7 @@ def delay_margin(
 
     >>> figure = delay_margin(points=12)
     """
+    checked(scene)
     names = ("alpha", "beta") if scene is None else ("K", "B")
     fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
     half: dict[str, Any] = {"delay": 0.5} if scene is None else {"delay_samples": 0.5}
@@ -179,6 +183,7 @@ def model_costs(
     """
     from matplotlib.ticker import LogFormatter
 
+    checked(scene)
     period = 1.0 if scene is None else scene.sampling_period
     names = ("gamma", "delta") if scene is None else _SI[2:]
     arms = _arms(scene, stiffness, damping)
