@@ -8,6 +8,7 @@ from oracle import sampled
 from scipy.linalg import expm
 
 from symhaptic import discretize
+from symhaptic.numeric.plant import device
 
 
 def exact(gamma, delta):
@@ -95,3 +96,25 @@ def test_a_device_that_swings_millions_of_turns_in_a_period(gamma):
 
 def test_a_subnormal_spring_is_none():
     assert discretize(5e-324, 0.0) == discretize(0.0, 0.0)
+
+
+@pytest.mark.parametrize("turns", [1, 2, 3])
+def test_what_the_ends_of_a_late_force_differ_by(turns):
+    """m2 - m0 next to half and to whole swings in a period, where an impulse moves nothing."""
+    rng = np.random.default_rng(turns)
+    for _ in range(40):
+        gamma = (np.pi * turns) ** 2 * (1 + rng.choice([-1, 1]) * 10 ** rng.uniform(-12, -4))
+        delta = rng.choice([0.0, 10 ** rng.uniform(-14, -6)])
+        part = 0.5 + rng.choice([-1, 1]) * 10 ** rng.uniform(-6, -0.4)
+        with mpmath.workdps(50):
+            half, part = mpmath.mpf(delta) / 2, mpmath.mpf(part)
+            w = mpmath.sqrt(gamma - half**2)
+            swings = [mpmath.exp(-half * t) * mpmath.sin(w * t) / w for t in (1 - part, part)]
+            rests = [1 - mpmath.exp(-half * t) * mpmath.cos(w * t) for t in (1 - part, part)]
+            early = (rests[0] - half * swings[0]) / gamma
+            # of the time reversed: the whole period's e, less what the beginning has left
+            left = mpmath.exp(-2 * half * part) - 1 + rests[1] + half * swings[1]
+            late = mpmath.exp(-2 * half * (1 - part)) * left / gamma
+            exact = float(early - late)
+        found = device(*(np.asarray(float(v)) for v in (gamma, delta, part))).gap
+        assert found == pytest.approx(exact, rel=1e-9, abs=1e-22)

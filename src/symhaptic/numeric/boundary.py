@@ -70,7 +70,7 @@ def _on_circle(x: Device, theta: Array) -> _Circle:
         x.at_one - x.at_minus_one * square,
         x.loss * twice,
         x.numerator_at_one - x.numerator_at_minus_one * square,
-        (x.m2 - x.m0) * twice,
+        x.gap * twice,
     )
 
 
@@ -94,7 +94,7 @@ def tangent(x: Device, theta: Array, steps: Array) -> tuple[Array, Array]:
     ratio = (c.above + 1j * c.above_j) / below
     # by t first: dt = (1 + t^2)/2 dtheta
     above_slope = 2 * (1j * x.loss - x.at_minus_one * c.t)
-    below_slope = 2 * (1j * (x.m2 - x.m0) - x.numerator_at_minus_one * c.t)
+    below_slope = 2 * (1j * x.gap - x.numerator_at_minus_one * c.t)
     real, imaginary = _turn(steps, theta)
     turn = -(real + 1j * imaginary)
     q = turn * ratio

@@ -75,7 +75,7 @@ def surplus(x: Device, v: Wall) -> Surplus:
     # |A|^2 = (1 + e)^2/4 (y - center)^2 + loss^2 y (4 - y)/4, likewise |M|^2 and |W|^2
     sine, tilt = center * beyond / 4, (beyond - center) / 4
     m_real = (x.numerator_at_one * beyond - x.numerator_at_minus_one * center) / 4
-    across, along = (x.m2 - x.m0) ** 2, x.m2 + x.m0
+    across, along = x.gap**2, x.m2 + x.m0
     m = m_real**2 + across * sine, across * tilt - along * m_real, x.m2 * x.m0
     w_real = (v.alpha * beyond - v.at_minus_one * center) / 4
     w = w_real**2 + v.slope**2 * sine
@@ -94,7 +94,7 @@ def _about_end(x: Device, at: Array, top: Array, force: Array, slope: Array) -> 
 
     |A|^2 = at^2 + (loss^2 - at (1 + e)) y + e y^2, likewise |M|^2, and |W|^2 = force^2 + slope y.
     """
-    m_linear, m_square = (x.m2 - x.m0) ** 2 - top * (x.m2 + x.m0), x.m2 * x.m0
+    m_linear, m_square = x.gap**2 - top * (x.m2 + x.m0), x.m2 * x.m0
     scaled = top * force
     constant = (at - scaled) * (at + scaled)
     linear = x.loss**2 - at * (1 + x.e) - m_linear * force**2 - top**2 * slope

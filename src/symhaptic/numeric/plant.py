@@ -22,8 +22,8 @@ from symhaptic.numeric.given import Given
 class Device(NamedTuple):
     """The numerator m2 z^2 + m1 z + m0 and the denominator z (z^2 - a z + e), at z = 1 and -1.
 
-    Values at 1 and -1 and the loss 1 - e are kept beside the coefficients: near the ends of the
-    upper half circle they are what a difference of coefficients would lose.
+    Values at 1 and -1, m2 - m0 and the loss 1 - e are kept beside the coefficients: near the ends
+    of the upper half circle they are what a difference of coefficients would lose.
     """
 
     m2: Array
@@ -32,6 +32,8 @@ class Device(NamedTuple):
     numerator_at_one: Array
     numerator_at_minus_one: Array
     """m2 - m1 + m0."""
+    gap: Array
+    """m2 - m0."""
     a: Array
     e: Array
     at_one: Array
@@ -83,6 +85,7 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
         np.zeros_like(n1),
         numerator_at_one=together,
         numerator_at_minus_one=delta * apart,
+        gap=n1,
         a=at_minus_one - (1 + e),
         e=e,
         at_one=gamma * together,
@@ -100,12 +103,70 @@ def behind(undelayed: Device, gamma: Array, delta: Array, part: Array) -> Device
     """
     apart, m2, m0 = _late_device(gamma, delta, part)
     x, whole = undelayed, part == 0
+    gap = _gap(gamma, delta, part, m2, m0)
     return x._replace(
         m2=np.where(whole, x.m2, m2),
         m1=np.where(whole, x.m1, x.numerator_at_one - (m2 + m0)),
         m0=np.where(whole, 0.0, m0),
         numerator_at_minus_one=np.where(whole, x.numerator_at_minus_one, apart),
+        gap=np.where(whole, x.gap, gap),
     )
+
+
+class Swing(NamedTuple):
+    r"""A device that swings with w, about the middle of a period: u = 1/2 - part.
+
+    With h = delta/2 a sum or difference of what happens in both parts of the period is made of
+    F = 1 - exp(-h) and sin(w/2), or of F and cos(w/2): nothing as large as the parts is in it, of
+    which little is left next to whole and to half swings in a period.
+    """
+
+    there: NDArray[np.bool_]
+    """Whether it swings; the rest is of no use otherwise."""
+    w: Array
+    lost: Array
+    """F."""
+    kept: Array
+    """2 - F."""
+    sine: Array
+    """sin(w/2), of w to twice the digits."""
+    cosine: Array
+    turned: Array
+    """w u."""
+    fade: Array
+    """exp(-h (1 - part))."""
+
+    def slopes(self) -> tuple[Array, Array]:
+        """m2' + m0' and m2' - m0'."""
+        early, even = np.sin(self.turned), np.cos(self.turned)
+        sine, cosine = self.sine * even, self.cosine * early
+        share = -self.fade / self.w
+        sums, gaps = self.lost * sine + self.kept * cosine, self.kept * sine + self.lost * cosine
+        return share * sums, share * gaps
+
+
+def swing(gamma: Array, delta: Array, part: Array) -> Swing:
+    """The device behind ``part`` periods of delay."""
+    half, square, square_low, root, _ = _by_kernel(haptic.device_motion, gamma, delta)
+    there = square < 0
+    w = np.where(there, root, 1.0)
+    low = np.where(there, _by_kernel(haptic.root_miss, square, square_low, root), 0.0) / 2
+    sine, cosine = np.sin(w / 2), np.cos(w / 2)
+    return Swing(there, w, -np.expm1(-half), 1 + np.exp(-half), sine + low * cosine,
+                 cosine - low * sine, w * (0.5 - part), np.exp(-half * (1 - part)))  # fmt: skip
+
+
+def _gap(gamma: Array, delta: Array, part: Array, m2: Array, m0: Array) -> Array:
+    """m2 - m0, the difference or (F (2 - F) - along - across)/gamma, whichever rounds less."""
+    v = swing(gamma, delta, part)
+    half, turned = delta / (2 * v.w), np.abs(v.turned)
+    early, even = np.sin(v.turned), np.cos(v.turned)
+    along = v.fade * v.lost * v.cosine * (even + half * early)
+    across = v.fade * v.kept * v.sine * (half * even - early)
+    terms = v.lost * (1 + half) * (1 + turned) + np.abs(v.sine) * (half + turned)
+    better = v.there & (8 * terms < gamma * (m2 + m0))
+    found = (v.lost * v.kept - along - across) / np.where(better, gamma, 1.0)
+    return np.asarray(np.where(better, found, m2 - m0))
 
 
 def stuck(gamma: Array, delta: Array) -> NDArray[np.bool_]:

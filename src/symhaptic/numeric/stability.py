@@ -74,7 +74,7 @@ def below(x: Device, c: Crossing) -> Angle:
 def above(x: Device, c: Crossing) -> Angle:
     """The angle of M/z."""
     middle = x.numerator_at_one * c.rest - x.numerator_at_minus_one * c.y
-    return _angle(middle, (x.m2 - x.m0) * _sine(c))
+    return _angle(middle, x.gap * _sine(c))
 
 
 def force(v: Wall, c: Crossing) -> Angle:
@@ -135,7 +135,7 @@ def count(
     side = np.where(v.slope >= 0, 1.0, -1.0)
     begin = np.where(v.alpha > 0, 0.0, side)
     end = np.where(v.at_minus_one > 0, side, 0.0) - (steps + 3)
-    end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.m2 >= x.m0, 1.0, -1.0), 0.0)
+    end = end + np.where(x.numerator_at_minus_one > 0, np.where(x.gap >= 0, 1.0, -1.0), 0.0)
     if principal:
         end = np.where(steps == np.floor(steps), end, 2 * np.rint(end / 2))
     total += np.where(_leads(terms.near), begin, 0.0)

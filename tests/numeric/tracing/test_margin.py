@@ -357,10 +357,27 @@ def test_no_loss_is_between_the_delays_at_which_a_root_may_have_left():
     assert seen > 50
 
 
+def exact_radius(alpha, beta, gamma, delta, part):
+    """The largest root behind a part of a period, in 40 digits."""
+    with mpmath.workdps(40):
+        top, bottom = in_40_digits(gamma, delta, mpmath.mpf(part))
+        push = np.convolve(top, [mpmath.mpf(alpha) + beta, -mpmath.mpf(beta)])
+        polynomial = np.concatenate([bottom, [0, 0]]) + np.concatenate([[0], push])
+        return max(map(abs, mpmath.polyroots(list(polynomial), maxsteps=500, extraprec=400)))
+
+
 def test_roots_that_hardly_turn_are_not_counted_period_by_period():
     """Next to two turns of an undamped device in a period: 1e11 periods between two changes."""
-    margin = delay_margin(-19.542720960471023, 0.15761762497816365, 39.47841760450612, 0.0)
-    assert np.isfinite(margin)
+    loop = -19.542720960471023, 0.15761762497816365, 39.47841760450612, 0.0
+    assert exact_radius(*loop, 0.49) < 1 < exact_radius(*loop, 0.51)
+    assert delay_margin(*loop) == pytest.approx(0.5, abs=1e-5)
+
+
+def test_the_margin_where_little_is_left_of_the_force_at_minus_one():
+    """Next to three half swings in a period, half a period late, M(-1) is what rounding leaves."""
+    loop = -1.033464091422467, -0.0010586576827747228, 88.82643960980424, 3.1502929274844845e-10
+    margin = float(delay_margin(*loop))
+    assert exact_radius(*loop, margin - 1e-6) < 1 < exact_radius(*loop, margin + 1e-6)
 
 
 def test_what_has_no_bound_decides_nothing_and_is_not_warned_of():

@@ -29,7 +29,7 @@ from symhaptic.numeric import cubic, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import Crossing, Surplus, Wall, surplus
 from symhaptic.numeric.cubic import Terms
-from symhaptic.numeric.plant import Device, behind, impulse
+from symhaptic.numeric.plant import Device, behind, impulse, swing
 
 _ROUNDING = 1e-13
 """Phases are taken to be off by this much of themselves."""
@@ -65,15 +65,13 @@ def slopes(gamma: Array, delta: Array, part: Array) -> tuple[Array, Array]:
 def part_of(undelayed: Device, gamma: Array, delta: Array, middle: Array, half: Array) -> Part:
     """The device while the delay's fraction is within ``middle`` +- ``half``."""
     slope2, slope0 = slopes(gamma, delta, middle)
-    square = gamma - delta**2 / 4
-    swing = np.sqrt(np.where(square > 0, square, np.inf))
-    grown, faded = 1 + delta / (2 * swing), -np.expm1(-delta / 2)
-    angle = np.where(square > 0, swing, 0.0) / 2
-    slope, turn = [], []
-    for now, share in ((slope2 + slope0, np.cos(angle)), (slope2 - slope0, np.sin(angle))):
-        bent = np.where(square > 0, np.minimum(grown * (faded + 2 * np.abs(share)), 2.0), 2.0)
-        slope.append(now)
-        turn.append(half * bent)
+    v = swing(gamma, delta, middle)
+    grown, slope, turn = 1 + delta / (2 * v.w), [], []
+    creep = slope2 + slope0, slope2 - slope0
+    for slow, fast, share in zip(creep, v.slopes(), (v.cosine, v.sine), strict=True):
+        slope.append(np.where(v.there, fast, slow))
+        most = np.minimum(grown * (v.lost + 2 * np.abs(share)), 2.0)
+        turn.append(half * np.where(v.there, most, 2.0))
     change = [half * (np.abs(now) + most / 2) for now, most in zip(slope, turn, strict=True)]
     return Part(behind(undelayed, gamma, delta, middle), half, *slope, *turn, *change)
 
@@ -166,7 +164,7 @@ def _runs(
 def _trend(p: Part, v: Wall) -> Surplus:
     """How the surplus changes over half the part, by its slope in the middle."""
     x = p.x
-    bends = 2 * (x.m2 - x.m0) * p.gap_slope - x.numerator_at_one * p.sum_slope
+    bends = 2 * x.gap * p.gap_slope - x.numerator_at_one * p.sum_slope
     far = p.sum_slope * x.numerator_at_minus_one
     return _spread(p, v, p.half * bends, p.half * far)
 
@@ -174,7 +172,7 @@ def _trend(p: Part, v: Wall) -> Surplus:
 def _room(p: Part, v: Wall) -> Surplus:
     """The most by which it changes besides."""
     x, sums, gaps = p.x, p.sum_turn * p.half / 2, p.gap_turn * p.half / 2
-    near = x.numerator_at_one * sums + 2 * np.abs(x.m2 - x.m0) * gaps + p.gap_change**2
+    near = x.numerator_at_one * sums + 2 * np.abs(x.gap) * gaps + p.gap_change**2
     far = np.abs(x.numerator_at_minus_one) * sums + p.sum_change**2
     return _spread(p, v, near, far)
 
@@ -238,7 +236,7 @@ def _phases(p: Part, v: Wall, ends: list[Crossing]) -> tuple[Array, Array]:
     force = np.stack([_sum(stability.force(v, c)) for c in (*ends, inside[1])])
     # |M|^2 is a quadratic in y: least at an end or at its own extremum
     product, total = x.m2 * x.m0, x.numerator_at_one
-    linear = (x.m2 - x.m0) ** 2 - total * (x.m2 + x.m0)
+    linear = x.gap**2 - total * (x.m2 + x.m0)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         own = np.nan_to_num(-linear / (2 * product), nan=0.0)
     extremum = _between(ends, own, 4 - own)
@@ -256,7 +254,7 @@ def _phases(p: Part, v: Wall, ends: list[Crossing]) -> tuple[Array, Array]:
 def _square(x: Device, y: Array, rest: Array) -> Array:
     """|M|^2."""
     real = (x.numerator_at_one * rest - x.numerator_at_minus_one * y) / 4
-    return np.asarray(real**2 + (x.m2 - x.m0) ** 2 * (y * rest / 4))
+    return np.asarray(real**2 + x.gap**2 * (y * rest / 4))
 
 
 def _widest(low: Crossing, high: Crossing) -> Array:
@@ -278,7 +276,8 @@ def _sum(angle: stability.Angle) -> Array:
 def _between(ends: list[Crossing], y: Array, rest: Array) -> Crossing:
     """The point inside the band, or the lower end of it where it is not inside."""
     one, two = ends
-    inside = (y > one.y) & (y < two.y)
+    near = (y > one.y) & (y < two.y), (rest > two.rest) & (rest < one.rest)
+    inside = np.where(y < rest, *near)  # by the one that has its digits
     return one._replace(y=np.where(inside, y, one.y), rest=np.where(inside, rest, one.rest))
 
 
@@ -356,7 +355,7 @@ def one_way(b: Bands, steps: Array) -> tuple[Array, Array]:
     """
     p, x, v = b.part, b.part.x, b.v
     sine, cosine = np.sqrt(b.y * b.rest) / 2, (b.rest - b.y) / 4
-    sums, gaps, reach, away = x.m2 + x.m0, x.m2 - x.m0, b.reach, b.away
+    sums, gaps, reach, away = x.m2 + x.m0, x.gap, b.reach, b.away
     late = (x.numerator_at_one * b.rest - x.numerator_at_minus_one * b.y) / 4
     push = (v.alpha * b.rest - v.at_minus_one * b.y) / 4
     total = 1 + x.e
