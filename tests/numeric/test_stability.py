@@ -161,3 +161,25 @@ def test_a_faint_wall_behind_a_fraction_is_stable_where_it_is(size, sheet):
         clear = abs(spare) > 0.01
         found = unstable_roots(alpha, beta, 0.0, delta, delay, sheet=sheet)
         assert np.array_equal((found == 0)[clear], (spare > 0)[clear])
+
+
+NEXT_TO_HALF_SWINGS = [  # alpha, beta, gamma, delta, delay: the root at -1 is what rounding leaves
+    (
+        0.007569336682797176,
+        4.5760184197443285,
+        9.86960440108936,
+        4.24703083e-09,
+        0.4999999999988011,
+    ),
+    (-0.015280417357600337, -9.492991578310109, 246.74011002723395, 2.0592359e-10, 1.5000000091641),
+    (3.599901126398317, 0.002540243070512862, 9.86960440108936, 1.9140031650037573e-10, 0.5),
+    (0.1, 0.3, 88.82643960980424, 3.1502929274844845e-10, 0.5),
+]
+
+
+@pytest.mark.parametrize("loop", NEXT_TO_HALF_SWINGS)
+def test_half_a_period_late_the_count_is_that_of_a_gamma_next_to_it(loop):
+    alpha, beta, gamma, delta, delay = loop
+    near = np.nextafter(gamma, 0), gamma, np.nextafter(gamma, np.inf)
+    exact = [certified(alpha, beta, float(g), delta, delay) for g in near]
+    assert int(unstable_roots(*loop)) in exact

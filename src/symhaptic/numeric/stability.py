@@ -180,9 +180,10 @@ def unstable_roots(
     Dimensionless wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
     ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
-    within rounding of the circle may be counted on either side.  -1 is the answer to NaN, and to a
-    wall with ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` (single: 2^-40): their squares
-    vanish.
+    within rounding of the circle may be counted on either side: half a period late and next to an
+    odd number of half swings in a period, hardly damped, that is 1e-7 wide, and the count is that
+    of a ``gamma`` up to a last place away.  -1 is the answer to NaN, and to a wall with
+    ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` (single: 2^-40): their squares vanish.
 
     Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.
