@@ -118,3 +118,15 @@ def test_the_stiffest_wall_beside_next_to_no_damping(delta, delay):
     found = stiffest_at(0.0, 0.0, delta, delay)
     assert found.alpha == pytest.approx(delta / (delay + 0.5), rel=max(1e-9, 10 * delta))
     assert 0 < found.theta < 2 * np.sqrt(delta) or delay == 0
+
+
+def test_a_loop_that_is_not_traced_leaves_the_others_their_limits():
+    """Next to half a swing in a period and undamped: refused alone, NaN among others."""
+    missed = 9.869603449477363
+    with pytest.raises(ValueError, match=r"gamma: 9.869603449477363 .* is not traced"):
+        max_stable_stiffness(missed, 0.0, 0.0)
+    with pytest.warns(RuntimeWarning, match=r"gamma: 9.869603449477363 .* it is NaN here"):
+        among = max_stable_stiffness([0.1, missed, 0.5], 0.0, 0.0)
+    assert np.isnan([v[1] for v in among]).all()
+    for at, gamma in ((0, 0.1), (2, 0.5)):
+        assert [v[at] for v in among] == pytest.approx(max_stable_stiffness(gamma, 0.0, 0.0))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import warnings
 from functools import partial
 
 import numpy as np
@@ -19,7 +21,7 @@ from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import Device, device, stuck
 from symhaptic.numeric.stability import SHEETS
 from symhaptic.numeric.tracing.arcs import Loop
-from symhaptic.numeric.tracing.region import farthest
+from symhaptic.numeric.tracing.region import NotTraced, farthest
 
 _GRID = np.linspace(0, 1, 25)[1:]
 """Parts of the first half turn of z^(d+1) at which the first maximum of alpha is looked for."""
@@ -52,8 +54,9 @@ def max_stable_stiffness(
     every piece of the boundary is traced, one element after the other, which takes milliseconds
     times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
 
-    Raises :class:`ValueError` for an impossible plant or delay, and where pieces of the boundary
-    are missed, see :func:`symhaptic.stable_region`; NaN gives NaN.
+    Where pieces of the boundary are missed, see :func:`symhaptic.stable_region`, a single loop
+    raises :class:`ValueError`; among others it gives NaN, with a :class:`RuntimeWarning` that
+    names it.  Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
 
     >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
     >>> alpha.round(6).tolist()
@@ -61,11 +64,12 @@ def max_stable_stiffness(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(gamma=gamma, delta=delta, delay=delay)
-    work = partial(arguments.in_blocks, partial(_rightmost, sheet=sheet))
+    alone = math.prod(arguments.together(*given.values)) == 1
+    work = partial(arguments.in_blocks, partial(_rightmost, sheet=sheet, alone=alone))
     return Extremum(*given.by_numpy(work, 3))
 
 
-def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
+def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str, alone: bool) -> Array:
     shape = np.broadcast_shapes(gamma.shape, delta.shape, delay.shape)
     g, dl, dy = (np.broadcast_to(a, shape).reshape(-1) for a in (gamma, delta, delay))
     found = np.full((3, g.size), np.nan)
@@ -76,7 +80,12 @@ def _rightmost(gamma: Array, delta: Array, delay: Array, sheet: str) -> Array:
         found[:, simple] = first(g[simple], dl[simple], dy[simple])
     for i in np.flatnonzero(known & np.isnan(found[0])):
         loop = Loop(float(g[i]), float(dl[i]), float(dy[i]), sheet)
-        found[:, i] = farthest(loop, np.array([1.0, 0.0]))
+        try:
+            found[:, i] = farthest(loop, np.array([1.0, 0.0]))
+        except NotTraced as missed:
+            if alone:
+                raise
+            warnings.warn(f"{missed}; it is NaN here", RuntimeWarning, stacklevel=2)
     return found.reshape(3, *shape)
 
 

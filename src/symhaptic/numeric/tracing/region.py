@@ -141,8 +141,12 @@ def _hardly_held(loop: Loop) -> bool:
     return bool(is_stable(*wall, loop.gamma, loop.delta, loop.delay, loop.sheet))
 
 
-def _not_traced(loop: Loop) -> ValueError:
-    return ValueError(
+class NotTraced(ValueError):
+    """Pieces of a boundary are missed."""
+
+
+def _not_traced(loop: Loop) -> NotTraced:
+    return NotTraced(
         f"gamma: {loop.gamma!r} with delta={loop.delta!r} behind {loop.delay!r} periods is not "
         "traced, since the pieces of its boundary do not meet; is_stable tells of each wall"
     )
