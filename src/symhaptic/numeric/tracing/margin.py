@@ -41,7 +41,8 @@ def delay_margin(
     loop is not stable without delay, infinite where no delay up to 1e15 destabilises it.  The
     time does not grow with the margin: some 20 microseconds for a wall among many, some
     milliseconds for one alone, up to a tenth of a second next to a device that swings thousands
-    of periods long or where plant and wall all but touch.
+    of periods long or where plant and wall all but touch.  Of devices within 1e-13 of making whole
+    swings in a period, hardly damped, one in some thousand takes a minute.
 
     Behind a fraction of a period the crossings have no closed form: two equations, for the angle
     and the fraction, that are transcendental in the fraction.  The curve on which plant and wall
