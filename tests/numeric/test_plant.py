@@ -117,4 +117,4 @@ def test_what_the_ends_of_a_late_force_differ_by(turns):
             late = mpmath.exp(-2 * half * (1 - part)) * left / gamma
             exact = float(early - late)
         found = device(*(np.asarray(float(v)) for v in (gamma, delta, part))).gap
-        assert found == pytest.approx(exact, rel=1e-9, abs=1e-22)
+        assert found == pytest.approx(exact, rel=1e-14, abs=1e-22)

@@ -281,6 +281,11 @@ MISLEADING = [
     r"K(T) = B",
     r"B(\gamma) = K",
     r"K_{\text{lin}}(d_1)",
+    r"K^2(T) = B",
+    r"K[d] = B",
+    r"K(0) = B",
+    r"K\left(T\right) = B",
+    r"\sin K(T)",
 ]
 
 

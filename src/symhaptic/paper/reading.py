@@ -130,10 +130,25 @@ class _Reader:
     def chain(self) -> Expr:
         value = self.power()
         while self.starts_factor():
-            if self.peek()[0].isdigit():
-                raise Unreadable(f"a number right of a factor in {self.latex!r}")
-            value = value * self.power()
+            value = value * self.factor()
         return value
+
+    def factor(self) -> Expr:
+        """A factor right of another; v(t), x[k] and K(0) are values, or products that nobody writes
+        so."""
+        if self.peek()[0].isdigit():
+            raise Unreadable(f"a number right of a factor in {self.latex!r}")
+        start, opening = self.at, self.peek()
+        if opening in ("(", "["):
+            self.take()
+            sign = self.take()
+            if sign[-1].isalnum() and sign not in _FUNCTIONS:
+                sign += self.subscript()
+                if self.peek() == _CLOSING[opening]:
+                    shown = f"{opening}{sign}{self.peek()}"
+                    raise Unreadable(f"a value or a product with {shown!r} in {self.latex!r}")
+            self.at = start
+        return self.power()
 
     def argument(self) -> Expr:
         """What a function without brackets applies to: factors up to the next function."""
@@ -141,9 +156,7 @@ class _Reader:
             return self.group()
         value = self.power()
         while self.starts_factor() and self.peek() not in _FUNCTIONS:
-            if self.peek()[0].isdigit():
-                raise Unreadable(f"a number right of a factor in {self.latex!r}")
-            value = value * self.power()
+            value = value * self.factor()
         return value
 
     def starts_factor(self) -> bool:
@@ -246,8 +259,6 @@ class _Reader:
 
     def name(self, token: str) -> Expr:
         spelled = token + self.subscript()
-        if spelled not in FUNCTIONS and self.peek() == "(":
-            self.refuse_value_of(spelled)
         if spelled in self.own:
             return sp.Symbol(self.own[spelled])
         if spelled == "j":
@@ -262,18 +273,6 @@ class _Reader:
             other = next(tex for tex, name in self.own.items() if name == _SYMBOLS[spelled])
             raise Unreadable(f"{spelled!r}, which the source calls {other!r}, in {self.latex!r}")
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
-
-    def refuse_value_of(self, name: str) -> None:
-        """Refuse v(t), which nobody writes for a product."""
-        start = self.at
-        self.take("(")
-        of = self.take()
-        if of[-1:].isalpha() and of not in _FUNCTIONS:
-            of += self.subscript()
-            if self.peek() == ")":
-                shown = f"{name}({of})"
-                raise Unreadable(f"{shown!r}, a value of {name!r} or a product, in {self.latex!r}")
-        self.at = start
 
 
 _E = sp.Symbol("_base_of_the_exponential")

@@ -18,7 +18,7 @@ _PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz
 """Units as Pint spells them."""
 
 
-def checked(scene: Scene | None) -> None:
+def scene_or_none(scene: Scene | None) -> None:
     """Raise :class:`ValueError` for what is no scene."""
     if scene is not None and not isinstance(scene, Scene):
         raise ValueError(f"scene: {shown(scene)} is not allowed; a Scene is")
@@ -36,7 +36,7 @@ def plan_of(
 
     Raises :class:`ValueError` for what is impossible.
     """
-    checked(scene)
+    scene_or_none(scene)
     work = work_of(quantity, axes, scene is not None)
     given = {n: v for n, v in axes.items() if n not in work.words}
     if scene is not None:

@@ -15,7 +15,7 @@ import numpy as np
 
 from symhaptic.notation.quantities import shown
 from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
-from symhaptic.sweeps.axes import checked
+from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 from symhaptic.sweeps.sweep import sweep
 
@@ -53,7 +53,7 @@ def robust_limits(
 
     >>> figure = robust_limits(points=20)
     """
-    checked(scene)
+    scene_or_none(scene)
     names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
     late: dict[str, Any] = {} if delay is None else {"delay": delay}
     if scene is None:
@@ -104,7 +104,7 @@ def stiffest(
 
     >>> figure = stiffest(points=20)
     """
-    checked(scene)
+    scene_or_none(scene)
     fixed: dict[str, Any] = {}
     if scene is None:
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
@@ -140,7 +140,7 @@ def delay_margin(
 
     >>> figure = delay_margin(points=12)
     """
-    checked(scene)
+    scene_or_none(scene)
     names = ("alpha", "beta") if scene is None else ("K", "B")
     fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
     half: dict[str, Any] = {"delay": 0.5} if scene is None else {"delay_samples": 0.5}
@@ -183,7 +183,7 @@ def model_costs(
     """
     from matplotlib.ticker import LogFormatter
 
-    checked(scene)
+    scene_or_none(scene)
     period = 1.0 if scene is None else scene.sampling_period
     names = ("gamma", "delta") if scene is None else _SI[2:]
     arms = _arms(scene, stiffness, damping)

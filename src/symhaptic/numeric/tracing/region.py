@@ -131,7 +131,7 @@ def stable_region(
         if is_stable(inner.x, inner.y, loop.gamma, loop.delta, loop.delay, loop.sheet):
             stable.append(face)
     if not stable and _hardly_held(loop):
-        raise _not_traced(loop)
+        raise NotTraced(loop)
     return Region(loop, shapely.unary_union(stable), corners, max(error, moved))
 
 
@@ -142,14 +142,13 @@ def _hardly_held(loop: Loop) -> bool:
 
 
 class NotTraced(ValueError):
-    """Pieces of a boundary are missed."""
+    """Pieces of a loop's boundary are missed."""
 
-
-def _not_traced(loop: Loop) -> NotTraced:
-    return NotTraced(
-        f"gamma: {loop.gamma!r} with delta={loop.delta!r} behind {loop.delay!r} periods is not "
-        "traced, since the pieces of its boundary do not meet; is_stable tells of each wall"
-    )
+    def __init__(self, loop: Loop) -> None:
+        super().__init__(
+            f"gamma: {loop.gamma!r} with delta={loop.delta!r} behind {loop.delay!r} periods is not "
+            "traced, since the pieces of its boundary do not meet; is_stable tells of each wall"
+        )
 
 
 def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
@@ -167,7 +166,7 @@ def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
         if sum(shapely.length(rest)) <= share * size:
             moved = 0.0 if share == _SAME[0] else share * size
             return corners, list(polygons.geoms), moved
-    raise _not_traced(loop)
+    raise NotTraced(loop)
 
 
 # -- the sides ------------------------------------------------------------------------------
@@ -322,7 +321,7 @@ def farthest(loop: Loop, direction: Array) -> Array:
     best = np.full(3, np.nan)
     grid = loop.samples()
     if loop.end is None and any(high == np.pi for _, high in loop.arcs):
-        raise _not_traced(loop)  # the curve goes to infinity there, and borders nothing
+        raise NotTraced(loop)  # the curve goes to infinity there, and borders nothing
     for low, high in loop.arcs:
         inside = grid[(grid > low) & (grid < high)]
         inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
