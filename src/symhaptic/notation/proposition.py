@@ -120,7 +120,7 @@ def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
     return _replaced(terms, frozenset((s, sp.sympify(v)) for s, v in values.items()))
 
 
-@lru_cache(maxsize=1 << 10)
+@lru_cache(maxsize=1 << 15)
 def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -> tuple[Expr, ...]:
     known = dict(values)
     return tuple(t.xreplace(known) for t in terms)

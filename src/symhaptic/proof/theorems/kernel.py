@@ -439,8 +439,8 @@ def lost(values: Terms, claim: Proposition) -> set[Proposition]:
         if not here:
             continue  # it stays as it is, and so do its parts
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
-            if not symbols_in(new) and without_value(new):
-                continue  # the relation is false there, whatever it divides by
+            if not conditions(old) or (not symbols_in(new) and without_value(new)):
+                continue  # nothing is lost, or the relation is false there, whatever it divides by
             kept = needed(new, by=current)
             for condition in conditions(old, at=here, beside=[new]):
                 moved = condition.at(here)
