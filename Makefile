@@ -4,7 +4,7 @@ BIN := .venv/bin
 # what Python has compiled is kept: a test that starts processes would compile the package in each
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: report test check rocq bench clean
+.PHONY: report test ci check conditions mutants rocq bench clean
 
 report: .venv/ready
 	$(BIN)/symhaptic report
@@ -13,17 +13,28 @@ test: .venv/ready
 	$(BIN)/ruff check
 	$(BIN)/pytest $(SIDE_BY_SIDE)
 
-# the same, and what takes long by its nature: exports in every pair of a language, a scene, a delay
-# and a precision, with sanitizers, as packages and for microcontrollers; the wheel; errors at ten
-# times as many points, and with musl; all that Rocq has checked, and the text of it; all chapters
-# typeset, the whole site and the PDF; what opens a browser; mypy; a `verify` from nothing; what JAX
-# has to compile; the array kernels behind public functions; all changed statements; random
-# identities; the kernel's rules without one of their conditions
+# the same, and what no quick test sees: the wheel, mypy, a `verify` from nothing, all chapters
+# typeset and the PDF, the text that is written for Rocq; the kernel's rules without one of their
+# conditions; all changed statements
+ci: .venv/ready
+	$(BIN)/ruff check
+	$(BIN)/pytest $(SIDE_BY_SIDE) -m 'not slow'
+	$(MAKE) -j2 -O conditions mutants
+
+# all tests, what takes longer by its nature among them: exports in every pair of a language, a scene,
+# a delay and a precision, with sanitizers, as packages and for microcontrollers; errors at ten
+# times as many points, and with musl; all that Rocq has checked; the whole site, and in a browser;
+# what JAX has to compile; the array kernels behind public functions; random identities
 check: .venv/ready
 	$(BIN)/ruff check
 	SYMHAPTIC_SOUNDNESS=$(SOUNDNESS) $(BIN)/pytest $(SIDE_BY_SIDE) -m 'slow or not slow'
-	$(BIN)/pytest -s -p soundness.unconditional $(ATTACKS)
 	SYMHAPTIC_KERNELS=array $(BIN)/pytest -n 2 tests/numeric tests/test_hard_cases.py
+	$(MAKE) -j2 -O conditions mutants
+
+conditions: .venv/ready
+	$(BIN)/pytest -s -p soundness.unconditional $(ATTACKS)
+
+mutants: .venv/ready
 	$(BIN)/symhaptic mutants --check
 
 SIDE_BY_SIDE := -n 2 --dist worksteal --durations 12

@@ -49,7 +49,7 @@ def chapter(folder: Path, text: str, name: str = "my.py") -> Path:
     return path
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_a_strict_run_of_all_statements_from_nothing(tmp_path):
     """Each chapter in a process that has run nothing before; test_verified.py has the rest."""
     run = started("verify", "--strict", "--format", "json", "-o", tmp_path / "ledger.json")

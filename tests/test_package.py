@@ -45,7 +45,7 @@ def test_every_public_name_loads_when_used():
     assert python(code) == "True"
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.early
 def test_the_types_agree():
     """mypy's answer, here and not before the tests, since it keeps one processor busy alone."""
@@ -99,7 +99,7 @@ def unpacked(source, tmp_path_factory):
     return wheel_of(source, tmp_path_factory.mktemp("wheel"))
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     code = (
         "import symhaptic, symhaptic.cli.main; print(symhaptic.__file__, flush=True); "
@@ -113,7 +113,7 @@ def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     assert verdicts == {"eq1": "definition", "eq5": "qualified"}
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_the_wheel_says_that_it_is_typed(unpacked):
     """PEP 561: without this file a checker takes every name of the package for Any."""
     assert (unpacked / "symhaptic" / "py.typed").is_file()
@@ -135,7 +135,7 @@ CLEAN = (
 )
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_without_a_compiler_the_install_works_on_the_array_kernels(source, tmp_path):
     """PATH holds nothing and no compiler is named: the extension is left out."""
     copied = shutil.copytree(source, tmp_path / "source", ignore=shutil.ignore_patterns("build"))
@@ -149,7 +149,7 @@ def test_without_a_compiler_the_install_works_on_the_array_kernels(source, tmp_p
     assert found[-1] == "0.5 0.5 2.0 1.0"  # a free mass: t^2/2 and two roots at 1
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.skipif(shutil.which("cc") is None, reason="no compiler here")
 def test_the_wheel_needs_no_compiler_to_run_its_compiled_kernels(unpacked, tmp_path):
     environment = os.environ | {"PYTHONPATH": str(unpacked), "PATH": str(tmp_path)}

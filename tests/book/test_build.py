@@ -32,27 +32,27 @@ def files(chapters):
     return build.text_files(chapters)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_one_tex_file_per_chapter_and_a_book_that_includes_them(chapters, files):
     for one in chapters:
         assert f"{one.name}.tex" in files
         assert rf"\input{{{one.name}}}" in files["book.tex"]
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_every_statement_is_in_the_ledger(files):
     for id in STATEMENTS:
         assert id.replace("-", "-\\allowbreak ") in files["ledger.tex"]
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_the_undecided_are_counted_aloud(files):
     first = build.text_files([run(shipped()[0])])
     assert re.search(r"\d+ undecided", first["ledger.tex"])
     assert "undecided" not in files["ledger.tex"].split("longtable")[0].split("A statement")[0]
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_nothing_looks_like_a_program(files):
     for name, text in files.items():
         if name.endswith(".tex"):
@@ -61,7 +61,7 @@ def test_nothing_looks_like_a_program(files):
             assert "_eps" not in text
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_no_step_says_that_a_thing_is_itself(chapters):
     """Whose two sides are printed alike shows nothing, whatever it proves."""
 
@@ -84,7 +84,7 @@ def test_the_same_from_run_to_run(some):
     assert build.text_files(again) == build.text_files(some)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_committed_text_is_what_is_derived(files):
     if not (ROOT / "reports" / "book.tex").is_file():
         pytest.skip("no committed report beside the package")
@@ -115,7 +115,7 @@ def typeset(chapters, tmp_path_factory):
     return target
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_the_pdf_has_every_chapter(chapters, typeset):
     if shutil.which("pdftotext") is None:
         pytest.skip("no pdftotext: poppler-utils is not installed")
@@ -127,7 +127,7 @@ def test_the_pdf_has_every_chapter(chapters, typeset):
         assert re.search(rf"CHAPTER {number}\b", text)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_plain_words_are_typeset_as_they_stand(tmp_path):
     path = tmp_path / "my_chapter.py"
     path.write_text(

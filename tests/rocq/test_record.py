@@ -30,7 +30,7 @@ LEAVES = [name for name, found in RECORD["chapters"].items() if found["leaves"]]
 """Chapters that take long, of which Rocq was asked the leaves alone."""
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.parametrize("name", [name for name in CHAPTERS if name not in LEAVES])
 def test_the_record_is_of_the_text_that_is_written(name):
     """Where it is not, and Rocq is there, it is asked what has become of the chapter."""
@@ -112,7 +112,7 @@ def in_kernel(judged):
     return found & (set(sources()) | meanings)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.parametrize("name", CHAPTERS)
 def test_what_is_whole_rests_on_the_rules_that_our_kernel_names(name):
     """On all of them, but for those that are theorems in Rocq, and on nothing else."""

@@ -1,6 +1,6 @@
 """Rules without one of their conditions: some attack has to succeed then, or it was never made.
 
-A plugin of pytest's, for `make check`, with ``-s``: each ``if ...: raise`` of the modules of rules
+A plugin of pytest's, for `make ci`, with ``-s``: each ``if ...: raise`` of the modules of rules
 is left out in a process of its own, in which one of the tests that were collected has to fail.
 Those whose names tell of the rule come first.
 """
