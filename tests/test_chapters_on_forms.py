@@ -98,9 +98,9 @@ def test_it_is_proved_by_a_theorem(form):
     assert (verdict.kind, bool(verdict.rests)) == ("proved", True)
 
 
-LONG = {"max_stable_stiffness"}
+LONG = {"max_stable_stiffness": pytest.mark.slow, "stability_boundary": pytest.mark.ci}
 each = pytest.mark.parametrize(
-    "form", [pytest.param(f, marks=[pytest.mark.slow] * (f in LONG)) for f in stable.FORMS]
+    "form", [pytest.param(f, marks=LONG.get(f, ())) for f in stable.FORMS]
 )
 
 
@@ -117,6 +117,7 @@ def test_what_a_form_rests_on_is_said_of_its_own_pairs_only(form):
     assert any(covered(pair, equations(form)) for pair in pairs)
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("form", ["discretize_fractional", "max_stable_stiffness"])
 def test_a_pair_that_is_nowhere_claimed_is_missed(form):
     ours, derived = stable.form(form).equal[-1]

@@ -177,6 +177,7 @@ def test_a_chapter_whose_derivation_is_gone_is_stale_and_goes(some, tmp_path):
     assert kept.exists()
 
 
+@pytest.mark.ci
 def test_a_file_that_no_report_wrote_is_not_written_over(tmp_path):
     """Whichever it is: text, figure or PDF; and then nothing else is written either."""
     for name in ("book.tex", "symhaptic.sty", "ledger.json", "figures/fig4.pdf"):
@@ -189,6 +190,7 @@ def test_a_file_that_no_report_wrote_is_not_written_over(tmp_path):
         assert (target / name).read_text() == "mine"
 
 
+@pytest.mark.ci
 @pytest.mark.usefixtures("undrawn")
 def test_a_report_is_written_over_by_the_next(tmp_path):
     for _ in range(2):

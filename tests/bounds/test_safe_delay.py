@@ -23,6 +23,7 @@ def shown():
     return borne(CASE, K, B)
 
 
+@pytest.mark.ci
 def test_no_arm_makes_it_unstable_at_a_delay_that_is_borne():
     at, _ = shown()
     rng = np.random.default_rng(1)

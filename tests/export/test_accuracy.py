@@ -37,7 +37,8 @@ FEW = {"max_stable_stiffness": 200, "passivity_boundary": 500, "passivity_margin
 SLOPES = {DOUBLE: 240, SINGLE: 60}
 """And of those with derivatives."""
 SOME, SOME_SLOPES = 200, 60
-"""So many of the same in `make test`, the hard cases first; `make check` has the others, too."""
+"""So many of the same, the hard cases first, in `make test`, and with derivatives in `make ci`;
+`make check` has the others, too."""
 GOALS = {
     "discretize": 2, "discretize_fractional": 4, "characteristic_polynomial": 4, "linear_limit": 4,
     "passivity_margin_at": 4, "passivity_margin": 4, "passivity_boundary": 8,
@@ -46,10 +47,12 @@ GOALS = {
 """What was asked for: 2 for the plant, 4 for passivity, 8 for boundaries and extreme points."""
 
 
-def cases(*tables, wanted=lambda *_: True):
+def cases(*tables, wanted=lambda *_: True, later=None):
+    """Each function of these tables; of one of them, if it is named so, with `make ci`."""
     return pytest.mark.parametrize(
         ("records", "precision", "name"),
-        [(table, precision, name) for table in tables for precision in table
+        [pytest.param(table, precision, name, marks=[pytest.mark.ci] * (table is later))
+         for table in tables for precision in table
          for name in table[precision] if wanted(table, precision, name)],
         ids=lambda x: "derivatives" if x is DERIVATIVES else "musl" if x is MEASURED_WITH_MUSL else
             "results" if x is MEASURED else getattr(x, "name", x),
@@ -131,7 +134,7 @@ def are_within_the_record(records, precision, name, compiled, share):
 
 
 @needs_gcc
-@every
+@cases(MEASURED, DERIVATIVES, later=DERIVATIVES)
 def test_no_error_is_larger_than_the_recorded_one(records, precision, name, compiled):
     """All hard cases and some others; the record is that of 10^5 points, of derivatives 10^4."""
     some = slice(counts(records, precision, name)[1])

@@ -83,6 +83,7 @@ def test_the_self_test_passes_in_single_precision_with_derivatives(language, tmp
     assert missed == "0"
 
 
+@pytest.mark.ci
 @needs_gcc
 @pytest.mark.parametrize(
     "name", ["Echo", "PlantN1Drop", "PlantN0Drop", "Ebb", "Kick", "DropSeries"]

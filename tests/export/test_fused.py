@@ -52,6 +52,7 @@ POINTS = {
 }
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("name", JOINT)
 def test_each_result_is_that_of_the_routine_alone(name):
     count = len(named(name, ROUTINES).arguments)

@@ -43,6 +43,7 @@ def run_all(target, name, folder):
     return said
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("language", one_of(BOTH, "c"))
 def test_the_self_test_passes_in_single_precision(language, tmp_path):
     """The vectors' arguments are single floats, their values those of exact arithmetic."""

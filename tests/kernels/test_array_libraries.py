@@ -109,6 +109,7 @@ def test_vectors_in_single_precision(library, name):
     hold(found, expected, tolerance)
 
 
+@pytest.mark.ci
 def test_vectors_of_jax_compiled():
     make, jax = jax_numpy().asarray, pytest.importorskip("jax")
     columns, expected, tolerance = known("discretize")

@@ -153,6 +153,7 @@ def test_a_store_begun_with_other_kernels_is_refused(tmp_path, monkeypatch):
         sweep("max_stable_stiffness", **axes)
 
 
+@pytest.mark.ci
 def test_a_worker_that_is_killed_half_way(tmp_path):
     """Two processes of a local cluster, one of them killed: its blocks go to another one."""
     distributed = pytest.importorskip("distributed", reason="no dask.distributed here: no cluster")
