@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from symhaptic.notation.latex import latex
 from symhaptic.notation.predicates import MEANINGS, TERMS
@@ -141,6 +141,15 @@ def _upper(claim: Proposition, others: Sequence[Proposition]) -> Relation | None
 
 
 def _quantified(claim: ForAll | Exists) -> str:
+    r"""The symbol stands before its conditions, unless one of them shows which it is.
+
+    >>> from symhaptic.notation import K, T
+    >>> from symhaptic.notation.proposition import implied, proposition
+    >>> for given in proposition(K > 0), proposition(K * T < 1):
+    ...     print(_quantified(ForAll((K,), implied([given], proposition(K < 2)))))
+    \forall\,K>0:\ K<2
+    \forall\,K\ \text{with}\ KT<1:\ K<2
+    """
     sign = r"\forall" if isinstance(claim, ForAll) else r"\exists"
     body = claim.body
     given: tuple[Proposition, ...] = ()
@@ -150,7 +159,7 @@ def _quantified(claim: ForAll | Exists) -> str:
         given, body = conjuncts(body)[:-1], conjuncts(body)[-1]
     own = [g for g in given if g.free & set(claim.over) and not isinstance(g, (ForAll, Exists))]
     rest = [g for g in given if g not in own]
-    if len(claim.over) == 1 and own:
+    if len(claim.over) == 1 and any(_bounds(g, claim.over[0]) for g in own):
         head = listed(own)
     else:
         head = ",".join(latex(s) for s in claim.over)
@@ -158,6 +167,13 @@ def _quantified(claim: ForAll | Exists) -> str:
     joined = r"\Rightarrow" if isinstance(claim, ForAll) else r"\text{and}"
     lead = rf"{listed(rest)}\ {joined}\ " if rest else ""
     return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else written(body)}"
+
+
+def _bounds(given: Proposition, symbol: Symbol) -> bool:
+    """Whether a condition says by its form which symbol it is of, as 0 < x does of x."""
+    if isinstance(given, Relation):
+        return symbol in given.terms
+    return isinstance(given, Predicate) and given.name == "whole" and given.of[0] == symbol
 
 
 def point(values: dict[Expr, Expr]) -> dict[str, str]:
