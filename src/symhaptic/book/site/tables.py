@@ -153,7 +153,7 @@ def believed(entries: Sequence[Entry]) -> str:
         told = breakable(written(axiom.says)) if axiom else words(in_formulas(says(rule)))
         out += [f".. _rule-{anchor(rule)}:", "", f".. rubric:: {plain(called(rule))}", ""]
         out += container("claim", [told]) if rule in AXIOMS else [told, ""]
-        out += [f"*Source:* {plain(source)}. Statements: {counts[rule]}.", ""]
+        out += [f"*Source:* {words(in_formulas(source))}. Statements: {counts[rule]}.", ""]
     out += heading("Predicates, and what they mean", "-")
     for shown, meaning in map(defined, MEANINGS):
         out += [f"{breakable(shown)} — {words(meaning)}.", ""]

@@ -90,6 +90,6 @@ def plain(text: str) -> str:
     r"""A docstring's plain words and signs for LaTeX.
 
     >>> plain("p |- p <= 1")
-    'p $\\vdash$ p $\\le$ 1'
+    '$p\\vdash p\\le1$'
     """
     return prose(in_formulas(text.replace("``", "")))

@@ -131,9 +131,9 @@ def jury(polynomial: Any, variable: Symbol) -> Judgement:
     """All zeros of a monic real polynomial lie inside <=> n + 1 expressions are positive.
 
     They are the coefficients c_0 and c_n, c_(n-2), ... of (1 - s)^n p((1 + s)/(1 - s)), and
-    Jury's inner determinants |X - Y| of orders r = n-1, n-3, ...: with p the sum of a_k z^k, row i
-    and column j of X have a_(n-j+i), those of Y a_(i+j-r-1), or 0 where there is no such
-    coefficient (i, j = 1 to r, and X is 0 below its diagonal).  The degree n is a number.
+    Jury's inner determinants |X - Y| of orders r = n-1, n-3, ...: with p the sum of a_k z^k, X has
+    a_(n-j+i) and Y has a_(i+j-r-1) in row i and column j, or 0 where there is no such coefficient
+    (i, j = 1 to r, and X is 0 below its diagonal).  The degree n is a number.
     """
     polynomial = term(polynomial)
     falling = _coefficients(polynomial, variable)
@@ -300,10 +300,9 @@ def _unmoved(
 def none_enters(begin: Theorem, change: Any, over: Sequence[Symbol], *shown: Theorem) -> Judgement:
     """p(v^2) + g(v) != 0 for v = x + j y, 0 < x and 1 <= x^2 + y^2, of a p with its zeros inside.
 
-    Along p(v^2) + q g(v), 0 < q <= 1, none crosses the border of this region: ``shown`` conclude
-    that it is not zero at exp(j t), 0 < t <= pi/2, at 1, and at j exp(t), 0 < t.  p is monic, both
+    Along p(v^2) + q g(v), 0 < q <= 1, none crosses the border of this region: it is shown that
+    this is not zero at exp(j t), 0 < t <= pi/2, at 1, and at j exp(t), 0 < t.  p is monic, both
     are real, and p(v^2) is of higher degree than g; that exponents are whole is a hypothesis.
-    ``over`` are v, q, t, x and y.
     """
     g, (variable, share, place, x, y) = term(change), over
     powers = _powers(_stable(begin, variable), variable)
