@@ -12,8 +12,8 @@ from symhaptic import delay_margin, is_stable, stability_boundary
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
-from symhaptic.numeric.tracing.bands import first_step
 from symhaptic.numeric.tracing.loops import Loops
+from symhaptic.numeric.tracing.periods import first_step
 
 
 def stable_loops(rng, count):

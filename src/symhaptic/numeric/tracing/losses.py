@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 from symhaptic.numeric import arguments, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import crossings, surplus
-from symhaptic.numeric.tracing.bands import Bands, bands, first_periods, one_way, part_of, slopes
+from symhaptic.numeric.tracing.bands import Bands, bands, part_of, slopes
+from symhaptic.numeric.tracing.directions import one_way
 from symhaptic.numeric.tracing.loops import Loops
+from symhaptic.numeric.tracing.periods import first_periods
 
 SHORTEST = 2.0**-20
 """Parts of a period that are not cut again."""
