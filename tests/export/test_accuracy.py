@@ -15,7 +15,7 @@ from flint import arb
 from symhaptic.bench import error, exported, implicit, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
-from symhaptic.export import device, double_word, module, request, whole_turns
+from symhaptic.export import device, device_numbers, double_word, module, request, whole_turns
 from symhaptic.export.accuracy import (
     DERIVATIVES,
     MEASURED,
@@ -283,7 +283,7 @@ def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Pa
     exported.written.cache_clear()
     with monkeypatch.context() as patch:
         if low == "root_low":
-            for caller in (device, double_word, whole_turns):
+            for caller in (device, device_numbers, double_word, whole_turns):
                 patch.setattr(caller, "root_low", lambda *_: sp.S.Zero)
         else:
             patch.setattr(device, "poles", mutant)

@@ -12,10 +12,10 @@ from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
 from symhaptic.notation import B, K, T, alpha, b, m, theta, x
+from symhaptic.proof.counterexample import Witness
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
-from symhaptic.proof.settle import Witness
 from symhaptic.proof.sign import Fact, NotShown, assume, combined, either
 
 

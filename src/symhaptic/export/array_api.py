@@ -17,16 +17,10 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export import standard
 from symhaptic.export.array_precision import of_both
-from symhaptic.export.array_prelude import (
-    CROSSING,
-    HALVES,
-    PRELUDE,
-    PRODUCT_ERROR,
-    SELFTEST,
-    SERIES,
-)
+from symhaptic.export.array_prelude import PRELUDE, SELFTEST
 from symhaptic.export.array_printing import ArrayPrinter
 from symhaptic.export.array_scope import Scope
+from symhaptic.export.array_steps import CROSSING, HALVES, PRODUCT_ERROR, SERIES, STEPS
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
 from symhaptic.export.hoist_plant import hoisted
@@ -76,6 +70,7 @@ class ArrayApi(Target):
         """NAME.py."""
         taken: set[str] = set()
         lines = [f'"""{library.title}."""', "", *PRELUDE.splitlines(), "", ""]
+        lines += [*STEPS.splitlines(), "", ""]
         if library.factorials:
             lines += [*SERIES.splitlines(), "", ""]
         for helper in map(_without_numbers, library.helpers):

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 
 import sympy as sp
 from sympy import Expr, Piecewise, Symbol
-from sympy.core.function import AppliedUndef
 
-from symhaptic.export.blocks import (
-    Assign,
-    Block,
-    Choice,
-    Join,
-    Return,
-    expressions,
-    inputs,
+from symhaptic.export.array_blocks import (
+    ends_with_search,
+    handed_on,
+    last_uses,
+    lone_expression,
+    mere_call,
+    product,
+    products,
+    repeated_conditions,
+    variables,
 )
-from symhaptic.export.routine import Repeat, Routine, Search, Several, TwoProdError
-from symhaptic.export.target import Target, calls
+from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, expressions, inputs
+from symhaptic.export.routine import Repeat, Search, Several, TwoProdError
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import depth
 
 
@@ -34,14 +35,10 @@ class Scope:
         """Names that are those of another variable, which is done with."""
         self.split: dict[Expr, str] = {}
         """Factors whose halves are there, and the name of these."""
-        self.products: dict[object, Symbol] = {
-            frozenset(s.expr.args) if s.expr.is_Mul else s.expr: s.name
-            for s in block
-            if isinstance(s, Assign) and (s.expr.is_Mul or s.expr.is_Pow)
-        }
+        self.products = products(block)
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
-        self.handed = _handed(block)
+        self.handed = handed_on(block)
         """Where each call stands in whose place both of its results are handed on, and nowhere."""
         self.calls: dict[tuple[Expr, ...], str] = {}
         """How these calls are written."""
@@ -59,8 +56,9 @@ class Scope:
     def written(self, depth: int) -> list[str]:
         """The statements."""
         pad, lines = "    " * depth, []
-        often, last = self._often(), self._last_uses()
-        ended = _ended(self.block)
+        often = repeated_conditions(self.block)
+        last = last_uses(self.block, self.products, self.handed)
+        ended = ends_with_search(self.block)
         idle: dict[str, list[str]] = {}
         for i, statement in enumerate(self.block):
             shown = expressions(statement)
@@ -115,7 +113,7 @@ class Scope:
 
     def _choice(self, choice: Choice, depth: int) -> list[str]:
         pad = "    " * depth
-        yes, no = _plain(choice.yes), _plain(choice.no)
+        yes, no = lone_expression(choice.yes), lone_expression(choice.no)
         if yes is not None and no is not None:
             whole = Piecewise((yes, choice.condition), (no, True))
             return [f"{pad}return {self.printer.doprint(whole)}"]
@@ -135,7 +133,7 @@ class Scope:
             inside = Scope(self.target, block)
             made = self._function(name, inside, wanted, depth)
             side = _short(made)
-            if not side and (call := _mere_call(block)):
+            if not side and (call := mere_call(block)):
                 side = self._handing(call)
                 wanted = list(call.args)
             lines += ["", *made] * (not side)
@@ -177,7 +175,7 @@ class Scope:
         pad, block = "    " * depth, (Return((search.value,)),)
         outer = sorted(search.value.free_symbols - {search.at}, key=str)
         lines, value = [], "value"
-        if (call := _mere_call(block)) and call.args[0] == search.at:
+        if (call := mere_call(block)) and call.args[0] == search.at:
             outer, value = list(call.args[1:]), self._handing(call)
         else:
             inside = Scope(self.target, block)
@@ -212,44 +210,7 @@ class Scope:
         )
         return ["", *self._function("add", inside, wanted, depth), "", f"{pad}{states} = {call}"]
 
-    def _last_uses(self) -> dict[int, list[Symbol]]:
-        """For each statement, the variables of this body that are used there for the last time.
-
-        Their names are free for the next ones of the same kind, and so is their memory.
-        """
-        own = {s.name for s in self.block if isinstance(s, Assign)}
-        own |= {name for s in self.block if isinstance(s, Several) for name in s.names}
-        last: dict[Symbol, int] = {}
-        for i, statement in enumerate(self.block):
-            used = set(inputs((statement,)))
-            for expr in expressions(statement):
-                for error in expr.atoms(TwoProdError):
-                    if product := self._product(*error.args):
-                        used.add(product)
-            last |= dict.fromkeys(sorted(used & own, key=str), self._place(i))
-        found: dict[int, list[Symbol]] = {}
-        for symbol, i in last.items():
-            found.setdefault(i, []).append(symbol)
-        return found
-
-    def _place(self, i: int) -> int:
-        """The statement that a statement is written in."""
-        while i in self.handed:
-            i = self.handed[i]
-        return i
-
     # -- what has to be there before an expression --------------------------------------------
-
-    def _often(self) -> set[Expr]:
-        """Conditions that occur more than once."""
-        count: dict[Expr, int] = {}
-        for statement in self.block:
-            for expr in expressions(statement):
-                for part in sp.preorder_traversal(expr):
-                    if isinstance(part, Piecewise):
-                        for _, condition in part.args[:-1]:
-                            count[condition] = count.get(condition, 0) + 1
-        return {condition for condition, times in count.items() if times > 1}
 
     def _before(self, expr: Expr, often: set[Expr]) -> list[str]:
         lines = []
@@ -280,7 +241,7 @@ class Scope:
 
     def _called(self, expr: Expr) -> tuple[str, str]:
         """The routine, and its arguments, which are all arrays."""
-        like = min(self.named(self._there(expr)), default=None)
+        like = min(self.named(variables(expr, self.block, self.handed)), default=None)
         plain = expr.func.__name__ in _OF_NUMBERS
         args, given = [], list(expr.args)
         while given:
@@ -294,28 +255,12 @@ class Scope:
                 args.append(self.printer.doprint(arg))
         return self.target.call(expr.func.__name__), ", ".join(args)
 
-    def _there(self, expr: Expr) -> set[Symbol]:
-        """The variables of a call, and of calls whose results it is handed."""
-        found: set[Symbol] = set()
-        handed = {
-            name: s.call
-            for i, s in enumerate(self.block)
-            if isinstance(s, Several) and i in self.handed
-            for name in s.names
-        }
-        for symbol in expr.free_symbols:
-            found |= self._there(handed[symbol]) if symbol in handed else {symbol}
-        return found
-
     def two_prod_error(self, one: Expr, two: Expr) -> str:
         """What a product misses; the product itself may have a name."""
-        product = self._product(one, two)
+        name = product(self.products, one, two)
         factors = (self.printer.doprint(factor) for factor in (one, two))
-        shown = self.name(product) if product else "*".join(factors)
+        shown = self.name(name) if name else "*".join(factors)
         return f"two_prod_error({shown}, {self.split[one]}, {self.split[two]})"
-
-    def _product(self, one: Expr, two: Expr) -> Symbol | None:
-        return self.products.get(one**2 if one == two else frozenset((one, two)))
 
     def condition(self, condition: Expr) -> str:
         """A condition, by its name if it has one."""
@@ -333,29 +278,6 @@ _OF_NUMBERS = "FastTwoSum", "TwoDiff", "PairSum", "PairDiff", "OnePlus", "OneMin
 """Routines that take numbers beside arrays."""
 
 
-def _handed(block: Block) -> dict[int, int]:
-    """Calls whose two results are arguments side by side of one other call, and nothing else.
-
-    By their places in the block, and that of the statement with the other call.
-    """
-    uses: Counter[Symbol] = Counter()
-    users: dict[tuple[Expr, ...], int] = {}
-    for i, statement in enumerate(block):
-        shown = expressions(statement)
-        for symbol in inputs((statement,)):
-            uses[symbol] += not any(e.has(symbol) for e in shown)
-        for part in (p for expr in shown for p in sp.preorder_traversal(expr)):
-            if part.is_Symbol:
-                uses[part] += 1
-            elif isinstance(part, AppliedUndef):
-                users |= dict.fromkeys(zip(part.args, part.args[1:], strict=False), i)
-    return {
-        i: users[s.names]
-        for i, s in enumerate(block)
-        if isinstance(s, Several) and s.names in users and all(uses[n] == 1 for n in s.names)
-    }
-
-
 _BRIEF = 64
 """Characters of a function that needs no name."""
 
@@ -371,26 +293,9 @@ def _short(lines: list[str]) -> str:
     return text if len(text) <= _BRIEF else ""
 
 
-def _mere_call(block: Block) -> Expr | None:
-    """The call that a block returns, if it does nothing else and all arguments are variables."""
-    first = block[0]
-    if not isinstance(first, Return) or len(first.results) > 1:
-        return None
-    (call,) = first.results
-    alone = isinstance(call, AppliedUndef) or type(call).__module__.startswith("symhaptic.forms")
-    return call if alone and all(a.is_Symbol for a in call.args) else None
-
-
 def _several(text: str) -> bool:
     """Whether a comma stands outside of all brackets."""
     return any(c == "," and depth(text[:at]) == 0 for at, c in enumerate(text))
-
-
-def _ended(block: Block) -> bool:
-    """Whether all that is left is what a search finds."""
-    *before, last = block
-    searched = before and isinstance(before[-1], Search) and before[-1].name
-    return isinstance(last, Return) and last.results == (searched,)
 
 
 def _first(condition: Expr) -> list[Symbol]:
@@ -399,17 +304,6 @@ def _first(condition: Expr) -> list[Symbol]:
 
 def _listed(names: list[str]) -> str:
     return f"({', '.join(names)}{',' * (len(names) == 1)})"
-
-
-def _plain(block: Block) -> Expr | None:
-    """The one expression of a block that is nothing else, calls nothing and is defined always."""
-    first = block[0]
-    if not isinstance(first, Return) or len(first.results) > 1:
-        return None
-    (only,) = first.results
-    if any(not power.exp.is_Integer or power.exp < 0 for power in only.atoms(sp.Pow)):
-        return None
-    return None if calls(Routine("", "", (), (), (("", only),))) else only
 
 
 def _base(symbol: Symbol) -> str:

@@ -9,6 +9,7 @@ from functools import cache
 from symhaptic.export import (
     angle_slopes,
     device,
+    device_numbers,
     device_series,
     double_word,
     elementary,
@@ -100,9 +101,9 @@ def _makers() -> dict[str, tuple[Callable[..., Routine], bool]]:
 
 
 _MODULES = (
-    error_free, elementary, double_word, whole_turns, device, device_series, slopes, angle_slopes,
-    root_count, fractional_root_count, free_stable, late_device, search, required_damping, response,
-    max_stiffness,
+    error_free, elementary, double_word, whole_turns, device, device_numbers, device_series, slopes,
+    angle_slopes, root_count, fractional_root_count, free_stable, late_device, search,
+    required_damping, response, max_stiffness,
 )  # fmt: skip
 
 

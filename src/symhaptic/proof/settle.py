@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import InitVar, dataclass, field, replace
-from typing import TypeAlias
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 from flint import arb
@@ -16,16 +15,13 @@ from symhaptic.notation.terms import NoTerm
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
-from symhaptic.proof.ball import Value, value_at
-from symhaptic.proof.checks import Check
 from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
+from symhaptic.proof.counterexample import Truth, check_opposed, truth_at
 from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
-from symhaptic.proof.seal import Sealed
-from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact, Recipe
+from symhaptic.proof.sign import Recipe
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
@@ -38,21 +34,6 @@ WEIGHED = ACCEPTED | {Kind.MISPRINT, Kind.REFUTED}
 
 WRONG = frozenset({Kind.MISPRINT, Kind.REFUTED})
 """Verdicts of what is false as printed."""
-
-
-@dataclass(frozen=True)
-class Witness(Sealed):
-    """Something that a statement in words excludes was proved to happen at a point."""
-
-    at: Mapping[Expr, Expr]
-    method: str
-    check: Check | None = None
-    key: InitVar[object] = None
-
-
-Truth: TypeAlias = Form | Fact | tuple[Expr, Fact] | Witness | None
-"""What holds at a counterexample: a form to evaluate there, a fact (true), a relation with the
-fact that contradicts it (false), or a witness (false)."""
 
 
 @dataclass(frozen=True)
@@ -258,39 +239,9 @@ class Settlement:
             raise Unfounded("the counterexample needs the truth beside it")
         if self.provided is not None and holds_at(self.provided, point):
             raise Unfounded("the condition holds at the counterexample")
+        theirs = truth_at(self.truth, point)
         special = self.specialise or (lambda form: form)
-        theirs: Value
-        if isinstance(self.truth, Fact):
-            _check_proved(self.truth)
-            theirs = True
-        elif isinstance(self.truth, Witness):
-            if any(point.get(s) != v for s, v in self.truth.at.items()):
-                raise Unfounded("the witness stands at another point")
-            theirs = False
-        elif isinstance(self.truth, tuple) and isinstance(self.truth[-1], Fact):
-            relation, fact = self.truth
-            _check_proved(fact)
-            if not compare(relation, -fact.expr > 0).equal:
-                raise Unfounded("the fact does not contradict the relation")
-            theirs = False
-        else:
-            theirs = _value(parts(self.truth), point)
-        if not printed:
-            if theirs is not False:
-                raise Unfounded("what the statement says holds at its counterexample")
-            return
-        ours = _value(tuple(special(p) for p in printed), point)
-        if isinstance(ours, Expr) and isinstance(theirs, Expr):
-            if differ(ours, theirs, {}) is None:
-                raise Unfounded("nothing differs at the counterexample")
-        elif ours is theirs:
-            raise Unfounded(f"at the counterexample both are {ours}")
-        elif (
-            ours is not None
-            and theirs is not None
-            and not (isinstance(ours, bool) and isinstance(theirs, bool))
-        ):
-            raise Unfounded("at the counterexample a value stands against a truth")
+        check_opposed(tuple(special(p) for p in printed), theirs, point)
 
     def _derives(self, printed: Printed) -> bool:
         return equal(self.read(printed), self.read(self.derived))
@@ -343,35 +294,8 @@ def _defines(form: Expr) -> bool:
     return any(is_name(s) and not o.has(s) for s, o in (form.args, form.args[::-1]))
 
 
-def _check_proved(fact: Fact) -> None:
-    if fact.expr in {expr for expr, _ in fact.rests}:
-        raise Unfounded("an assumption is not a fact")
-
-
 def _placed(form: Expr, given: Mapping[Expr, Expr]) -> Expr:
     """A form with definitions put in, its relations left as they are."""
     if isinstance(form, Relational):
         return form.func(*(side.xreplace(dict(given)) for side in form.args), evaluate=False)
     return form.xreplace(dict(given))
-
-
-def _value(forms: tuple[Expr, ...], point: Point) -> Value:
-    """Value of one expression, or whether all relations hold; None where undefined.
-
-    Equations whose left side has no value at the point are left aside: they define it.
-    """
-    values: list[Value] = []
-    for form in forms:
-        unknown = isinstance(form, sp.Eq) and (
-            form.lhs.free_symbols - set(point) or isinstance(form.lhs, AppliedUndef)
-        )
-        if unknown:
-            values.append(value_at(form.rhs, point))
-        else:
-            values.append(value_at(form, point))
-    if any(v is None for v in values):
-        return None
-    truths = [v for v in values if isinstance(v, bool)]
-    if truths:
-        return all(truths)
-    return values[0] if len(values) == 1 else None

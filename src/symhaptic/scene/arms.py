@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from symhaptic.notation.quantities import number, shown
+from symhaptic.notation.quantities import decimal, number, shown
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.rules.devices import Device
+    from symhaptic.scene.scene import Scene
 
 UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
 
@@ -74,6 +75,20 @@ class Arm:
         from symhaptic.paper.tables import TABLE_II
 
         return [row.authors for row in TABLE_II]
+
+
+def held_by(scene: Scene, arm: Arm) -> Scene:
+    """The loop with an arm that holds the device, (2)."""
+    if not isinstance(arm, Arm):
+        raise ValueError(f"arm: {shown(arm)} is not allowed; an Arm is")
+    sums = {
+        name: float(
+            decimal(getattr(arm, name))
+            + (0 if arm.with_device else decimal(getattr(scene, name) or 0))
+        )
+        for name in UNITS
+    }
+    return replace(scene, **sums)
 
 
 Range: TypeAlias = float | tuple[float, float]

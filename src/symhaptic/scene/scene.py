@@ -1,19 +1,19 @@
-"""What is in the loop, and so which symbols exist at all.
+"""What is in the loop, and so which symbols exist at all; and all that may be asked of it.
 
-A part that a scene leaves out is not set to zero: the model is derived without it.
+A part that a scene leaves out is not set to zero: the model is derived without it.  A question
+is answered by the file that its method imports from.
 """
 
 from __future__ import annotations
 
-import math
 import warnings
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
-from numbers import Real
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from symhaptic.model.parts import Parts
-from symhaptic.notation.quantities import decimal, nearest, number, shown
+from symhaptic.notation.quantities import nearest, number
+from symhaptic.scene.dimensionless import Dimensionless, dimensionless, limit, periods
 from symhaptic.scene.limit import Limit, Stiffness, one_or_many
 
 if TYPE_CHECKING:
@@ -24,18 +24,6 @@ if TYPE_CHECKING:
     from symhaptic.scene.arms import Arm
     from symhaptic.scene.safe import Arms, SafeWalls
     from symhaptic.scene.walls import PassiveWalls, StableWalls
-
-
-class Dimensionless(NamedTuple):
-    """The plant and the delay in units of the mass and the sampling period (Table I)."""
-
-    gamma: float
-    """k T^2/m."""
-    delta: float
-    """b T/m."""
-    delay: float
-    """t_d/T."""
-
 
 UNITS = {
     "mass": "kg",
@@ -162,19 +150,9 @@ class Scene:
         >>> round(held.mass, 6), round(held.damping, 6), held.stiffness
         (0.572, 6.005, 40.0)
         """
-        from symhaptic.scene.arms import UNITS as MOVED
-        from symhaptic.scene.arms import Arm as Held
+        from symhaptic.scene.arms import held_by
 
-        if not isinstance(arm, Held):
-            raise ValueError(f"arm: {shown(arm)} is not allowed; an Arm is")
-        sums = {
-            name: float(
-                decimal(getattr(arm, name))
-                + (0 if arm.with_device else decimal(getattr(self, name) or 0))
-            )
-            for name in MOVED
-        }
-        return replace(self, **sums)
+        return held_by(self, arm)
 
     @property
     def parts(self) -> Parts:
@@ -188,13 +166,7 @@ class Scene:
     @property
     def periods(self) -> Fraction:
         """The delay in sampling periods, exactly; 0 if there is none."""
-        if self.delay_samples is not None:
-            return decimal(self.delay_samples)
-        delay, period = self.delay or 0.0, self.sampling_period
-        exact = decimal(delay) / decimal(period)
-        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
-        whole = Fraction(round(exact))
-        return whole if nearest(whole) * period == delay else exact
+        return periods(self)
 
     @property
     def dimensionless(self) -> Dimensionless:
@@ -202,34 +174,7 @@ class Scene:
 
         Raises :class:`ValueError` for what no function takes, by the names that it has here.
         """
-        from symhaptic.numeric.arguments import LARGEST, LONGEST, STIFFEST
-
-        period, mass = decimal(self.sampling_period), decimal(self.mass)
-        found = Dimensionless(
-            gamma=nearest(decimal(self.stiffness or 0) * period**2 / mass),
-            delta=nearest(decimal(self.damping or 0) * period / mass),
-            delay=nearest(self.periods),
-        )
-        late = "delay" if self.delay_samples is None else "delay_samples"
-        for name, formula, value, most in (
-            ("stiffness", "k T^2/m", found.gamma, STIFFEST),
-            ("damping", "b T/m", found.delta, LARGEST),
-            (late, "t_d/T", found.delay, LONGEST),
-        ):
-            if value > most:
-                of = f"with mass={self.mass!r} and sampling_period={self.sampling_period!r}"
-                given = f"{name}: {getattr(self, name)!r} {of}"
-                raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
-        return found
-
-    def _wall(self, alpha: Any, beta: Any, theta: Any) -> tuple[float, float, float]:
-        """K, B and the frequency in Hz."""
-        scale, period = self.mass / self.sampling_period, self.sampling_period
-        return (
-            float(alpha) * self.mass / period**2,
-            float(beta) * scale,
-            float(theta) / (2 * math.pi * period),
-        )
+        return dimensionless(self)
 
     def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
         """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
@@ -240,11 +185,7 @@ class Scene:
         >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
         (50000.0, 25.0, 159.155)
         """
-        given = {"alpha": alpha, "beta": beta, "theta": theta}
-        for name, value in given.items():
-            if not isinstance(value, Real) and getattr(value, "shape", None) != ():
-                raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
-        return Limit(*self._wall(alpha, beta, theta))
+        return limit(self, alpha, beta, theta)
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
@@ -353,7 +294,7 @@ class Scene:
             return one_or_many(self.limit_at(B))
         from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 
-        return Stiffness(*self._wall(*max_stable_stiffness(*self.dimensionless)))
+        return Stiffness(*limit(self, *max_stable_stiffness(*self.dimensionless)))
 
     @overload
     def max_passive_stiffness(self, B: float | None = None) -> Stiffness: ...
@@ -381,7 +322,7 @@ class Scene:
         from symhaptic.numeric.passivity import max_passive_stiffness
 
         _, delta, delay = self.dimensionless
-        return Stiffness(*self._wall(*max_passive_stiffness(delta, delay)))
+        return Stiffness(*limit(self, *max_passive_stiffness(delta, delay)))
 
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.

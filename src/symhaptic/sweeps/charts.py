@@ -16,12 +16,11 @@ import numpy as np
 from symhaptic.notation.quantities import shown
 from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
+from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 from symhaptic.sweeps.sweep import sweep
 
 if TYPE_CHECKING:
-    import xarray
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
@@ -69,7 +68,7 @@ def robust_limits(
     found = sweep(
         "is_stable", scene, over=names[2:], reduce=("all", "any"), **walls, **arms, **late
     )
-    figure, axes = _figure()
+    figure, axes = figure_and_axes()
     x, y = found[names[1]], found[names[0]]
     count = len(arms[names[2]]) * len(arms[names[3]])
     shown = (
@@ -83,7 +82,7 @@ def robust_limits(
         axes.fill([], [], color=colour, label=label)
     axes.axhline(0, color="black", lw=0.5)
     axes.axvline(0, color="black", lw=0.5)
-    _labelled(axes, x, y)
+    labelled(axes, x, y)
     axes.set_title(_range(arms), fontsize=9, loc="left")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
     return figure
@@ -118,10 +117,10 @@ def stiffest(
     found = sweep("max_stable_stiffness", scene, **lines, **fixed)
     x, y = (found[n] for n in lines)
     values = found[name].transpose(*reversed(lines))
-    figure, axes = _figure()
-    across = _in_ms(x)
-    _filled(figure, axes, across, y, values, _said(found[name]))
-    _labelled(axes, across, y)
+    figure, axes = figure_and_axes()
+    across = in_ms(x)
+    filled(figure, axes, across, y, values, said(found[name]))
+    labelled(axes, across, y)
     return figure
 
 
@@ -151,9 +150,9 @@ def delay_margin(
     walls: dict[str, Any] = dict(zip(names, lines, strict=True))
     found = sweep("delay_margin", scene, **walls, **fixed)
     x, y = found[names[1]], found[names[0]]
-    margin = _in_ms(found.delay_margin)
-    figure, axes = _figure()
-    _filled(figure, axes, x, y, margin, _said(margin))
+    margin = in_ms(found.delay_margin)
+    figure, axes = figure_and_axes()
+    filled(figure, axes, x, y, margin, said(margin))
     lost = (margin == 0).astype(float)
     axes.contourf(x, y, lost, levels=[0.5, 1.5], colors=["#dddddd"])
     axes.fill([], [], color="#dddddd", label="not stable without delay")
@@ -161,7 +160,7 @@ def delay_margin(
     if bool(ever.any()):
         axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
         axes.fill([], [], color=PASSIVE, label="stable with any delay")
-    _labelled(axes, x, y)
+    labelled(axes, x, y)
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
     return figure
 
@@ -190,8 +189,8 @@ def model_costs(
     late = np.asarray(delays if delays is not None else period * np.linspace(0, 8, 33))
     name = "alpha" if scene is None else "K"
     full = sweep("max_stable_stiffness", scene, **arms, delay=late)
-    figure, axes = _figure()
-    across = _in_ms(full.delay)
+    figure, axes = figure_and_axes()
+    across = in_ms(full.delay)
     styles = zip(_parts(names), (EDGE, PASSIVE, UNSTABLE), ("-", "-", "--"), strict=True)
     for (says, left_out), colour, line in styles:
         kept: dict[str, Any] = {n: 0.0 if n in left_out else v for n, v in arms.items()}
@@ -199,18 +198,13 @@ def model_costs(
         error = 100 * abs(less[name] / full[name] - 1).max(names)
         axes.plot(across, error, color=colour, linestyle=line, label=says)
     axes.set(yscale="log")
-    axes.yaxis.set_major_formatter(_plain)
+    axes.yaxis.set_major_formatter(plain)
     axes.yaxis.set_minor_formatter(LogFormatter())  # a narrow range, and without powers of ten
     axes.set(xlim=(float(across.min()), float(across.max())))
-    axes.set(xlabel=_said(across), ylabel="largest error of the stiffest wall in %")
+    axes.set(xlabel=said(across), ylabel="largest error of the stiffest wall in %")
     axes.set_title(_range(arms), fontsize=9, loc="left")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False)
     return figure
-
-
-def _plain(value: float, _: object = None) -> str:
-    """A number without powers of ten."""
-    return f"{value:g}"
 
 
 _SI = ("K", "B", "stiffness", "damping")
@@ -257,37 +251,6 @@ def _own(scene: Scene, part: str) -> Range:
     return 0.0, getattr(scene, part) or 0.0
 
 
-def _figure() -> tuple[Figure, Axes]:
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure as New
-
-    figure = New(figsize=(6.4, 4.4), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots()
-    axes.spines[["top", "right"]].set_visible(False)
-    return figure, axes
-
-
-def _said(values: xarray.DataArray) -> str:
-    """What it is, its symbol, and its unit."""
-    said = values.attrs
-    what = said["long_name"].split(",")[0]
-    symbol = f" ${said['symbol']}$" if "symbol" in said else ""
-    return f"{what}{symbol}" + (f" in {said['units']}" if said["units"] != "1" else "")
-
-
-def _labelled(axes: Axes, x: xarray.DataArray, y: xarray.DataArray) -> None:
-    axes.set(xlabel=_said(x), ylabel=_said(y))
-    axes.set(xlim=(float(x.min()), float(x.max())), ylim=(float(y.min()), float(y.max())))
-
-
-def _in_ms(values: xarray.DataArray) -> xarray.DataArray:
-    """Seconds as milliseconds; anything else as it is."""
-    if values.attrs.get("units") != "s":
-        return values
-    return (1000 * values).assign_attrs({**values.attrs, "units": "ms"})
-
-
 def _range(arms: dict[str, Any]) -> str:
     """The range in words."""
     parts = []
@@ -297,42 +260,3 @@ def _range(arms: dict[str, Any]) -> str:
         ends = f"{values[0]:g} to {values[-1]:g}" if values.size > 1 else f"{values[0]:g}"
         parts.append(f"${meaning.latex}$ = {ends}{unit}")
     return ", ".join(parts)
-
-
-def _round_levels(values: NDArray[Any]) -> NDArray[Any]:
-    """Round numbers over the range but for the least of it, closer where it is narrow."""
-    finite = values[np.isfinite(values) & (values > 0)]
-    low, high = (float(np.quantile(finite, q)) for q in (0.02, 1.0))
-    powers = np.arange(np.floor(np.log10(low)) - 1, np.ceil(np.log10(high)) + 1)
-    steps = (1, 2, 5) if high > 30 * low else (1, 1.5, 2, 3, 5, 7)
-    every = np.unique(np.concatenate([m * 10.0**powers for m in steps]))
-    first, last = np.searchsorted(every, [low, high])
-    return np.asarray(every[max(first - 1, 0) : last + 1])
-
-
-def _filled(
-    figure: Figure,
-    axes: Axes,
-    x: xarray.DataArray,
-    y: xarray.DataArray,
-    values: xarray.DataArray,
-    label: str,
-) -> None:
-    """Values as colours on a logarithmic scale, with lines at round numbers.
-
-    What is below or beyond all of these is drawn as the least and the largest; nothing where all
-    is infinite or nothing.
-    """
-    from matplotlib.colors import LogNorm
-
-    if not bool((np.isfinite(values) & (values > 0)).any()):
-        return
-    levels = _round_levels(values.to_numpy())
-    inside = values.clip(levels[0] * 1.0001, levels[-1] * 0.9999)
-    norm = LogNorm(levels[0], levels[-1])
-    filled = axes.contourf(x, y, inside, levels=levels, norm=norm, cmap="viridis")
-    axes.contour(x, y, inside, levels=levels[1:-1], colors="white", linewidths=0.5)
-    bar = figure.colorbar(filled, ax=axes, ticks=levels)
-    bar.ax.yaxis.set_major_formatter(_plain)
-    bar.ax.minorticks_off()
-    bar.set_label(label)

@@ -12,7 +12,8 @@ from symhaptic import delay_margin, is_stable, stability_boundary
 from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
-from symhaptic.numeric.tracing.bands import first_step
+from symhaptic.numeric.tracing.loops import Loops
+from symhaptic.numeric.tracing.periods import first_step
 
 
 def stable_loops(rng, count):
@@ -346,7 +347,7 @@ def test_no_loss_is_between_the_delays_at_which_a_root_may_have_left():
         g, dl = rng.choice([0.0, rng.uniform(0, 3)]), rng.uniform(0, 1)
         part = rng.choice([1.0, rng.uniform()])
         one = [np.array([v]) for v in (al, be, g, dl)]
-        loops = losses.Loops(wall(*one[:2]), *one[2:], device(*one[2:]))
+        loops = Loops(wall(*one[:2]), *one[2:], device(*one[2:]))
         if not is_stable(*one, part)[0]:
             continue
         every = np.arange(1.0, 60.0)

@@ -18,7 +18,8 @@ from symhaptic.numeric.crossings import wall
 from symhaptic.numeric.given import Given
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.stability import SHEETS, is_stable
-from symhaptic.numeric.tracing.losses import Loops, first_loss, leads_at_minus_one, next_changes
+from symhaptic.numeric.tracing.loops import Loops, leads_at_minus_one, next_changes
+from symhaptic.numeric.tracing.losses import first_loss
 
 _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""

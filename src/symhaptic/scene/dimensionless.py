@@ -1,0 +1,73 @@
+"""gamma = k T^2/m, delta = b T/m, d = t_d/T: a scene without units, and limits back in SI units."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from numbers import Real
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from symhaptic.notation.quantities import decimal, nearest, shown
+from symhaptic.scene.limit import Limit
+
+if TYPE_CHECKING:
+    from symhaptic.scene.scene import Scene
+
+
+class Dimensionless(NamedTuple):
+    """The plant and the delay in units of the mass and the sampling period (Table I)."""
+
+    gamma: float
+    """k T^2/m."""
+    delta: float
+    """b T/m."""
+    delay: float
+    """t_d/T."""
+
+
+def periods(scene: Scene) -> Fraction:
+    """The delay in sampling periods, exactly; 0 if there is none."""
+    if scene.delay_samples is not None:
+        return decimal(scene.delay_samples)
+    delay, period = scene.delay or 0.0, scene.sampling_period
+    exact = decimal(delay) / decimal(period)
+    # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
+    whole = Fraction(round(exact))
+    return whole if nearest(whole) * period == delay else exact
+
+
+def dimensionless(scene: Scene) -> Dimensionless:
+    """gamma, delta and the delay in periods, as far as functions take them."""
+    from symhaptic.numeric.arguments import LARGEST, LONGEST, STIFFEST
+
+    period, mass = decimal(scene.sampling_period), decimal(scene.mass)
+    found = Dimensionless(
+        gamma=nearest(decimal(scene.stiffness or 0) * period**2 / mass),
+        delta=nearest(decimal(scene.damping or 0) * period / mass),
+        delay=nearest(scene.periods),
+    )
+    late = "delay" if scene.delay_samples is None else "delay_samples"
+    for name, formula, value, most in (
+        ("stiffness", "k T^2/m", found.gamma, STIFFEST),
+        ("damping", "b T/m", found.delta, LARGEST),
+        (late, "t_d/T", found.delay, LONGEST),
+    ):
+        if value > most:
+            of = f"with mass={scene.mass!r} and sampling_period={scene.sampling_period!r}"
+            given = f"{name}: {getattr(scene, name)!r} {of}"
+            raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
+    return found
+
+
+def limit(scene: Scene, alpha: Any, beta: Any, theta: Any) -> Limit:
+    """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz."""
+    given = {"alpha": alpha, "beta": beta, "theta": theta}
+    for name, value in given.items():
+        if not isinstance(value, Real) and getattr(value, "shape", None) != ():
+            raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
+    scale, period = scene.mass / scene.sampling_period, scene.sampling_period
+    return Limit(
+        float(alpha) * scene.mass / period**2,
+        float(beta) * scale,
+        float(theta) / (2 * math.pi * period),
+    )
