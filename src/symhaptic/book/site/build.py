@@ -220,7 +220,7 @@ def lighter(svg: str) -> str:
 
 def _sphinx(source: Path, made: Path, trees: Path) -> None:
     """Sphinx over the sources, in a process of its own; a warning is an error."""
-    roles = "\n".join(f".. role:: kind-{kind}" for kind in Kind)
+    roles = "\n".join(f".. role:: {role}" for role in ("kept", *(f"kind-{kind}" for kind in Kind)))
     settings = {
         "project": TITLE,
         "html_title": TITLE,

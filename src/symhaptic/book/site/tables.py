@@ -73,7 +73,7 @@ def errata(entries: Sequence[Entry]) -> str:
                 f":ref:`{e.statement.id} <erratum-{e.statement.id}>`",
                 words(e.statement.says),
                 kind(e.verdict.kind),
-                plain(e.statement.location),
+                _where(e.statement.location),
             ]
             for e in entries
             if e.source is PAPER and e.verdict.claimed is of
@@ -85,6 +85,11 @@ def errata(entries: Sequence[Entry]) -> str:
             out += heading(title, "-")
             out += [line for entry in listed for line in _erratum(entry)]
     return "\n".join(out) + "\n"
+
+
+def _where(location: str) -> str:
+    """A section's number on one line; a longer place as it fits."""
+    return f":kept:`{plain(location)}`" if location.startswith("Sec. ") else plain(location)
 
 
 def _erratum(entry: Entry) -> list[str]:
@@ -122,7 +127,7 @@ def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
                 entry.rocq.extent if asked() else "",
-                "own finding" if entry.own else plain(entry.statement.location),
+                "own finding" if entry.own else _where(entry.statement.location),
                 f":doc:`{number} <{name}>`" if name else "",
             ]
         )
