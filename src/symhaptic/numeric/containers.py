@@ -230,7 +230,7 @@ def _numbers(name: str, labelled: Any) -> Any:
 
 def _masked(work: Callable[..., Any], numbers: Mapping[str, Any]) -> Any:
     """What is masked in one argument is masked in the result."""
-    plain = (_unmasked(n, v) if _library(v) == "masked" else v for n, v in numbers.items())
+    plain = (real(n, v) if _library(v) == "masked" else v for n, v in numbers.items())
     found = work(*plain)
     masks = [np.ma.getmaskarray(v) for v in numbers.values() if _library(v) == "masked"]
 
@@ -239,9 +239,3 @@ def _masked(work: Callable[..., Any], numbers: Mapping[str, Any]) -> Any:
         return np.ma.MaskedArray(one, mask=mask)
 
     return tuple(map(masked, found)) if isinstance(found, tuple) else masked(found)
-
-
-def _unmasked(name: str, values: Any) -> Any:
-    """The numbers of an array with a mask, NaN where they are masked; no others are let in."""
-    plain = values.filled(np.nan) if values.dtype == object else values.data
-    return np.where(np.ma.getmaskarray(values), np.nan, real(name, plain))
