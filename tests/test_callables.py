@@ -194,7 +194,8 @@ def test_a_loop_that_nothing_stabilises():
 @pytest.mark.parametrize(
     "bad",
     [1j, 1 + 0j, "1", b"1", np.complex64(1), np.datetime64("2020-01-01"), 10**400, -(10**400),
-     np.array(1j), np.array("1"), np.array([1j, 1.0]), np.array(["1", "2"])],
+     np.array(1j), np.array("1"), np.array([1j, 1.0]), np.array(["1", "2"]),
+     np.array([1j, "1"], dtype=object), np.array([np.complex128(1), 10**400], dtype=object)],
 )  # fmt: skip
 def test_what_is_no_real_number_is_outside_of_every_domain(bad):
     with warnings.catch_warnings():
@@ -203,3 +204,9 @@ def test_what_is_no_real_number_is_outside_of_every_domain(bad):
             assert np.isnan(lambdify("linear_limit")(0.1, bad, other)).all()
             assert not np.any(lambdify("is_stable")(0.1, 0.2, bad, 0.1, other))
             assert np.all(lambdify("unstable_roots")(0.1, 0.2, bad, 0.1, other) == -1)
+
+
+def test_complex_numbers_of_many_digits_are_outside_of_every_domain():
+    for complex_one in (mpmath.mpc(1, 1), mpmath.mpc(1, 0), 1j):
+        assert mpmath.isnan(lambdify("linear_limit", modules="mpmath")(0.1, 1, complex_one))
+        assert not lambdify("is_stable", modules="mpmath")(0.1, 0.4, complex_one, 0.1, 1)

@@ -164,6 +164,16 @@ def test_masks_are_kept(function):
         assert found.compressed().tolist() == wanted[[0, 2]].tolist()
 
 
+def test_behind_a_mask_are_real_numbers_only():
+    for bad in ([0.5 + 1j, 0.5], ["0.5", "1"], np.array([1, 2], "m8[s]"), [1j, 0.5j]):
+        for kind in (None, object):
+            given = np.ma.MaskedArray(np.array(bad, dtype=kind), mask=[False, True])
+            with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; real numbers are$"):
+                is_stable(given, 0.4, 0.0, 0.1, 0)
+    given = np.ma.MaskedArray([0.1, None], mask=[False, True])
+    assert is_stable(given, 0.4, 0.0, 0.1, 0).tolist() == [True, None]
+
+
 def test_one_loop_takes_no_labels():
     pandas = library("pandas")
     with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; plain numbers are$"):

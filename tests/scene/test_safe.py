@@ -111,12 +111,22 @@ def test_one_wall_gives_a_truth_value_and_nonsense_is_not_safe():
     assert safe.limit_at([-1.0, 1e9]).tolist() == [0.0, 0.0]
 
 
+def test_a_masked_wall_is_not_said_to_be_safe():
+    safe = phantom()
+    masked = np.ma.MaskedArray([20.0, 20.0], mask=[True, False])
+    assert safe.contains(1000.0, masked).tolist() == [False, True]
+    assert safe.contains(50 * masked, 20.0).tolist() == [False, True]
+    assert not safe.is_passive(0 * masked, 0.0)[0]
+    assert np.isnan(safe.limit_at(masked)).tolist() == [True, False]
+
+
 @pytest.mark.parametrize(
     ("call", "told"),
     [
         (lambda: ArmRange(mass=(2, 1)), r"mass: \(2, 1\) is not allowed; the lowest comes first"),
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
+        (lambda: ArmRange(damping=np.array([1, 2])), r"damping: array\(\[1, 2\]\) is not allowed"),
         (lambda: ArmRange(mass=None), "mass: None is not allowed; finite numbers >= 0 are"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),

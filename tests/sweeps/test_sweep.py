@@ -203,6 +203,11 @@ def symhaptic_root():
     return Path(__file__).parents[2]
 
 
+def labelled(values, **labels):
+    """An array along x, with coordinates."""
+    return xarray.DataArray(values, dims="x", coords={n: ("x", v) for n, v in labels.items()})
+
+
 REFUSED = [
     ({"alhpa": 1.0}, r"^alhpa: is not allowed; did you mean 'alpha'"),
     ({"alpha": []}, r"^alpha: no values are not allowed"),
@@ -213,12 +218,19 @@ REFUSED = [
     ({"over": "gamma"}, r"^over: .+both or none are"),
     ({"over": "gamma", "reduce": "min"}, r"^reduce: 'min' of is_stable is not allowed"),
     ({"over": "gamma", "reduce": "median"}, r"^reduce: 'median' is not allowed"),
+    ({"over": ("gamma", "gamma"), "reduce": "all"}, r"^over: .+ each dimension once is"),
+    ({"alpha": xarray.Variable("x", [0.1])}, r"^alpha: .+ of xarray DataArrays are"),
+    ({"alpha": xarray.DataArray([0.1], dims="is_stable")}, r"^is_stable: a dimension or coord"),
+    ({"alpha": labelled([0.1, 0.2], x=[1, 2]), "beta": labelled([0.1, 0.2], x=[2, 1])},
+     r"^beta: its labels 'x' are not allowed; another argument has others"),
+    ({"alpha": labelled([0.1, 0.2], x=[1, 2], beta=[3, 4]), "beta": 0.4},
+     r"^beta: its labels 'beta' are not allowed; another argument has others"),
     ({"chunks": 0}, r"^chunks: 0 is not allowed"),
     ({"chunks": {"x": 1}}, r"^chunks: 'x' is not allowed"),
     ({"on": "clouds"}, r"^on: 'clouds' is not allowed"),
     ({"to": "here.csv"}, r"^to: 'here.csv' is not allowed"),
     ({"to": "here.zarr", "lazy": True}, r"^lazy: True beside to="),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("words", "told"), REFUSED)

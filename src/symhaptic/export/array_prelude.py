@@ -103,6 +103,8 @@ def arrays(*values):
 
 def _real(xp, v, kind):
     """The array in this kind, NaN where its elements are complex, text or dates."""
+    if getattr(v.dtype, "kind", None) == "O":
+        return xp.reshape(xp.asarray([_outside_or(x) for x in v.flat], dtype=kind), v.shape)
     if xp.isdtype(v.dtype, "complex floating") or getattr(v.dtype, "kind", None) in tuple("USMmV"):
         return xp.full_like(v, math.nan, dtype=kind)
     return xp.astype(v, kind, copy=False)

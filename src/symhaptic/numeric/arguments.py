@@ -38,8 +38,14 @@ _BELOW_PI = {True: math.pi, False: float(np.nextafter(np.float32(np.pi), np.floa
 
 
 def real(name: str, values: ArrayLike | Fraction) -> Array:
-    """The argument as a float64 array; text, dates and complex numbers are no numbers here."""
+    """The argument as a float64 array; text, dates and complex numbers are no numbers here.
+
+    What is masked is NaN.
+    """
     try:
+        if isinstance(values, np.ma.MaskedArray):
+            plain = values.filled(np.nan) if values.dtype == object else values.data
+            return np.where(np.ma.getmaskarray(values), np.nan, real(name, plain))
         array = np.asarray(values)
         if array.dtype.kind in "biuf" or (array.dtype == object and all(map(_is_real, array.flat))):
             with np.errstate(over="ignore"):  # what no float64 holds is infinite

@@ -230,10 +230,7 @@ def _numbers(name: str, labelled: Any) -> Any:
 
 def _masked(work: Callable[..., Any], numbers: Mapping[str, Any]) -> Any:
     """What is masked in one argument is masked in the result."""
-    plain = (
-        np.ma.filled(v.astype(np.float64), np.nan) if _library(v) == "masked" else v
-        for v in numbers.values()
-    )
+    plain = (real(n, v) if _library(v) == "masked" else v for n, v in numbers.items())
     found = work(*plain)
     masks = [np.ma.getmaskarray(v) for v in numbers.values() if _library(v) == "masked"]
 

@@ -130,9 +130,9 @@ class ArmRange:
         for part, default in (("damping", (0.0, 20.0)), ("stiffness", (0.0, 1000.0))):
             per = f"{part}_per_mass"
             both = getattr(self, part), getattr(self, per)
-            if None not in both:
+            if all(given is not None for given in both):
                 raise ValueError(f"{per}: {both[1]!r} beside {part}={both[0]!r} is not allowed")
-            if both == (None, None):
+            elif all(given is None for given in both):
                 object.__setattr__(self, per, default)
         for name, unit in _RANGED.items():
             value = getattr(self, name)

@@ -147,7 +147,7 @@ _NO_END = {BELOW_PI: sp.pi, **dict.fromkeys((LARGEST, STIFFEST, LONGEST), sp.Flo
 def _inside(within: Boolean, argument: tuple[Symbol, mpmath.mpf]) -> bool:
     """Whether an argument of many digits is in its range."""
     symbol, number = argument
-    if not mpmath.isfinite(number):
+    if isinstance(number, mpmath.mpc) or not mpmath.isfinite(number):
         return False
     return bool(within.xreplace({**_NO_END, symbol: sp.Float(number)}))
 

@@ -47,7 +47,8 @@ def plan_of(
     coords: dict[str, Any] = {}
     for name, value in given.items():
         inputs[name], more = _input(name, value, meanings.get(name), bool(work.results))
-        coords |= more
+        for label, coord in more.items():
+            _agree(name, label, coords.setdefault(label, coord), coord)
     sizes: dict[str, int] = {}
     for name, (dims, values) in inputs.items():
         for dim, size in zip(dims, values.shape, strict=True):
@@ -58,6 +59,8 @@ def plan_of(
     for dim in along:
         if dim not in sizes:
             raise ValueError(f"over: {dim!r} is not allowed; {suggested(dim, sizes)}")
+        if along.count(dim) > 1:
+            raise ValueError(f"over: {shown(over)} is not allowed; each dimension once is")
     if bool(along) != bool(reduced):
         raise ValueError(f"over: {along!r} with reduce={reduced!r} is not allowed; "
                          "both or none are")  # fmt: skip
@@ -68,11 +71,27 @@ def plan_of(
         for i, result in enumerate(_results(work, inputs))
         for word in (reduced or ("",))
     )
+    coords = {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
+    for taken in {v.name for v in variables} & {*stay, *coords}:
+        raise ValueError(f"{taken}: a dimension or coordinate of this name is not allowed; "
+                         "a result is called so")  # fmt: skip
     plan = Plan(
         work, inputs, {**stay, **gone}, tuple(stay), along, variables,
         lengths_of(stay, gone, _chunks(chunks, stay)),
     )  # fmt: skip
-    return plan, {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
+    return plan, coords
+
+
+def _agree(name: str, label: str, known: Any, coord: Any) -> None:
+    """Refuse labels that are others than those of an argument before: values stand by place."""
+    if known is coord:
+        return
+    from xarray import DataArray
+
+    one, other = (DataArray(values, dims=dims) for dims, values, _ in (known, coord))
+    if not one.equals(other):
+        raise ValueError(f"{name}: its labels {label!r} are not allowed; another argument "
+                         "has others")  # fmt: skip
 
 
 def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
@@ -125,7 +144,7 @@ def _input(
                          "masks are")  # fmt: skip
     dims: tuple[str, ...] | None = None
     if kind == "xarray":
-        if not hasattr(value, "dims") or hasattr(value, "data_vars"):
+        if not hasattr(value, "coords") or hasattr(value, "data_vars"):
             raise ValueError(f"{name}: {shown(value)} is not allowed; of xarray DataArrays are")
         dims = tuple(map(str, value.dims))
         more = {str(n): (c.dims, c.values, c.attrs) for n, c in value.coords.items()
