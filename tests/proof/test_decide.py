@@ -134,6 +134,20 @@ def test_what_is_true_of_an_unknown_function_is_not_refuted(left, right):
     assert prove(left, right).kind in (Kind.PROVED, Kind.UNDECIDED)
 
 
+@pytest.mark.parametrize(
+    "inside",
+    [
+        sp.Derivative(H(x), x),
+        sp.Derivative(sin(x), x),
+        sp.Integral(sin(x * y), (x, 0, y)),
+        sp.Limit(x * a, x, a),
+        sp.Subs(H(x), x, y),
+    ],
+)
+def test_what_a_derivative_is_by_is_no_number(inside):
+    assert prove(sp.gamma(inside), x).kind == Kind.UNDECIDED
+
+
 def test_power_that_may_be_complex_is_not_its_real_part():
     # x = -1, d = 1/2 gives j
     assert prove(sp.re(x**d, evaluate=False), x**d).kind != Kind.PROVED
