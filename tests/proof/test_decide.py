@@ -49,6 +49,8 @@ WRONG = [
     (z ** (d + 1), z**d + z),
     (1 / x, 1 / (x + y)),
     ((x**2) ** d, x ** (2 * d)),
+    (sin(sin(x)), sin(x)),  # beyond the normal form
+    (2 ** (2**x), 4**x),
 ]
 
 

@@ -55,7 +55,12 @@ def compare(left: Form, right: Form, anywhere: bool = False) -> Comparison:
         return Comparison(None, "nothing to compare")
     method = ""
     for one, other in zip(ours, theirs, strict=True):
-        result = _shown(one, other) or _told_apart(one, other, anywhere)
+        result = _shown(one, other)
+        if result is None:
+            result = _told_apart(one, other, anywhere)
+        elif result.equal is None:  # the normal form cannot say; a point may
+            told = _told_apart(one, other, False)
+            result = told if told.equal is False else result
         if not result.equal:
             return result
         method = result.method or method
