@@ -28,7 +28,7 @@ from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
 
 
-def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
+def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> Verdict:
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
     ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
@@ -55,6 +55,11 @@ def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
     >>> print(prove(sp.sin(x) < x - x**3/8, {x: (1, 2)}))
     enclosed: ball arithmetic on 20 pieces
     """
+    if rhs is None:
+        raise TypeError(
+            f"prove: {lhs!r} alone is no question; prove(lhs, rhs) is one, and "
+            "prove(inequality, {x: (0, 1)}) with an interval for each of its symbols"
+        )
     allowed_steps("prove", steps)
     try:
         with budget(steps):
