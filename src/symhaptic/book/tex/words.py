@@ -50,6 +50,15 @@ def number(value: float) -> str:
     return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
 
 
+def place_of(id: str) -> str:
+    """An id as the place of a link, of which TeX keeps all, and a label of the site, too.
+
+    >>> place_of("rules:four"), place_of("my:K_0")
+    ('rules-four', 'my-.4b..5f.0')
+    """
+    return re.sub(r"[^a-z0-9:-]", lambda odd: f".{ord(odd[0]):x}.", id).replace(":", "-")
+
+
 def anchor(name: str) -> str:
-    """A name as the place of a link, in letters that TeX leaves alone."""
+    """A rule's name as the place of a link, in letters that TeX leaves alone."""
     return re.sub(r"[^A-Za-z0-9]+", "-", name)
