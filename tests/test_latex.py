@@ -100,4 +100,7 @@ def test_no_two_ids_have_one_place():
 def test_a_note_has_words_beside_formulas():
     assert beside_formulas(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
     assert beside_formulas(r"x^2 of $x^2$ at 3 $ or \^o") == r"x\^{}2 of $x^2$ at 3 \$ or \^o"
+    assert beside_formulas("a { or \\emph{b}") == r"a \{ or \emph\{b\}"
+    assert beside_formulas(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
+    assert beside_formulas(r"\emph{5 %} and \{") == r"\emph{5 \%} and \{"
     assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"
