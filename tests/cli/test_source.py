@@ -67,6 +67,10 @@ def test_what_is_argued_otherwise_is_told(notes):
     """Words say that it is wrong as it is printed, and then that it is right."""
     chapter = CHAPTER.replace("b * v, name=F)", "b * v)")
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 1
+    assert "DIFFERS  drift:start: argued (misprint), and no ledger says so" in run.stdout
+    assert symhaptic("verify", "--source", notes).returncode == 0
     committed = notes / "ledger.json"
     symhaptic("verify", "--source", notes, "--format", "json", "-o", committed)
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
