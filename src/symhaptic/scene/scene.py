@@ -202,7 +202,7 @@ class Scene:
 
         Raises :class:`ValueError` for what no function takes, by the names that it has here.
         """
-        from symhaptic.numeric.arguments import LARGEST, LONGEST, STIFFEST
+        from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
 
         period, mass = decimal(self.sampling_period), decimal(self.mass)
         found = Dimensionless(
