@@ -1,6 +1,8 @@
 """Formulas as functions: on arrays without a warning, in many digits, and for smaller scenes."""
 
 import importlib.util
+import multiprocessing
+import pickle
 import warnings
 from inspect import signature
 
@@ -45,6 +47,37 @@ def test_arrays_and_single_numbers_agree_without_a_warning(name):
             assert one == pytest.approx(together[:, k], rel=1e-13, abs=1e-14, nan_ok=True)
 
 
+@pytest.mark.parametrize(
+    ("asked", "arguments"),
+    [
+        (("eq11",), (0.5, 1.5)),
+        (("linear_limit", "stable", "numpy", "no-stiffness", ["d"]), (0.1, 1.0, 1.5)),
+        (("eq11", "stable", "mpmath"), (0.5, 1.5)),
+        (("eq11", "derived"), (0.001, 0.5, 1.5)),
+        (("eq11", "printed", "mpmath"), (0.001, 0.5, 1.5)),
+    ],
+)
+def test_a_function_is_pickled_as_what_was_asked_for(asked, arguments):
+    function = lambdify(*asked)
+    again = pickle.loads(pickle.dumps(function))
+    assert again(*arguments) == function(*arguments)
+    assert (again.__name__, signature(again)) == (function.__name__, signature(function))
+
+
+def test_a_function_in_another_process():
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.starmap(lambdify("eq11"), [(0.5, 1.5)]) == [lambdify("eq11")(0.5, 1.5)]
+
+
+def test_torch_compiles_a_function_of_a_formula():
+    torch = pytest.importorskip("torch")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of caches that it looks through
+        compiled = torch.compile(lambdify("linear_limit"), backend="eager", fullgraph=True)
+        found = compiled(*map(torch.tensor, (0.1, 1.0, 1.5)))
+    assert found == pytest.approx(lambdify("linear_limit")(0.1, 1.0, 1.5), rel=1e-6)
+
+
 def test_hard_plants_on_arrays_without_a_warning():
     gamma, delta = (a.ravel() for a in np.meshgrid(HARD, HARD))
     with warnings.catch_warnings():
@@ -59,7 +92,7 @@ def test_the_inequalities_are_the_roots():
     for delay in (0, 1, 2, 3):
         (conditions,) = request.chosen(["stability_conditions"], delay=delay)
         (polynomial,) = request.chosen(["characteristic_polynomial"], delay=delay)
-        run = [symhaptic.scene.callables._on_arrays(form) for form in (conditions, polynomial)]
+        run = [symhaptic.scene.callables._on_arrays(form, ()) for form in (conditions, polynomial)]
         both = set()
         for _ in range(150):
             wall = rng.uniform(-0.2, 1.5 / (delay + 1), 2)

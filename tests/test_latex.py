@@ -5,7 +5,7 @@ from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import anchor, beside_formulas
+from symhaptic.book.tex.words import beside_formulas, place_of
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
 from symhaptic.paper.reading import read
@@ -78,16 +78,29 @@ def test_a_prime_stands_behind_the_letter():
         ("tab2", "Table II", "tab2"),
         ("rules:four", r"\texttt{\scriptsize rules:four}", "rules-four"),
         ("tablet", r"\texttt{\scriptsize tablet}", "tablet"),
-        ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal-masses"),
-        ("my:5%&#{^~", r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}", "my-5-"),
-        ("a\\b-c", r"\texttt{\scriptsize a\textbackslash{}b-\allowbreak c}", "a-b-c"),
+        ("equal_masses", r"\texttt{\scriptsize equal\_masses}", "equal.5f.masses"),
+        (
+            "my:5%&#{^~",
+            r"\texttt{\scriptsize my:5\%\&\#\{\^{}\textasciitilde{}}",
+            "my-5.25..26..23..7b..5e..7e.",
+        ),
+        ("a\\b-c", r"\texttt{\scriptsize a\textbackslash{}b-\allowbreak c}", "a.5c.b-c"),
     ],
 )
 def test_any_id_can_be_printed_and_linked(id, shown, place):
-    assert (reference(id), anchor(id)) == (shown, place)
+    assert (reference(id), place_of(id)) == (shown, place)
+
+
+def test_no_two_ids_have_one_place():
+    # a label of the site has no capitals
+    ids = ["my:a_b", "my:a-b", "my:a.b", "my:K", "my:k", "my:ä", "my:ö", "my:a__b", "my:a--b"]
+    assert len({place_of(id).lower() for id in ids}) == len(ids)
 
 
 def test_a_note_has_words_beside_formulas():
     assert beside_formulas(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
     assert beside_formulas(r"x^2 of $x^2$ at 3 $ or \^o") == r"x\^{}2 of $x^2$ at 3 \$ or \^o"
-    assert statement_link("a<b") == ":ref:`aless thanb <statement-a-b>`"
+    assert beside_formulas("a { or \\emph{b}") == r"a \{ or \emph\{b\}"
+    assert beside_formulas(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
+    assert beside_formulas(r"\emph{5 %} and \{") == r"\emph{5 \%} and \{"
+    assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"

@@ -193,7 +193,7 @@ def test_formulas_of_other_digits_end_there_too():
 
 def test_derivatives_by_the_damping_are_the_wall_of_damping_one():
     form = with_derivatives(stable.form("passivity_boundary"), ("delta",))
-    run = symhaptic.scene.callables._on_arrays(form)
+    run = symhaptic.scene.callables._on_arrays(form, ())
     theta, delta, delay = angles(2000)
     found = np.array(run(theta, delta, delay))
     unit = np.array(passivity_boundary(theta, 1.0, delay))

@@ -67,6 +67,10 @@ def test_what_is_argued_otherwise_is_told(notes):
     """Words say that it is wrong as it is printed, and then that it is right."""
     chapter = CHAPTER.replace("b * v, name=F)", "b * v)")
     (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 1
+    assert "DIFFERS  drift:start: argued (misprint), and no ledger says so" in run.stdout
+    assert symhaptic("verify", "--source", notes).returncode == 0
     committed = notes / "ledger.json"
     symhaptic("verify", "--source", notes, "--format", "json", "-o", committed)
     assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
@@ -183,6 +187,8 @@ def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
         ("def derive(page):\n    os._exit(0)", "its process ended without a result"),
         ('def derive(page):\n    page.enclosed("t", [1])', "1 is no pair of a name"),
         ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
+        ('def derive(page):\n    page.define("t", "{x", 2*y)', "'{x' has braces that do not match"),
+        ('def derive(page):\n    page.settle("odd:one", shows="}")', "'}' has braces that do not"),
         ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 100 that are printed"),
     ],
 )

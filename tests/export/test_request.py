@@ -113,6 +113,25 @@ def test_an_earlier_export_is_replaced_whole(tmp_path, monkeypatch, capsys):
     assert symhaptic(monkeypatch, capsys, *words)[0] == 2
 
 
+def test_a_folder_that_something_else_has_built_in_an_export_stays(tmp_path):
+    folder = tmp_path / "out"
+    request.write({"a.c": "", "src/a.h": "", request.LISTING: "a.c\nsrc/a.h\nFILES\n"}, folder)
+    built = folder / "build" / "objects" / "a.o"
+    built.parent.mkdir(parents=True)
+    built.write_text("built")
+    os.utime(built, (1.0, 1.0))
+    request.write({"b.c": "", request.LISTING: "b.c\nFILES\n"}, folder)
+    assert set(os.listdir(folder)) == {"b.c", "build", request.LISTING}
+    assert (built.read_text(), built.stat().st_mtime) == ("built", 1.0)
+    with pytest.raises(Refused, match=r"holds other files \(build/objects/a.o\)"):
+        request.write({"build/a.c": "", request.LISTING: "build/a.c\nFILES\n"}, folder)
+    (folder / request.LISTING).unlink()  # that of no export
+    (folder / "b.c").unlink()
+    with pytest.raises(Refused, match="holds other files"):
+        request.write({"b.c": ""}, folder)
+    assert os.listdir(folder) == ["build"]
+
+
 def test_the_list_names_functions_and_arguments(monkeypatch, capsys):
     code, out, _ = symhaptic(monkeypatch, capsys, "export", "--list", "--scene", "no-stiffness")
     assert code == 0

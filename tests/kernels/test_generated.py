@@ -10,7 +10,7 @@ from symhaptic.cli.main import main
 from symhaptic.export import kernels
 from symhaptic.export.precision import DOUBLE
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments
+from symhaptic.notation import sizes
 from symhaptic.numeric.boundary import point
 from symhaptic.numeric.plant import device
 
@@ -37,7 +37,7 @@ def test_the_committed_kernels_are_not_stale():
 
 
 def test_checks_and_kernels_end_at_the_same_sizes():
-    here = arguments.LARGEST, arguments.STIFFEST, arguments.LONGEST, arguments.FAINT
+    here = sizes.LARGEST, sizes.STIFFEST, sizes.LONGEST, sizes.FAINT
     assert here == (DOUBLE.largest, DOUBLE.stiffest, DOUBLE.longest, float(DOUBLE.vanishing))
 
 

@@ -1,5 +1,7 @@
 """Questions on boxes and constants: right, wrong, or an honest undecided; bad input is named."""
 
+import re
+
 import mpmath
 import pytest
 import sympy as sp
@@ -55,6 +57,12 @@ def test_what_is_touched_is_undecided(monkeypatch):
 
 def test_a_complex_value_is_no_order():
     assert prove(sqrt(x) + 1 > 0, {x: (-2, -1)}).kind == "undecided"
+
+
+@pytest.mark.parametrize("alone", [x < 1, Eq(x, y), x + 1])
+def test_one_form_alone_is_no_question(alone):
+    with pytest.raises(TypeError, match=f"^prove: {re.escape(repr(alone))} alone .* is one"):
+        prove(alone)
 
 
 def test_unknown_functions_are_undecided():

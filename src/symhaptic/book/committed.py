@@ -36,7 +36,7 @@ def places(path: Path) -> dict[str, str]:
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
-    """Statements whose verdict is not the committed one; a user's own must hold, or be argued to.
+    """Statements whose verdict is not the committed one; new ones of one's own hold, or are argued.
 
     In a ``whole`` ledger each of the committed ones is there.
     """
@@ -45,9 +45,16 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
     for entry in entries:
         id, kind = entry.statement.id, entry.verdict.named
-        if entry.own:
+        if entry.own and id not in known:
             if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
                 lines.append(f"{id}: {entry.verdict}; a statement of one's own is to hold")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
     return lines
+
+
+def argued(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
+    """Statements that are argued where no ledger is to have them."""
+    words = (e for e in entries if e.verdict.kind is Kind.ARGUED)
+    new = (e for e in words if known is None or (e.own and e.statement.id not in known))
+    return [f"{e.statement.id}: {e.verdict.named}, and no ledger says so" for e in new]

@@ -17,7 +17,7 @@ from sympy import Expr
 from sympy.core.function import AppliedUndef
 
 from symhaptic.book.grounds import not_defined, shows, unproved
-from symhaptic.book.record import Evidence, FalseStep
+from symhaptic.book.record import Evidence, FalseStep, in_latex
 from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
 from symhaptic.book.steps import Steps
 from symhaptic.notation.proposition import Proposition, of_print
@@ -97,6 +97,7 @@ class Page(Steps):
             raise FalseStep(f"no statement {id!r}")
         if not isinstance(provided, str | None):
             raise FalseStep(f"{id}: provided: {provided} is not allowed; LaTeX of a condition is")
+        in_latex(id, provided, shows)
         theorems = [g for g in grounds if isinstance(g, Theorem)]
         proving = (Evidence, Fact, Witness, Theorem)
         forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.notation.latex import matching
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
@@ -31,6 +32,13 @@ PACKAGE = Path(__file__).parents[1]
 
 class FalseStep(ValueError):
     """A step that is not true, or that could not be proved."""
+
+
+def in_latex(where: str, *texts: Any) -> None:
+    """Raises where a text is no LaTeX that can be printed in a formula."""
+    for text in texts:
+        if isinstance(text, str) and not matching(text):
+            raise FalseStep(f"{where}: {text!r} has braces that do not match")
 
 
 def line_at_work() -> int:
@@ -177,6 +185,8 @@ class Record:
         paper: str = "",
         theorem: Theorem | None = None,
     ) -> None:
+        for left, _, right in lines:
+            in_latex(f"step {title!r}", left, right)
         self._count += 1
         self.blocks.append(
             Block(

@@ -11,6 +11,7 @@ from dataclasses import replace
 from functools import partial
 
 from symhaptic import paper, rules
+from symhaptic.notation.latex import matching
 from symhaptic.notation.proposition import Proposition
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import Printed
@@ -81,6 +82,9 @@ def add(
             )
         found[statement.id] = replace(statement, notation=source.notation)
         found[statement.id].printed  # noqa: B018  raises where it cannot be read
+        for line in (*statement.latex, statement.domain):
+            if not matching(line):
+                raise ValueError(f"{statement.id}: {line!r} has braces that do not match")
     if not claims.keys() <= found.keys() or any(
         not isinstance(claim, Proposition) for claim in claims.values()
     ):

@@ -102,7 +102,12 @@ def verify(
     output: Annotated[
         Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
     ] = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Fail on undecided too.")] = False,
+    strict: Annotated[
+        bool,
+        typer.Option(
+            "--strict", help="Fail on undecided too, and on argued where no ledger says so."
+        ),
+    ] = False,
     workers: Annotated[
         int | None,
         typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
@@ -198,6 +203,8 @@ def verify(
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
     surprises += [entry.wrong for entry in found if entry.wrong]
+    if strict:
+        surprises += committed.argued(entries, known)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
     for path in own if source is None and surprises else []:

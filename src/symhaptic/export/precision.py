@@ -11,6 +11,7 @@ from sympy import Expr
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
+from symhaptic.notation import sizes
 
 _GUARD = 2.0**-12
 """A truncated series may miss this part of half a last place."""
@@ -64,7 +65,7 @@ class Precision:
     @property
     def vanishing(self) -> sp.Rational:
         """A power of two below which squares lose digits; its inverse square lifts all above."""
-        return sp.Rational(1, 2 ** (400 if self.bits == 53 else 40))
+        return sp.Rational(*(sizes.FAINT if self.bits == 53 else 2.0**-40).as_integer_ratio())
 
     @property
     def split(self) -> sp.Integer:
@@ -121,7 +122,9 @@ class Precision:
         return n
 
 
-DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, 1e70, 1e15, 1e15)
+_SIZES = sizes.LARGEST, sizes.STIFFEST, sizes.LONGEST
+
+DOUBLE = Precision("double", 53, np.float64, 1e-300, 1e-290, 1e290, *_SIZES)
 SINGLE = Precision("single", 24, np.float32, 1e-30, 1e-30, 1e30, 1e8, 1e8, 1e6)
 
 PRECISIONS = {p.name: p for p in (DOUBLE, SINGLE)}

@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from symhaptic.export.module import Library, library
@@ -168,8 +168,11 @@ def built(
 
 
 def write(files: dict[str, str], folder: Path) -> None:
-    """A folder that appears whole or not at all, in place of an older export at most."""
-    _check(folder)
+    """A folder that appears whole or not at all, in place of an older export at most.
+
+    Folders in that one which no export has written, such as what CMake builds, stay.
+    """
+    kept = _kept(files, folder)
     try:
         draft = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
     except OSError as wrong:
@@ -183,6 +186,8 @@ def write(files: dict[str, str], folder: Path) -> None:
             path = new / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
+        for name in kept:
+            shutil.copytree(folder / name, new / name, symlinks=True)
         if folder.exists():
             os.replace(folder, draft / "old")
         os.replace(new, folder)
@@ -194,18 +199,22 @@ def write(files: dict[str, str], folder: Path) -> None:
         shutil.rmtree(draft, ignore_errors=True)
 
 
-def _check(folder: Path) -> None:
-    """Only what an export has written may be replaced."""
+def _kept(files: Iterable[str], folder: Path) -> list[str]:
+    """Folders in that of an older export which are not its own; only its own may be replaced."""
     if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
         raise Refused(f"-o {folder}: is no folder; a new or an empty one is allowed")
     if not folder.exists():
-        return
+        return []
     names = sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir())
     listing = folder / LISTING
     own = listing.read_text(encoding="utf-8").split("\n") if listing.is_file() else []
     others = [name for name in names if name not in own]
+    written = {name.partition("/")[0] for name in (*own, *files)}
+    kept = {name.partition("/")[0] for name in others if "/" in name} - written if own else set()
+    others = [name for name in others if name.partition("/")[0] not in kept]
     if others:
         raise Refused(
             f"-o {folder}: holds other files ({others[0]}); a new, an empty or an earlier export's "
             "folder is allowed"
         )
+    return sorted(kept)

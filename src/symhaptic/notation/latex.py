@@ -29,6 +29,16 @@ def latex(expr: Expr, inline: bool = False) -> str:
     return _Writer(inline).write(sp.sympify(expr, strict=True))
 
 
+def matching(text: str) -> bool:
+    """Whether each brace of LaTeX that opens is closed."""
+    depth = 0
+    for brace in re.findall(r"(?<!\\)[{}]", text):
+        depth += 1 if brace == "{" else -1
+        if depth < 0:
+            return False
+    return depth == 0
+
+
 class _Writer:
     def __init__(self, inline: bool) -> None:
         self.inline = inline

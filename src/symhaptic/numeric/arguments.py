@@ -13,25 +13,12 @@ from array_api_compat import array_namespace
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.notation.quantities import shown
+from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
 
 Array = NDArray[np.float64]
 
 _BLOCK = 16384
 """Elements worked on at a time: NumPy's calls cost little beside them, and arrays fit the cache."""
-
-
-LARGEST = 1e70
-"""Fourth powers of such numbers are floats: no sum or product of the formulas overflows."""
-
-STIFFEST = 1e15
-"""Of a stiffer plant a float64 does not tell how far it swings in a period."""
-
-FAINT = 2.0**-400
-"""Squares of such numbers are floats with all of their digits; of a wall and a damping that are
-smaller together, none is seen to lead."""
-
-LONGEST = 1e15
-"""Delays beyond have no fractions of a period in float64."""
 
 _BELOW_PI = {True: math.pi, False: float(np.nextafter(np.float32(np.pi), np.float32(0)))}
 """The last float before pi, in double precision and in single: ``math.pi`` is less than pi."""

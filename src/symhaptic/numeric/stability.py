@@ -19,6 +19,7 @@ from array_api_compat import is_numpy_array
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
+from symhaptic.notation import sizes
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
@@ -143,7 +144,7 @@ def count(
     if on_circle is not None:
         return total
     size = np.abs(v.alpha) + np.abs(v.beta)
-    return np.where((size > 0) & (size + x.loss < arguments.FAINT), -1.0, total)
+    return np.where((size > 0) & (size + x.loss < sizes.FAINT), -1.0, total)
 
 
 def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:

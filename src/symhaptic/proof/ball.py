@@ -16,6 +16,7 @@ from typing import TypeAlias
 import sympy as sp
 from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
+from sympy.core.function import Application
 
 from symhaptic.notation.exact import fraction, from_leading
 from symhaptic.proof.budget import spend
@@ -343,12 +344,18 @@ def _size(expr: Expr) -> int:
     return 1 + sum(map(_size, expr.args))
 
 
+_PLACED = (sp.Add, sp.Mul, sp.Pow, Application, sp.core.relational.Relational, sp.Tuple)
+"""Whose symbols are all replaced by numbers."""
+
+
 def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
     """Symbols replaced, every divisor tested, so that SymPy cannot cancel a zero with a pole."""
     if expr in at:
         return sp.sympify(at[expr], strict=True)
     if not expr.args:
         return expr
+    if not isinstance(expr, _PLACED):  # a derivative, an integral: by what, must stay a symbol
+        raise Unsupported(f"no value for {type(expr).__name__}: {expr}")
     args = [_placed(a, at) for a in expr.args]
     if expr.is_Pow:
         base, power = args

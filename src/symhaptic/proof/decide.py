@@ -15,7 +15,7 @@ from symhaptic.notation.latex import latex
 from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.normal import Field
-from symhaptic.proof.points import Point, points
+from symhaptic.proof.points import Point, choices, points
 from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, misfit, parts
@@ -33,12 +33,13 @@ class Comparison:
     values: tuple[Value, Value] | None = None
 
 
-def compare(left: Form, right: Form) -> Comparison:
+def compare(left: Form, right: Form, anywhere: bool = False) -> Comparison:
     """Whether two forms say the same, component by component.
 
     Two relations say the same if they are of one kind and their two sides differ by the same
     amount, up to a positive rational factor.  Where they are not the same, a point is looked
-    for at which one holds and the other does not.
+    for at which one holds and the other does not.  It lies in the domains of the notation; one
+    that lies ``anywhere`` is told where that is asked for, and tells nothing apart.
 
     >>> x = sp.Symbol("x")
     >>> compare(sp.cos(2*x), 1 - 2*sp.sin(x)**2).equal
@@ -54,7 +55,12 @@ def compare(left: Form, right: Form) -> Comparison:
         return Comparison(None, "nothing to compare")
     method = ""
     for one, other in zip(ours, theirs, strict=True):
-        result = _shown(one, other) or _told_apart(one, other)
+        result = _shown(one, other)
+        if result is None:
+            result = _told_apart(one, other, anywhere)
+        elif result.equal is None:  # the normal form cannot say; a point may
+            told = _told_apart(one, other, False)
+            result = told if told.equal is False else result
         if not result.equal:
             return result
         method = result.method or method
@@ -149,14 +155,26 @@ def _named_field(generators: tuple[Expr, ...]) -> str:
     return rf"$\mathbb{{Q}}({inner})$" if inner else r"$\mathbb{Q}$"
 
 
-def _told_apart(left: Expr, right: Expr) -> Comparison:
+def _told_apart(left: Expr, right: Expr, anywhere: bool) -> Comparison:
     if isinstance(left, Expr) != isinstance(right, Expr):
         return Comparison(False, "a relation against an expression", {})
     found = told_apart(left, right)
     if found is None:
-        return Comparison(None, "neither proved nor told apart")
+        outside = _told_apart_outside(left, right) if anywhere else ""
+        return Comparison(None, f"neither proved nor told apart{outside}")
     point, values = found
     return Comparison(False, "the two sides differ", point, values)
+
+
+def _told_apart_outside(left: Expr, right: Expr) -> str:
+    """Where two forms differ that may be equal in the domains of the notation, or nothing."""
+    symbols = left.free_symbols | right.free_symbols
+    if all(choices(symbol) == choices(symbol, anywhere=True) for symbol in symbols):
+        return ""
+    found = told_apart(left, right, anywhere=True)
+    at = (named(found[0]) if found else None) or {}
+    where = ", ".join(f"{name} = {number}" for name, number in at.items())
+    return f", but outside the domains of the notation, at {where}" if at else ""
 
 
 def named(point: Mapping[Expr, Expr] | None) -> dict[str, str] | None:

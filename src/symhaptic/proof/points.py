@@ -36,13 +36,17 @@ _FURTHER = (
 """Where those of the domain are not what a symbol is assumed to be."""
 
 
-def choices(symbol: Expr) -> tuple[Expr, ...]:
+def choices(symbol: Expr, anywhere: bool = False) -> tuple[Expr, ...]:
     """Simple values of a symbol's domain, of those that it is assumed to have.
+
+    ``anywhere``: real ones beside a domain that has only some of the real numbers.
 
     >>> choices(sp.Symbol("n", integer=True, positive=True))
     (1, 2, 3, 4)
     """
     entry = SYMBOLS.get(symbol.name)
+    if anywhere and entry and entry.domain != "complex":
+        entry = None
     known = tuple(sp.Rational(v) for v in _CHOICES[entry.domain if entry else "real"])
     if len(symbol.assumptions0) == 1:  # that it commutes
         return known
@@ -51,10 +55,10 @@ def choices(symbol: Expr) -> tuple[Expr, ...]:
     return tuple(inside if entry and inside else fitting[:6])
 
 
-def points(*exprs: Expr) -> Iterator[Point]:
+def points(*exprs: Expr, anywhere: bool = False) -> Iterator[Point]:
     """Rational points of the domain, simple ones first, always in the same order."""
     symbols = sorted({s for e in exprs for s in e.free_symbols}, key=str)
-    lists = [choices(symbol) for symbol in symbols]
+    lists = [choices(symbol, anywhere) for symbol in symbols]
     if not all(lists):
         return
     # first a generic point with different values, then all combinations

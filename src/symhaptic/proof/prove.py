@@ -28,13 +28,14 @@ from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
 
 
-def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
+def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> Verdict:
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
     ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
-    are defined, for real values of the symbols and any real exponent.  ``prove(relation, box)``
-    takes an inequality and a closed interval for each of its symbols, ``{x: (0, 1)}``; both of its
-    sides must be defined and real on the whole box.
+    are defined, for real values of the symbols and any real exponent; symbols that are called as
+    those of ``symhaptic.notation`` refute in the domains that they have there, such as ``y`` in
+    [0, 1].  ``prove(relation, box)`` takes an inequality and a closed interval for each of its
+    symbols, ``{x: (0, 1)}``; both of its sides must be defined and real on the whole box.
 
     Symbols of one name are one symbol, of which all is assumed that is of any of them.
 
@@ -54,6 +55,11 @@ def prove(lhs: Form, rhs: Form | Ends, *, steps: int = STEPS) -> Verdict:
     >>> print(prove(sp.sin(x) < x - x**3/8, {x: (1, 2)}))
     enclosed: ball arithmetic on 20 pieces
     """
+    if rhs is None:
+        raise TypeError(
+            f"prove: {lhs!r} alone is no question; prove(lhs, rhs) is one, and "
+            "prove(inequality, {x: (0, 1)}) with an interval for each of its symbols"
+        )
     allowed_steps("prove", steps)
     try:
         with budget(steps):
@@ -72,7 +78,7 @@ def _same(lhs: Form, rhs: Form) -> Verdict:
     names = shared("prove", {s for form in forms for s in form.free_symbols})
     if any(_complex_part_of_unknown(form) for form in forms):
         return Verdict(Kind.UNDECIDED, "an unknown function need not be real")
-    result = compare(left, right)
+    result = compare(left, right, anywhere=True)
     if result.equal is None:
         return Verdict(Kind.UNDECIDED, result.method)
     if not result.equal:

@@ -22,20 +22,24 @@ from symhaptic.proof.rewriting import Unsupported, is_complex
 _BITS = (64, 256, 1024, 4096)
 
 
-def told_apart(left: Expr, right: Expr) -> tuple[Point, tuple[Value, Value]] | None:
+def told_apart(
+    left: Expr, right: Expr, anywhere: bool = False
+) -> tuple[Point, tuple[Value, Value]] | None:
     """A point where both are defined and certainly differ; an unknown H is tried as H_0 + H_1 x.
 
     It has what the symbols are assumed to be, and is confirmed by a second routine from the forms
     as they are written.  Of two definitions of one thing the right sides are told apart.
+    ``anywhere``: at real numbers outside the domains of the notation, too.
 
     >>> x = sp.Symbol("x")
     >>> told_apart(x < 1, x <= 1)[0]
     {x: 1}
     """
-    found = _differing(left.rhs, right.rhs, left.lhs) if defines_one(left, right) else None
+    one = defines_one(left, right)
+    found = _differing(left.rhs, right.rhs, anywhere, left.lhs) if one else None
     if found and not found[0] and isinstance(left.lhs, sp.Symbol):
         return _solved(left.lhs, found[1])
-    return found or _differing(left, right)
+    return found or _differing(left, right, anywhere)
 
 
 def _solved(symbol: Expr, numbers: tuple[Value, Value]) -> tuple[Point, tuple[Value, Value]] | None:
@@ -63,14 +67,14 @@ def _variables(expr: Expr) -> list[Expr]:
 
 
 def _differing(
-    left: Expr, right: Expr, defined: Expr | None = None
+    left: Expr, right: Expr, anywhere: bool, defined: Expr | None = None
 ) -> tuple[Point, tuple[Value, Value]] | None:
     try:
         left, right = _with_lines(left), _with_lines(right)
     except Unsupported:
         return None
     size = sum(1 for form in (left, right) for _ in sp.preorder_traversal(form))
-    for point in points(left, right):
+    for point in points(left, right, anywhere=anywhere):
         spend(100 * size)
         values = differ(left, right, point)
         if values is None or None in values:

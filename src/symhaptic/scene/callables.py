@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, partial, update_wrapper
 from inspect import Parameter, Signature
 from typing import Any
 
@@ -49,7 +49,8 @@ def lambdify(
     the order of their names.  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
     or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
-    ``"unstable_roots"`` is -1, and nothing is stable.
+    ``"unstable_roots"`` is -1, and nothing is stable.  It can be pickled; another process makes it
+    anew.
 
     Raises :class:`ValueError` for what is not known, or not in the scene.
 
@@ -76,9 +77,10 @@ def lambdify(
             )
         if scene is not None:
             raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
-        return _of_the_paper(id, form, modules)
+        return _Lambdified.of(_of_the_paper(id, form, modules), (id, form, modules))
+    parts = _parts(scene)
     try:
-        (wanted,) = request.chosen([id], _parts(scene))
+        (wanted,) = request.chosen([id], parts)
     except Refused as wrong:
         raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
     if not isinstance(derivatives, Sequence | None):
@@ -90,7 +92,25 @@ def lambdify(
             wanted = with_derivatives(wanted, tuple(derivatives))
         except NoForm as lacking:
             raise ValueError(f"derivatives: {lacking}") from None
-    return _in_digits(wanted) if modules == "mpmath" else _on_arrays(wanted)
+    made, kind = (_in_digits, modules) if modules == "mpmath" else (_on_arrays, "numpy")
+    return made(wanted, (id, form, kind, parts, tuple(derivatives or ())))
+
+
+class _Lambdified(partial[Any]):
+    """A function that another process makes anew from what was asked for."""
+
+    asked: tuple[Any, ...]
+
+    @classmethod
+    def of(cls, function: Callable[..., Any], asked: tuple[Any, ...]) -> _Lambdified:
+        """The function itself, as it is called and shown."""
+        made = cls(function)
+        update_wrapper(made, function)
+        made.asked = asked
+        return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return lambdify, self.asked
 
 
 def _parts(scene: Scene | Parts | str | None) -> Parts:
@@ -108,16 +128,15 @@ def _parts(scene: Scene | Parts | str | None) -> Parts:
 
 
 @cache
-def _on_arrays(form: Form) -> Callable[..., Any]:
+def _on_arrays(form: Form, asked: tuple[Any, ...]) -> _Lambdified:
     _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
-    space: dict[str, Any] = {"__name__": f"symhaptic.{form.name}"}
+    space: dict[str, Any] = {}  # of no name: Torch's compiler would import a module of this name
     exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
     around = kept(None, True, **{name: float for name, _ in form.results})
-    found: Callable[..., Any] = around(space[form.name])
-    return found
+    return _Lambdified.of(around(space[form.name]), asked)
 
 
-def _in_digits(form: Form) -> Callable[..., Any]:
+def _in_digits(form: Form, asked: tuple[Any, ...]) -> _Lambdified:
     signature = Signature([Parameter(s.name, _EITHER_WAY) for s in form.arguments])
 
     def function(*numbers: Any, **named: Any) -> Any:
@@ -136,7 +155,7 @@ def _in_digits(form: Form) -> Callable[..., Any]:
 
     function.__name__ = form.name
     function.__signature__ = signature  # type: ignore[attr-defined]
-    return function
+    return _Lambdified.of(function, asked)
 
 
 _EITHER_WAY = Parameter.POSITIONAL_OR_KEYWORD

@@ -38,7 +38,7 @@ def periods(scene: Scene) -> Fraction:
 
 def dimensionless(scene: Scene) -> Dimensionless:
     """gamma, delta and the delay in periods, as far as functions take them."""
-    from symhaptic.numeric.arguments import LARGEST, LONGEST, STIFFEST
+    from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
 
     period, mass = decimal(scene.sampling_period), decimal(scene.mass)
     found = Dimensionless(

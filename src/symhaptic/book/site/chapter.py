@@ -30,7 +30,7 @@ from symhaptic.book.sources import PAPER, source_of
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
-from symhaptic.book.tex.words import anchor
+from symhaptic.book.tex.words import anchor, place_of
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
@@ -192,7 +192,7 @@ def kind(verdict: str) -> str:
 
 def statement_link(id: str) -> str:
     """The id of a statement, which leads to where it is settled."""
-    return f":ref:`{_link_text(id)} <statement-{anchor(id)}>`"
+    return f":ref:`{_link_text(id)} <statement-{place_of(id)}>`"
 
 
 def by(theorems: Sequence[Theorem], shown: Mapping[Said, Shown]) -> str:
@@ -243,7 +243,7 @@ def _printed(item: Settled, place: Place) -> list[str]:
     if place.whole and names:
         functions = ", ".join(f":func:`~symhaptic.{name}`" for name in names if name in PUBLIC)
         out += [f"Computed by {functions}.", ""] if functions else []
-    label = f"statement-{anchor(statement.id)}"
+    label = f"statement-{place_of(statement.id)}"
     if label in place.mentioned:
         out += [f"Mentioned in {_chapters(place.mentioned[label], place)}.", ""]
     judged = item.settlement.judged

@@ -20,7 +20,7 @@ from sphinx.transforms import SphinxTransform
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.parts import referred
-from symhaptic.book.tex.words import anchor
+from symhaptic.book.tex.words import place_of
 
 PLACES = "places.json"
 """Where the sources keep the places of what may be mentioned."""
@@ -49,7 +49,7 @@ def places(names: Mapping[int, str], settled: Iterable[str]) -> dict[str, str]:
         for said in (f"chapter {number}", name)
     }
     ids = (id for id in settled if re.search(r"[\d:]", id))  # others are words like any
-    return found | {id: f"statement-{anchor(id)}" for id in ids}
+    return found | {id: f"statement-{place_of(id)}" for id in ids}
 
 
 def mentions(text: str, known: Mapping[str, str]) -> Iterator[Span]:

@@ -12,7 +12,7 @@ from sphinx.application import Sphinx
 import symhaptic
 from symhaptic.book.site import gallery
 from symhaptic.book.site.words import display, heading, math, table
-from symhaptic.book.tex.words import anchor
+from symhaptic.book.tex.words import place_of
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation import SYMBOLS
 from symhaptic.paper import STATEMENTS as PRINTED
@@ -114,7 +114,7 @@ def _formula(name: str) -> list[str]:
     """What the paper prints of it, and where that is settled."""
     out: list[str] = []
     for id in STATEMENTS.get(name, ()):
-        place = f":ref:`({id.removeprefix('eq')}) <statement-{anchor(id)}>`"
+        place = f":ref:`({id.removeprefix('eq')}) <statement-{place_of(id)}>`"
         out += [f"In the paper it is {place}, as printed:", ""]
         out += display(f"&{line}" for line in PRINTED[id].latex)
     return out

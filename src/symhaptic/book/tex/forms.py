@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from symhaptic.book.record import Settled
 from symhaptic.book.tex.breaking import broken, width
-from symhaptic.book.tex.words import anchor, beside_formulas, literally, prose
+from symhaptic.book.tex.words import beside_formulas, literally, place_of, prose
 from symhaptic.notation.latex import latex
 from symhaptic.paper import Statement
 from symhaptic.proof.verdict import Kind, Verdict
@@ -50,7 +50,7 @@ def printed_forms(settled: list[Settled], grounds: list[str]) -> list[str]:
         long = letters(ground) > BESIDE
         if ground and not long:
             beside += f"\\\\\\textcolor{{black!60}}{{{ground}}}"
-        place = f"\\statementplace{{{anchor(statement.id)}}}{reference(statement.id)}"
+        place = f"\\statementplace{{{place_of(statement.id)}}}{reference(statement.id)}"
         rows.append(f"\\form{{{place}}}{{{shown}}}{{{beside}}}")
         if width(verdict.proposition or "") > LONG_CLAIM:
             rows[-1] += f"\n\\claimed{{${running(verdict.proposition or '')}$}}"
@@ -75,7 +75,7 @@ def _answered(item: Settled) -> str:
     says = prose(statement.says)
     if verdict.claimed is Kind.QUALIFIED:
         says += f", for {condition(verdict)}"
-    place = f"\\statementlink{{{anchor(statement.id)}}}{{{reference(statement.id)}}}"
+    place = f"\\statementlink{{{place_of(statement.id)}}}{{{reference(statement.id)}}}"
     return f"\\answer{{{place}}}{{{says}}}{{\\kind{{{verdict.kind}}}{{{verdict.kind}}}}}"
 
 

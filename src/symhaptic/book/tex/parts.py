@@ -11,7 +11,7 @@ from symhaptic.book.record import Settled
 from symhaptic.book.rests import Rest, Said, Shown, rests, said, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import anchor, escaped, prose
+from symhaptic.book.tex.words import anchor, escaped, place_of, prose
 from symhaptic.proof.verdict import Kind
 
 Numbered = tuple[int, Chapter]
@@ -76,7 +76,7 @@ def _settled(item: Settled, shown: Mapping[Said, Shown]) -> dict[str, str]:
     assert judged is not None
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     id = item.statement.id
-    place = f"\\statementlink{{{anchor(id)}}}{{{reference(id)}}}"
+    place = f"\\statementlink{{{place_of(id)}}}{{{reference(id)}}}"
     kind = f"\\kind{{{item.verdict.kind}}}{{{item.verdict.kind}}}"
     return _row(place, f"{prose(item.statement.says)} ({kind})", rests(theorems, shown))
 

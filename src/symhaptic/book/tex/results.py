@@ -13,7 +13,7 @@ from symhaptic.book.ledger import Entry
 from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import condition, correction, printed, reference, right_is
-from symhaptic.book.tex.words import anchor, prose
+from symhaptic.book.tex.words import place_of, prose
 
 USE = (
     ("The largest passive stiffness, and the damping that it takes", ("eq11",)),
@@ -76,7 +76,7 @@ def _wrong(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:
 def _place(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:
     id, kind = entry.statement.id, entry.verdict.kind
     return {
-        "place": f"\\statementlink{{{anchor(id)}}}{{{reference(id)}}}",
+        "place": f"\\statementlink{{{place_of(id)}}}{{{reference(id)}}}",
         "kind": f"\\kind{{{kind}}}{{{kind}}}",
         "chapter": str(chapters.get(entry.derivation or "", "")),
     }

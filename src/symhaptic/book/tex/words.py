@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from symhaptic.book.parts import referred
+from symhaptic.notation.latex import matching
 
 
 def escaped(text: str) -> str:
@@ -29,10 +30,16 @@ def prose(text: str) -> str:
 
 
 def beside_formulas(text: str) -> str:
-    """The signs of TeX in words beside formulas are written out."""
+    r"""The signs of TeX in words beside formulas are written out, braces where they do not match.
+
+    >>> print(beside_formulas("50 % of $a_b$, not {c"), beside_formulas(r"\emph{50 %}"))
+    50 \% of $a_b$, not \{c \emph{50 \%}
+    """
     parts = re.split(r"(\$[^$]*\$)", text)
+    parts[1::2] = [part if matching(part) else literally(part) for part in parts[1::2]]
+    signs = "%#&_^$" if matching("".join(parts[::2])) else "%#&_^${}"
     return "".join(
-        part if i % 2 else re.sub(r"(?<!\\)[%#&_^$]", lambda sign: _SIGNS[sign[0]], part)
+        part if i % 2 else re.sub(rf"(?<!\\)[{signs}]", lambda sign: _SIGNS[sign[0]], part)
         for i, part in enumerate(parts)
     )
 
@@ -50,6 +57,15 @@ def number(value: float) -> str:
     return ten if mantissa == "1" else rf"{mantissa}\times{ten}"
 
 
+def place_of(id: str) -> str:
+    """An id as the place of a link, of which TeX keeps all, and a label of the site, too.
+
+    >>> place_of("rules:four"), place_of("my:K_0")
+    ('rules-four', 'my-.4b..5f.0')
+    """
+    return re.sub(r"[^a-z0-9:-]", lambda odd: f".{ord(odd[0]):x}.", id).replace(":", "-")
+
+
 def anchor(name: str) -> str:
-    """A name as the place of a link, in letters that TeX leaves alone."""
+    """A rule's name as the place of a link, in letters that TeX leaves alone."""
     return re.sub(r"[^A-Za-z0-9]+", "-", name)

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.numeric import arguments, stability
+from symhaptic.notation import sizes
+from symhaptic.numeric import stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import Wall, crossings, surplus
 from symhaptic.numeric.plant import Device, behind
@@ -38,7 +39,7 @@ class Loops(NamedTuple):
         error of a sum whose larger term comes first is that term's part which is not in it.
         """
         late = steps + part
-        whole = (late - steps == part) & (late <= arguments.LONGEST)
+        whole = (late - steps == part) & (late <= sizes.LONGEST)
         found = np.array(
             stability.is_stable(
                 self.v.alpha, self.v.beta, self.gamma, self.delta, np.where(whole, late, 0.0)

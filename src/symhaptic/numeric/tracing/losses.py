@@ -13,7 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.numeric import arguments, stability
+from symhaptic.notation import sizes
+from symhaptic.numeric import stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import crossings, surplus
 from symhaptic.numeric.tracing.bands import Bands, bands, part_of, slopes
@@ -102,7 +103,7 @@ class _Search:
 
     def _first(self, b: Bands, parts: _Parts) -> tuple[Array, Array]:
         """The first whole periods with which a root may be in each band, and in each part."""
-        latest = np.minimum(self.least[parts.at] - parts.begin, arguments.LONGEST)
+        latest = np.minimum(self.least[parts.at] - parts.begin, sizes.LONGEST)
         periods = first_periods(b, parts.steps[b.at], latest[b.at])
         first = np.full(parts.at.size, np.inf)
         np.minimum.at(first, b.at, periods)
@@ -131,7 +132,7 @@ class _Search:
             left = self.loops.take(parts.at).can_leave(end)
             parts, until, end = parts.take(left), until[left], end[left]
         while parts.at.size:
-            latest = np.minimum(self.least[parts.at] - parts.begin, arguments.LONGEST)
+            latest = np.minimum(self.least[parts.at] - parts.begin, sizes.LONGEST)
             until = np.minimum(until, latest)
             loops = self.loops.take(parts.at)
             steps, last = loops.leaving(parts.steps, end, count)

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symhaptic.notation import sizes
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import kept
@@ -102,7 +103,7 @@ def _first_lost(loops: Loops) -> Array:
     while left.size:
         some = loops.take(left)
         ahead, last = some.leaving(steps[left], none[left], count)
-        row, column = np.nonzero(ahead <= arguments.LONGEST)
+        row, column = np.nonzero(ahead <= sizes.LONGEST)
         outside = np.zeros(ahead.shape, dtype=bool)
         here = ahead[row, column]
         outside[row, column] = ~some.take(row).stable(here, np.zeros(here.size))
@@ -110,7 +111,7 @@ def _first_lost(loops: Loops) -> Array:
         found = outside.any(axis=1)
         lost[left[found]] = first[found]
         steps[left] = last
-        left = left[~found & (last <= arguments.LONGEST)]
+        left = left[~found & (last <= sizes.LONGEST)]
         count = max(1, min(4 * count, _AHEAD // max(left.size, 1)))
     return lost
 
