@@ -243,3 +243,15 @@ def test_complex_numbers_of_many_digits_are_outside_of_every_domain():
     for complex_one in (mpmath.mpc(1, 1), mpmath.mpc(1, 0), 1j):
         assert mpmath.isnan(lambdify("linear_limit", modules="mpmath")(0.1, 1, complex_one))
         assert not lambdify("is_stable", modules="mpmath")(0.1, 0.4, complex_one, 0.1, 1)
+
+
+@pytest.mark.parametrize("delay", [0.0, 1.0, 0.5, 2.3])
+@pytest.mark.parametrize("beta", [0.0, 0.3, -0.5])
+def test_slopes_of_faint_walls_are_those_of_larger_ones(beta, delay):
+    function = lambdify("passivity_margin", derivatives=["alpha", "beta", "d"])
+    _, by_alpha, by_beta, by_d = function(1.0, beta, 0.0, delay)
+    for size in (2.0**-500, 2.0**-600, 2.0**-1000):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            _, *slopes = function(size, size * beta, 0.0, delay)
+        assert np.allclose(slopes, [by_alpha, by_beta, size * by_d], rtol=1e-13, atol=0)

@@ -123,14 +123,25 @@ def largest_required_damping(precision: Precision = DOUBLE) -> Routine:
     do = Steps()
     whole = do("whole", floor(d))
     part = do("part", d - whole)
-    tiny = sp.Abs(alpha) + sp.Abs(beta) < precision.vanishing
-    lift = do("lift", choose(tiny, 1 / precision.vanishing**2, sp.S.One))
+    lift = do("lift", _lift(precision))
     wall = do("stiffness", lift * alpha), do("damping", lift * beta)
     psi = do("psi", sp.Function("WorstAngle")(*wall, whole, part))
     found = sp.Function("DampingAt")(*wall, whole, part, psi) / lift
     return do.routine("LargestRequiredDamping",
                       "the damping that the wall needs at its worst angle",
                       (alpha, beta, d), choose(alpha < 0, sp.oo, found))  # fmt: skip
+
+
+def _lift(precision: Precision) -> Expr:
+    tiny = sp.Abs(alpha) + sp.Abs(beta) < precision.vanishing
+    return choose(tiny, 1 / precision.vanishing**2, sp.S.One)
+
+
+def lifted(precision: Precision = DOUBLE) -> Routine:
+    """By the same power of two, for derivatives of the need."""
+    x = sp.Symbol("x")
+    return Steps().routine("Lifted", "x, enlarged where the squares of the wall would vanish",
+                           (x, alpha, beta), x * _lift(precision))  # fmt: skip
 
 
 def whole_damping_at() -> Routine:
@@ -281,4 +292,5 @@ ROUTINES = (
 )  # fmt: skip
 PRECISE = (
     worst_angle, worst_whole_angle, critical_angle, turn, passive_angle, largest_required_damping,
+    lifted,
 )  # fmt: skip

@@ -24,6 +24,7 @@ from symhaptic.forms.implicit import (
     FractionalPart,
     ImplicitFunction,
     LargestRequiredDamping,
+    Lifted,
     Pushed,
     Rated,
     SomePart,
@@ -98,18 +99,21 @@ class _By:
         raise NoForm(f"{type(expr).__name__} is searched for")
 
     def _needed(self, expr: LargestRequiredDamping) -> Expr:
-        """That of the need at the worst angle."""
+        """That of the need at the worst angle, which is as that of a larger wall."""
         stiffness, damping, delay = expr.args
         whole, part = WholePart(delay), FractionalPart(delay)
         angle = CriticalAngle(stiffness, damping, whole, part)
-        at = {alpha: stiffness, beta: damping, l: whole, epsilon: part, psi: angle}
-        need, arguments = (
-            required_damping.required(),
-            {alpha: stiffness, beta: damping, epsilon: delay},
+        large, strong, lift = (
+            Lifted(x, stiffness, damping) for x in (stiffness, damping, sp.S.One)
         )
-        return sp.Add(
-            *(_By(s)(need).xreplace(at) * self(arg) for s, arg in arguments.items() if self(arg))
+        at = {alpha: large, beta: strong, l: whole, epsilon: part, psi: angle}
+        need = required_damping.required()
+        slopes = (
+            (alpha, self(stiffness)),
+            (beta, self(damping)),
+            (epsilon, self(delay) / lift),
         )
+        return sp.Add(*(_By(s)(need).xreplace(at) * slope for s, slope in slopes if slope))
 
     def _product(self, expr: Expr) -> Expr:
         powers = expr.as_powers_dict()

@@ -166,6 +166,18 @@ class LargestWholeRequiredDamping(LargestRequiredDamping):
     )
 
 
+class Lifted(ImplicitFunction):
+    """A number of a wall, such as alpha, times a power of two if it is tiny: (x, alpha, beta)."""
+
+    nargs = 3
+    meaning = "x, times a power of two where the squares of the wall (alpha, beta) would vanish"
+
+    @staticmethod
+    def exact(x: mpf, alpha: mpf, beta: mpf) -> mpf:
+        """No square vanishes in many digits."""
+        return x
+
+
 class CriticalAngle(ImplicitFunction):
     """Where the need is largest: (alpha, beta, l, epsilon)."""
 
