@@ -24,7 +24,7 @@ from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
 from symhaptic.proof.seal import Sealed
-from symhaptic.proof.shape import Form, parts
+from symhaptic.proof.shape import Form, misfit, parts
 from symhaptic.proof.sign import Fact, Recipe
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
@@ -150,6 +150,8 @@ class Settlement:
         if not printed or not self.derived:
             return self._in_words(printed)
         note = self._noted(printed)
+        if unlike := misfit(self.read(printed), self.read(self.derived)):
+            raise Unfounded(f"what is derived is not of the shape of the print: {unlike}")
         result = compare(self.read(printed), self.read(self.derived))
         if result.equal is None:
             return Verdict(Kind.UNDECIDED, result.method, note=note)
