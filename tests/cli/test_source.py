@@ -90,6 +90,16 @@ def test_an_emptied_ledger_is_not_none(notes):
     assert "DIFFERS  drift:start: misprint, but the ledger says nothing" in run.stdout
 
 
+def test_a_print_of_which_a_part_is_derived_is_no_misprint(tmp_path):
+    body = "def derive(page):\n    page.settle('odd:one', Eq(x, 2*y))"
+    folder = odd(tmp_path, body)
+    source = (folder / "source.py").read_text()
+    (folder / "source.py").write_text(source.replace("'x = 2y',", "'x = 2y', 'x = 3y'"))
+    run = symhaptic("verify", "--source", folder)
+    assert run.returncode == 2
+    assert "not of the shape of the print: 2 components against 1" in run.stderr
+
+
 def test_what_no_chapter_settles_is_undecided(notes):
     more = SOURCE.replace(
         '{cv}{2}",)),\n', '{cv}{2}",)),\n    Statement("drift:late", "(3)", "never late"),\n'

@@ -1,5 +1,7 @@
 """Text is never run, nonsense is refused in a line, and no question takes for ever."""
 
+import time
+
 import mpmath
 import numpy
 import pytest
@@ -199,6 +201,24 @@ def test_a_number_that_is_nested_costs_what_it_is_made_of():
         nested = sp.Add(*arcs, evaluate=False)
     assert prove(nested, nested + 1, steps=100_000).kind is Kind.UNDECIDED
     assert prove(sp.atan(sp.atan(x)), sp.atan(x), steps=100_000).kind is Kind.REFUTED
+
+
+def test_what_is_too_long_to_be_read_is_told_at_once():
+    # 2^24 arcs in 100 lines; each question of SymPy's walks through all of them
+    nested = x
+    for shift in range(24):
+        arcs = (sp.atan(nested + s, evaluate=False) for s in (shift, -shift - 1))
+        nested = sp.Add(*arcs, evaluate=False)
+    begin = time.perf_counter()
+    for verdict in (
+        prove(nested, nested + 1),
+        prove([x, nested], [x, nested]),
+        prove(sp.Lt(nested, 7, evaluate=False), {x: (0, 1)}),
+    ):
+        assert verdict.kind is Kind.UNDECIDED
+    with pytest.raises(ValueError, match=r"^enclose_maximum: expr: more than \d+ steps$"):
+        enclose_maximum(nested, {x: (0, 1)}, digits=2)
+    assert time.perf_counter() - begin < 5
 
 
 def test_a_precision_that_reaches_the_digits_is_tried():

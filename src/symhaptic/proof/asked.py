@@ -14,7 +14,8 @@ from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
 
-from symhaptic.proof.ball import ball
+from symhaptic.proof.ball import ball, length
+from symhaptic.proof.budget import spend
 from symhaptic.proof.certificate import Box
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.rewriting import Unsupported
@@ -22,6 +23,9 @@ from symhaptic.proof.shape import Form
 
 Ends: TypeAlias = Mapping[sp.Symbol, tuple[object, object]]
 """Closed interval of each symbol."""
+
+_TO_READ = 20
+"""Steps for each part of a formula."""
 
 _DEEP = 100
 """Lists within lists."""
@@ -112,6 +116,11 @@ def exact(caller: str, name: str, number: Any) -> Expr:
             "Rational(1, 10)"
         )
     return found
+
+
+def spend_reading(*forms: Expr) -> None:
+    """Take off the budget what looking costs: SymPy sees each part as often as it occurs."""
+    spend(_TO_READ * sum(map(length, forms)))
 
 
 def allowed_steps(caller: str, steps: Any) -> None:

@@ -7,7 +7,7 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.proof import box as boxes
-from symhaptic.proof.asked import Ends, allowed_steps, box_of, exact
+from symhaptic.proof.asked import Ends, allowed_steps, box_of, exact, spend_reading
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Largest
@@ -101,10 +101,12 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
     if isinstance(digits, bool) or not isinstance(digits, int) or not 0 <= digits <= 15:
         raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
     try:
+        with budget(steps):
+            spend_reading(*(expr,) if isinstance(expr, Expr) else ())
         expr = exact("enclose_maximum", "expr", expr)
         inside, (expr,) = box_of("enclose_maximum", box, expr)
         return boxes.maximum(expr, inside, sp.Rational(1, 10**digits), steps=steps)
-    except (NotShown, Unsupported, Uncheckable) as wrong:
+    except (Exhausted, NotShown, Unsupported, Uncheckable) as wrong:
         raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
     except RecursionError as deep:
         raise ValueError("enclose_maximum: expr is nested too deeply") from deep

@@ -12,7 +12,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof import box as boxes
-from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of
+from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of, spend_reading
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Box, Positive
@@ -75,6 +75,7 @@ def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> V
 def _same(lhs: Form, rhs: Form) -> Verdict:
     left, right = form_of("prove", lhs), form_of("prove", rhs)
     forms = (*parts(left), *parts(right))
+    spend_reading(*forms)
     names = shared("prove", {s for form in forms for s in form.free_symbols})
     if any(_complex_part_of_unknown(form) for form in forms):
         return Verdict(Kind.UNDECIDED, "an unknown function need not be real")
@@ -107,6 +108,7 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
     if not isinstance(relation, Relational) or isinstance(relation, (sp.Eq, sp.Ne)):
         raise TypeError(f"prove: {relation!r} is no inequality; one of <, <=, >, >= is allowed")
     form_of("prove", relation)
+    spend_reading(relation)
     floats = sorted(relation.atoms(sp.Float))
     if floats:
         raise ValueError(f"prove: {floats[0]} is no exact number; Rational(1, 10) is one, say")

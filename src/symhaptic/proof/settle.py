@@ -21,6 +21,7 @@ from symhaptic.proof.counterexample import Truth, check_opposed, truth_at
 from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
+from symhaptic.proof.shape import misfit
 from symhaptic.proof.sign import Recipe
 from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
@@ -131,6 +132,8 @@ class Settlement:
         if not printed or not self.derived:
             return self._in_words(printed)
         note = self._noted(printed)
+        if unlike := misfit(self.read(printed), self.read(self.derived)):
+            raise Unfounded(f"what is derived is not of the shape of the print: {unlike}")
         result = compare(self.read(printed), self.read(self.derived))
         if result.equal is None:
             return Verdict(Kind.UNDECIDED, result.method, note=note)
