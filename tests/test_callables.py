@@ -69,6 +69,7 @@ def test_a_function_in_another_process():
         assert pool.starmap(lambdify("eq11"), [(0.5, 1.5)]) == [lambdify("eq11")(0.5, 1.5)]
 
 
+@pytest.mark.ci
 def test_torch_compiles_a_function_of_a_formula():
     torch = pytest.importorskip("torch")
     with warnings.catch_warnings():
