@@ -338,10 +338,10 @@ _TO_EVALUATE = 100
 """Steps for each part of a number that a function is of: SymPy works out its decimals and sign."""
 
 
-@lru_cache(maxsize=1 << 12)
-def _size(expr: Expr) -> int:
+@lru_cache(maxsize=1 << 14)
+def size_of(expr: Expr) -> int:
     """How many parts it has, as often as they occur."""
-    return 1 + sum(map(_size, expr.args))
+    return 1 + sum(map(size_of, expr.args))
 
 
 _PLACED = (sp.Add, sp.Mul, sp.Pow, Application, sp.core.relational.Relational, sp.Tuple)
@@ -365,7 +365,7 @@ def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
         if power.is_Rational and abs(power) * bits > _POWER and base not in (-1, 0, 1):
             raise Unsupported(f"a number of {bits} bits to the power of {power}")
     if expr.is_Function:
-        spend(_TO_EVALUATE * sum(map(_size, args)))
+        spend(_TO_EVALUATE * sum(map(size_of, args)))
     found = expr.func(*args)
     if found.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
         raise Undefined(f"{expr} is not defined")

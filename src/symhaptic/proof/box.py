@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache
 from heapq import heappop, heappush
 
 import sympy as sp
@@ -18,7 +18,7 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.terms import symbols_in
-from symhaptic.proof.ball import ball, is_real
+from symhaptic.proof.ball import ball, is_real, size_of
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
@@ -230,7 +230,7 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     if complex_parts and not is_real(expr):
         raise NotShown(f"{expr} is not shown to be real")
 
-    size, symbols = _size(expr), sorted(symbols_in(expr), key=str)
+    size, symbols = size_of(expr), sorted(symbols_in(expr), key=str)
     try:
         run = program(expr, symbols)
     except Uncheckable as wrong:
@@ -250,12 +250,6 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
         return found.real if real and found.is_finite() else arb("nan")
 
     return value
-
-
-@lru_cache(maxsize=1 << 14)
-def _size(expr: Expr) -> int:
-    """So many operations and numbers it is made of."""
-    return 1 + sum(map(_size, expr.args))
 
 
 def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[[], list[Value]]:
