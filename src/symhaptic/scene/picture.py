@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from symhaptic.scene.scene import Scene
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
+
+BELOW: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "frameon": False}
+"""Where a legend is: below the axes."""
 
 
 def draw(
@@ -68,7 +71,7 @@ def draw(
     axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
     axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+    axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
 def new_axes() -> Axes:
@@ -123,7 +126,7 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
     axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+    axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
 def _passive(axes: Axes, alone: Scene) -> tuple[Stiffness, str]:
