@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.notation.quantities import shown
+from symhaptic.scene.dimensionless import units
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
@@ -109,7 +110,7 @@ def stiffest(
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
         fixed, name = {"gamma": 0.0}, "alpha"
     else:
-        own = scene.damping or scene.mass / scene.sampling_period / 100
+        own = scene.damping or units(scene.mass, scene.sampling_period)[1] / 100
         period = scene.sampling_period
         axes_of = {"delay": delay or (0.0, 4 * period), "damping": damping or (0.0, 2 * own)}
         name = "K"
