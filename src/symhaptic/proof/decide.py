@@ -20,8 +20,6 @@ from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, misfit, parts
 
-__all__ = ["Comparison", "Form", "compare", "equal", "field_name", "named", "parts"]
-
 
 @dataclass(frozen=True)
 class Comparison:
