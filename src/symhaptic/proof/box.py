@@ -18,7 +18,8 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.terms import symbols_in
-from symhaptic.proof.ball import ball, is_real, size_of
+from symhaptic.proof.ball import ball, is_real
+from symhaptic.proof.budget import size_of
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
