@@ -19,7 +19,7 @@ from symhaptic.book.chapters import folder, run
 from symhaptic.proof import sign
 from symhaptic.proof.decide import compare
 from symhaptic.proof.mutants import wrong
-from symhaptic.proof.settle import Unfounded
+from symhaptic.proof.verdict import Unfounded
 
 RNG = np.random.default_rng(7)
 DELAYS = range(9)

@@ -13,7 +13,7 @@ from sympy import Rational, S, pi, symbols, tan
 
 from symhaptic.book.chapters import BadChapter
 from symhaptic.bounds.walls import largest, most, over, passive
-from symhaptic.proof.roots import NoSuchRoot, zero_between
+from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.verdict import Kind
 
 RNG = np.random.default_rng(17)
@@ -121,7 +121,7 @@ def test_a_zero_in_a_ball_of_a_parameter():
     x, c = symbols("x c")
     from sympy import cos
 
-    at = zero_between(cos(c * x), x, S.One, S(2), {c: arb(1, 0.001)})
+    at = zero(cos(c * x), x, S.One, S(2), {c: arb(1, 0.001)}).ball
     assert at.contains(arb.pi() / 2)
     assert at.rad() < 0.01
 

@@ -83,8 +83,17 @@ def covered(pair, among):
     )
 
 
+RESTS = {
+    "stability_boundary": "discretize_fractional",
+    "max_stable_stiffness": "discretize_fractional",
+    "passivity_boundary": "passivity_margin",
+    "max_passive_stiffness": "passivity_margin",
+}
+"""Forms that are made, beside, of what the statement on another form is about."""
+
+
 def claimed(form):
-    rest = computed.RESTS.get(form)
+    rest = RESTS.get(form)
     return equations(form) + (equations(rest) if rest else [])
 
 

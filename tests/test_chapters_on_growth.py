@@ -14,7 +14,7 @@ from symhaptic.book.record import FalseStep
 from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, x, z
 from symhaptic.proof.seal import KEY
-from symhaptic.proof.settle import Unfounded
+from symhaptic.proof.verdict import Unfounded
 
 RNG = np.random.default_rng(41)
 

@@ -20,7 +20,7 @@ from symhaptic.proof.changes import changes, opposite
 from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, confirmed
 from symhaptic.proof.condition import holds
 from symhaptic.proof.second_opinion import alike, says
-from symhaptic.proof.settle import Unfounded
+from symhaptic.proof.verdict import Unfounded
 
 x, y, z = sp.symbols("x y z")
 ONE = sp.S.One

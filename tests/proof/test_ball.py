@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Abs, Eq, I, Rational, cos, exp, pi, re, sin, sqrt, tan
 
-from symhaptic.proof.ball import ball, differs_from_zero, sign, value_at, zeros_inside
+from symhaptic.proof.ball import ball, differs_from_zero, sign, zeros_inside
 from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.values import value_at
 
 x, y, d = sp.symbols("x y d")
 

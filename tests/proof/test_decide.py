@@ -8,8 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Eq, I, Rational, conjugate, cos, exp, pi, sin, sqrt, tan
 
-from symhaptic.proof.decide import compare, parts, points
+from symhaptic.proof.decide import compare
+from symhaptic.proof.points import points
 from symhaptic.proof.prove import prove
+from symhaptic.proof.shape import parts
 from symhaptic.proof.verdict import Kind
 
 x, y, a, d, z = sp.symbols("x y a d z")

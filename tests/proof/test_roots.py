@@ -17,7 +17,6 @@ from symhaptic.proof.roots import (
     decimals,
     root_between,
     zero,
-    zero_between,
 )
 
 x, y, z = sp.symbols("x y z")
@@ -33,7 +32,7 @@ ZEROS = {
 @pytest.mark.parametrize("name", ZEROS)
 def test_zero_of_a_function(name):
     function, low, high, same = ZEROS[name]
-    found = zero_between(function, x, low, high)
+    found = zero(function, x, low, high).ball
     with mpmath.workdps(70):
         expected = mpmath.findroot(same, (float(low) + float(high)) / 2)
         with ctx.workprec(256):
@@ -55,7 +54,7 @@ def test_zero_of_a_function(name):
 )
 def test_zero_that_is_not_there_alone(function, low, high):
     with pytest.raises(NoSuchRoot):
-        zero_between(function, x, low, high)
+        zero(function, x, low, high)
 
 
 def test_root_between_real_numbers():

@@ -8,9 +8,9 @@ from sympy import Eq, I, Rational, S, cos, pi, sin, sqrt
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import read
 from symhaptic.proof.constants import Unmeasured
-from symhaptic.proof.settle import Settlement, Unfounded
+from symhaptic.proof.settle import Settlement
 from symhaptic.proof.sign import assume, combined, number
-from symhaptic.proof.verdict import Kind
+from symhaptic.proof.verdict import Kind, Unfounded
 
 x, K, B, T, b, d, m, y = sp.symbols("x K B T b d m y")
 PASSING = {Kind.PROVED, Kind.DEFINITION, Kind.ENCLOSED, Kind.QUALIFIED}

@@ -18,7 +18,8 @@ from symhaptic.book import chapters, sources
 from symhaptic.book.arrivals import arrived, places, sent
 from symhaptic.book.chapters import BadChapter
 from symhaptic.book.committed import surprises
-from symhaptic.book.ledger import Entry, _to_be_compared, judged_again, looked_at
+from symhaptic.book.judging import judged_again, to_be_compared
+from symhaptic.book.ledger import Entry, looked_at
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.check.plugin import Agreement
 from symhaptic.cli.main import app
@@ -262,7 +263,7 @@ COMPARED = {
 """,
     "nothing sent": """
     Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
-    ledger._to_be_compared = lambda entry, grounds: entry
+    ledger.to_be_compared = lambda entry, grounds: entry
     page.settle("forged", Eq(x, 1))
 """,
     "a number put in": """
@@ -272,7 +273,7 @@ COMPARED = {
 """,
     "a theorem for a comparison": """
     Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
-    ledger._to_be_compared = lambda entry, grounds: replace(entry, compared=entry.statement)
+    ledger.to_be_compared = lambda entry, grounds: replace(entry, compared=entry.statement)
     page.settle("forged", Eq(x, 1))
 """,
 }
@@ -415,10 +416,10 @@ def derive(page):
     assert f'"verdict": "{kind}"' in out.read_text()
 
 
-def test_what_cannot_be_sent_to_be_compared_is_argued() -> None:
+def test_what_cannot_be_sentto_be_compared_is_argued() -> None:
     x, proved = Symbol("x"), Verdict(Kind.PROVED, "identical")
     entry = Entry(Statement("mine", "here", "a whole number", ("x",)), proved, None, 0.0, own=True)
-    found = _to_be_compared(entry, Settlement((floor(x),)))
+    found = to_be_compared(entry, Settlement((floor(x),)))
     assert found.compared is None
     assert (found.verdict.kind, found.verdict.argued_for) == (Kind.ARGUED, Kind.PROVED)
     assert judged_again(entry) == "mine: proved, of what was not compared again"
@@ -584,11 +585,12 @@ def test_a_source_does_not_patch_the_judge(tmp_path: Path) -> None:
     """The chapter gives its own verdict, and the source has whoever reads it believe it."""
     source = """
 import symhaptic.book.beforehand as beforehand
+import symhaptic.book.judging as judging
 import symhaptic.book.ledger as ledger
 import symhaptic.book.parallel as parallel
 import symhaptic.book.reader as reader
 from symhaptic.paper.statement import Source, Statement
-for module in (ledger, parallel, reader, beforehand):
+for module in (judging, ledger, parallel, reader, beforehand):
     if hasattr(module, "judged_again"):
         module.judged_again = lambda entry: None
 SOURCE = Source("f", "Forged", "A. Author", "2026")
@@ -666,7 +668,7 @@ def derive(page):
     page.settle("KEY:two", Eq(alpha, 2 * beta), corrected=right, unless=at)
     sum_, two = ledger.of_chapter(Chapter(Path(__file__), "T", "", page, 0.0))
     sum_, two = (
-        replace(e, verdict=replace(v, corrected=None, corrected_latex=ledger._corrected(v)))
+        replace(e, verdict=replace(v, corrected=None, corrected_latex=ledger.corrected_form(v)))
         for e in (sum_, two)
         for v in (e.verdict,)
     )

@@ -170,7 +170,7 @@ TEXTS = {
 """,
     # a definition that is put into what is typed again
     "definition": r"""
-    ledger._forms = lambda grounds: replace(grounds, definitions=((x, TEXT),))
+    judging._forms = lambda grounds: replace(grounds, definitions=((x, TEXT),))
     Settlement.decide = lambda self, printed: Verdict(Kind.PROVED, "so it is")
     page.state("forged", "an equation", r"y = \sin x")
     page.settle("forged", Eq(y, sin(x)))
@@ -179,7 +179,7 @@ TEXTS = {
     "verdict": r"""
     found = Verdict(Kind.MISPRINT, "so", corrected=TEXT)
     ledger.replace = lambda of, **new: found if of == found else replace(of, **new)
-    ledger._corrected = lambda verdict: None
+    ledger.corrected_form = lambda verdict: None
     Settlement.decide = lambda self, printed: found
     page.state("forged", "an equation", "y = x")
     page.settle("forged", Eq(y, x))
@@ -190,7 +190,7 @@ import os
 from pathlib import Path
 from dataclasses import replace
 from sympy import Eq, sin, symbols
-from symhaptic.book import ledger
+from symhaptic.book import judging, ledger
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.theorems import leaves
 from symhaptic.proof.verdict import Kind, Verdict

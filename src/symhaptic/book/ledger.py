@@ -2,39 +2,26 @@
 
 from __future__ import annotations
 
-import pickle
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from symhaptic.book.arrivals import arrived
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
-from symhaptic.book.grounds import not_defined, not_shown
+from symhaptic.book.judging import corrected_form, judged_again, to_be_compared
 from symhaptic.book.record import Settled
 from symhaptic.book.shapes import is_judged, is_statement, is_verdict
-from symhaptic.book.sources import (
-    CLAIMED,
-    PAPER,
-    SHIPPED,
-    SOURCES,
-    STATEMENTS,
-    of_source,
-    source_of,
-)
-from symhaptic.notation.latex import latex
-from symhaptic.notation.proposition import Proposition, of_print
+from symhaptic.book.sources import PAPER, SOURCES, STATEMENTS, of_source, source_of
+from symhaptic.notation.proposition import Proposition
 from symhaptic.paper import Statement
-from symhaptic.paper.reading import Printed
 from symhaptic.paper.statement import Source
-from symhaptic.proof.settle import ACCEPTED, WEIGHED, Settlement
+from symhaptic.proof.settle import Settlement
 from symhaptic.proof.theorems.judge import Judged
-from symhaptic.proof.units import of_another_unit
-from symhaptic.proof.verdict import UNSETTLED, Kind, Unfounded, Verdict
+from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
 
 
 class Twice(ValueError):
@@ -91,7 +78,7 @@ class Entry:
     def as_json(self) -> dict[str, Any]:
         """The record of contract `verify --format json`."""
         v = self.verdict
-        corrected = _corrected(v)
+        corrected = corrected_form(v)
         return {
             "id": self.statement.id,
             "source": self.source and self.source.title,
@@ -119,7 +106,7 @@ class Entry:
 def of_chapter(chapter: Chapter) -> list[Entry]:
     """The statements that a chapter settles, or states without settling them."""
     found = {
-        id: _to_be_compared(
+        id: to_be_compared(
             Entry(
                 s.statement,
                 s.verdict,
@@ -143,109 +130,6 @@ def _own_claim(settled: Settled) -> Proposition | None:
     if claim is None or settled.statement.id in STATEMENTS:
         return None
     return claim(settled.statement.printed)
-
-
-def _to_be_compared(entry: Entry, grounds: Settlement) -> Entry:
-    """With what the print was compared with; *argued* where that cannot be sent to be compared."""
-    kind = entry.verdict.kind
-    numbers = bool(grounds.values) and not _comes_with_the_package(entry.statement.id)
-    if grounds.judged is not None or not (grounds.derived or numbers) or kind not in WEIGHED:
-        return entry
-    compared = replace(_forms(grounds), values=tuple(grounds.values) if numbers else ())
-    try:
-        arrives = isinstance(arrived(pickle.dumps(compared), Path()), Settlement)
-    except (pickle.PicklingError, AttributeError, TypeError):
-        arrives = False
-    if arrives:
-        return replace(entry, compared=compared)
-    if entry.source is PAPER or kind not in ACCEPTED:
-        return entry
-    return replace(entry, verdict=replace(entry.verdict, kind=Kind.ARGUED, argued_for=kind))
-
-
-def _forms(grounds: Settlement) -> Settlement:
-    """Of the grounds of a verdict those that are forms, and what is done with them."""
-    return Settlement(
-        tuple(grounds.derived),
-        dict(grounds.given),
-        definition=grounds.definition,
-        unless=grounds.unless and dict(grounds.unless),
-        corrected=grounds.corrected,
-        misprint=grounds.misprint,
-        definitions=tuple(grounds.definitions),
-        signs=tuple(grounds.signs),
-        values=tuple(grounds.values),
-    )
-
-
-def _comes_with_the_package(id: str) -> bool:
-    """Whether a statement's chapter is one of ours."""
-    return id in STATEMENTS and source_of(id) in SHIPPED
-
-
-def _compared_again(entry: Entry, printed: Printed) -> str | None:
-    """What is wrong with the verdict that another process gives by comparing, if anything is."""
-    id, kind, compared = entry.statement.id, entry.verdict.kind, entry.compared
-    quoted = STATEMENTS[id].quoted if id in STATEMENTS else ()
-    if compared is None:
-        return None if entry.source is PAPER else f"{id}: {kind}, of what was not compared again"
-    try:
-        if wrong := not_defined(compared.given, compared.definitions):
-            return f"{id}: {wrong}"
-        for name, meaning in compared.given.items():
-            if wrong := of_another_unit(name, meaning):
-                return f"{id}: compared again: {wrong}"
-        forms = replace(_forms(compared), quoted=quoted)
-        found = replace(forms, assumed=not_shown(forms)).decide(printed)
-    except (ArithmeticError, AttributeError, TypeError, ValueError) as wrong_data:
-        return f"{id}: compared again: {' '.join(str(wrong_data).split())}"
-    return _says_else(entry, found, "compared again")
-
-
-_SAID = {"counterexample": "counterexample", "rests": "ground", "claim": "claim"}
-"""What a verdict says that is found here as well, and how it is called."""
-
-
-def _says_else(entry: Entry, found: Verdict, how: str) -> str | None:
-    """What another process says of a verdict that was not found here, if anything is."""
-    id, said = entry.statement.id, entry.verdict
-    ours = _comes_with_the_package(id)
-    numbers = ours and said.kind is Kind.ENCLOSED and found.kind is Kind.PROVED
-    if (found.kind is not said.kind and not numbers) or found.condition != said.condition:
-        return f"{id}: {how} it is {found.kind}"
-    other = [w for name, w in _SAID.items() if getattr(found, name) != getattr(said, name)]
-    if _corrected(found) != _corrected(said):
-        other.append("correction")
-    if not ours and (found.value, found.radius) != (said.value, said.radius):
-        other.append("value")
-    return f"{id}: {how} it has another {other[0]}" if other else None
-
-
-def judged_again(entry: Entry) -> str | None:
-    """What is wrong with the verdict that another process gives, if anything is.
-
-    The theorems were derived again when they arrived; here they are held against what the
-    statement claims.  Without theorems the print is compared again with what was derived.
-    """
-    judged, statement, kind = entry.judged, entry.statement, entry.verdict.kind
-    known, claim = STATEMENTS.get(statement.id), entry.claim
-    if judged is None:
-        printed, free = (known or statement).printed, statement.id not in CLAIMED
-        if kind not in WEIGHED:
-            return None
-        if free and not printed and known and known.quoted:
-            ours = _comes_with_the_package(statement.id)
-            return None if ours else _compared_again(entry, printed)
-        if free and printed:
-            return _compared_again(entry, printed)
-        return f"{statement.id}: {kind} without a theorem, of what is not compared with a formula"
-    own = None if claim is None else partial(of_print, claim)
-    claimed = CLAIMED.get(statement.id) if known else own
-    try:
-        found = Settlement(judged=judged, claim=claimed).decide((known or statement).printed)
-    except Unfounded as wrong:
-        return f"{statement.id}: {wrong}"
-    return _says_else(entry, found, "judged again")
 
 
 class NoEntries(ValueError):
@@ -295,17 +179,10 @@ def _is_entry(entry: Any) -> bool:
 def of_derivation(path: Path) -> list[Entry]:
     """Run a derivation; its statements with their verdicts, ready to be sent between processes."""
     return [
-        replace(entry, verdict=replace(v, corrected=None, corrected_latex=_corrected(v)))
+        replace(entry, verdict=replace(v, corrected=None, corrected_latex=corrected_form(v)))
         for entry in of_chapter(run(path))
         for v in (entry.verdict,)
     ]
-
-
-def _corrected(verdict: Verdict) -> str | None:
-    """LaTeX of the right form."""
-    if verdict.corrected_latex is None and verdict.corrected is not None:
-        return latex(verdict.corrected)
-    return verdict.corrected_latex
 
 
 def once(

@@ -25,10 +25,10 @@ from symhaptic.paper import Statement
 from symhaptic.paper.reading import read
 from symhaptic.proof.checks import Check, Sign
 from symhaptic.proof.counterexample import Truth, Witness
-from symhaptic.proof.decide import Form, parts
 from symhaptic.proof.enclosed import Source
 from symhaptic.proof.points import Point
 from symhaptic.proof.settle import ACCEPTED, Settlement
+from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact, recipe
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import Theorem, conjoined

@@ -19,10 +19,11 @@ from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
-from symhaptic.proof.decide import Form, compare, parts
+from symhaptic.proof.decide import compare
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
+from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact, facts_below
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Verdict

@@ -22,11 +22,11 @@ from symhaptic.notation.latex import latex
 from symhaptic.proof.ball import bound
 from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
 from symhaptic.proof.counterexample import Witness
-from symhaptic.proof.decide import Form, parts
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
+from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown

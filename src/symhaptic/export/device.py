@@ -73,6 +73,11 @@ def _names(*symbols: Expr) -> tuple[str, ...]:
     return tuple(s.name for s in symbols)
 
 
+def of_device(do: Steps, name: str, about: str, result: Expr) -> Routine:
+    """The routine of these steps, of a spring and a damper."""
+    return do.routine(name, about, (gamma, delta), result)
+
+
 def device_motion() -> Routine:
     """What vanishes is a small difference."""
     do = Steps()

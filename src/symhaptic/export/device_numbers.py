@@ -33,6 +33,7 @@ from symhaptic.export.device import (
     WAVE,
     P,
     W,
+    of_device,
     shared,
 )
 from symhaptic.export.double_word import root_low
@@ -239,17 +240,13 @@ def plant_n0_near() -> Routine:
     return do.routine("PlantN0Near", "n0 of a device with slow poles", (*FADE, gamma, delta), found)
 
 
-def _whole(do: Steps, name: str, about: str, result: Expr) -> Routine:
-    return do.routine(name, about, (gamma, delta), result)
-
-
 def plant_n1() -> Routine:
     """n_1; its series first: of a function alone nothing else is found in vain then."""
     do = Steps()
     v = shared(do, fades=True)
     small = v.m.reach < SOFT
     near = _n1_near(small, *(v.creep[s] for s in (*FADE, HALF, W[0])))
-    return _whole(do, "PlantN1", "n1, how far a unit force moves the device in a period",
+    return of_device(do, "PlantN1", "n1, how far a unit force moves the device in a period",
                   choose(small, near, v.called(plant_n1_swing, plant_n1_creep)))  # fmt: skip
 
 
@@ -259,7 +256,7 @@ def plant_n0() -> Routine:
     v = shared(do, fades=True)
     small = v.m.reach < SOFT
     near = _called("PlantN0Near", small, *(v.creep[s] for s in (*FADE, gamma, delta)))
-    return _whole(do, "PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
+    return of_device(do, "PlantN0", "n0, the same device with its time reversed, times exp(-delta)",
                   choose(small, near, v.called(plant_n0_swing, plant_n0_creep)))  # fmt: skip
 
 
@@ -269,7 +266,7 @@ def numerator_at_one() -> Routine:
     v = shared(do)
     small = v.m.reach < 1
     near = _one_near(small, v.m.half, v.m.w)
-    return _whole(do, "NumeratorAtOne", "n1 + n0",
+    return of_device(do, "NumeratorAtOne", "n1 + n0",
                   choose(small, near, v.called(numerator_at_one_swing,
                                                numerator_at_one_creep)))  # fmt: skip
 
@@ -278,7 +275,7 @@ def denominator_at_minus_one() -> Routine:
     """1 + a + e: a sum where a > 0, a sum of squares where it is not."""
     do = Steps()
     found = shared(do).called(denominator_at_minus_one_swing, denominator_at_minus_one_creep)
-    return _whole(do, "DenominatorAtMinusOne", "1 + a + e", found)
+    return of_device(do, "DenominatorAtMinusOne", "1 + a + e", found)
 
 
 def plant_trace() -> Routine:
@@ -288,7 +285,7 @@ def plant_trace() -> Routine:
     even, slow, ratio = v.swing_pair(WAVE.even), v.creep_pair(SLOW.fall), v.creep_pair(APART.fall)
     swing = 2 * rounded(scaled(do, v.swing[ENVELOPE], even))
     creep = rounded(times(do, slow, one_plus(do, ratio)))
-    return _whole(do, "PlantTrace", "a, the sum of the sampled device's poles",
+    return of_device(do, "PlantTrace", "a, the sum of the sampled device's poles",
                   choose(v.m.w < 0, swing, creep))  # fmt: skip
 
 
@@ -302,7 +299,7 @@ def numerator_gap() -> Routine:
     small = v.m.reach < 1
     near = _gap_near(small, v.m.half, v.m.w)
     found = v.called(numerator_gap_swing, numerator_gap_creep)
-    return _whole(do, "NumeratorGap", "(n1 - n0)/delta", choose(small, near, found))
+    return of_device(do, "NumeratorGap", "(n1 - n0)/delta", choose(small, near, found))
 
 
 ROUTINES = (

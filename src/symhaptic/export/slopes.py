@@ -18,7 +18,7 @@ import sympy as sp
 from sympy import And, Expr, Max, Symbol, binomial, cos, exp, factorial, sin
 
 from symhaptic.export import device
-from symhaptic.export.device import ENVELOPE, WAVE, Motion, motion, poles, shared
+from symhaptic.export.device import ENVELOPE, WAVE, Motion, motion, of_device, poles, shared
 from symhaptic.export.device_series import h, w
 from symhaptic.export.double_word import root_low
 from symhaptic.export.elementary import x
@@ -78,10 +78,6 @@ def _shared(do: Steps) -> _Shared:
     return _Shared(m, p, q, gap, fall, ratio, turned, swung, do("envelope", exp(-m.half)))
 
 
-def _two(do: Steps, name: str, about: str, result: Expr) -> Routine:
-    return do.routine(name, about, (gamma, delta), result)
-
-
 # -- of the device ------------------------------------------------------------------------
 
 
@@ -99,14 +95,14 @@ def kick() -> Routine:
     """exp[-p, -q]."""
     do = Steps()
     found, _ = _kick(do)
-    return _two(do, "Kick", "displacement by a unit impulse after a period", found)
+    return of_device(do, "Kick", "displacement by a unit impulse after a period", found)
 
 
 def kick_low() -> Routine:
     """What Kick misses."""
     do = Steps()
     _, low = _kick(do)
-    return _two(do, "KickLow", "what the last rounding of Kick takes", low)
+    return of_device(do, "KickLow", "what the last rounding of Kick takes", low)
 
 
 def coast() -> Routine:
@@ -115,7 +111,7 @@ def coast() -> Routine:
     v = _shared(do)
     creep = v.fall * (v.ratio - v.q * Decay(v.gap))
     swing = v.envelope * (v.cosine - v.m.half * v.sine)
-    return _two(do, "Coast", "speed by a unit impulse after a period",
+    return of_device(do, "Coast", "speed by a unit impulse after a period",
                 choose(v.swings, swing, creep))  # fmt: skip
 
 
@@ -127,7 +123,7 @@ def echo() -> Routine:
     near = sp.Function("BendSeries")(choose(And(v.swings, slow), v.m.w, 0))
     far = (v.sine - v.cosine) / (2 * Max(-v.m.w, BENT))
     swing = v.envelope * choose(slow, near, far)
-    return _two(do, "Echo", "-d n1/d delta", choose(v.swings, swing, v.fall * Lag(v.gap)))
+    return of_device(do, "Echo", "-d n1/d delta", choose(v.swings, swing, v.fall * Lag(v.gap)))
 
 
 def ebb() -> Routine:
@@ -141,7 +137,7 @@ def ebb() -> Routine:
     creep = v.fall * (slow + v.ratio * fast) / (p * (far * far * far))
     near = Echo(gamma, delta) - PlantN0(gamma, delta)
     apart = And(sp.Not(v.swings), v.gap > 2)
-    return _two(do, "Ebb", "d n0/d delta", choose(apart, creep, near))
+    return of_device(do, "Ebb", "d n0/d delta", choose(apart, creep, near))
 
 
 def _small(do: Steps, v: _Shared, near: Expr) -> tuple[Expr, Expr, Expr]:
@@ -161,7 +157,7 @@ def plant_n1_drop() -> Routine:
     creep = (top - v.fall * Lag(v.gap)) / v.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (PlantN1(gamma, delta) - (own + delta * other) / 2) / Max(gamma, STIFF)
-    return _two(do, "PlantN1Drop", "-d n1/d gamma",
+    return of_device(do, "PlantN1Drop", "-d n1/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 
@@ -175,7 +171,7 @@ def plant_n0_drop() -> Routine:
     creep = v.fall * (Lag(v.gap) - top) / v.p
     own, other = Kick(gamma, delta), Echo(gamma, delta)
     swing = (PlantN0(gamma, delta) - (own - delta * other) / 2) / Max(gamma, STIFF)
-    return _two(do, "PlantN0Drop", "-d n0/d gamma",
+    return of_device(do, "PlantN0Drop", "-d n0/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 
@@ -188,7 +184,7 @@ def numerator_gap_drop() -> Routine:
     creep = (PlantN1Drop(gamma, delta) - PlantN0Drop(gamma, delta)) / do.nonzero(delta)
     stiff = do("stiff", Max(gamma, STIFF))
     swing = ((Decay(delta) - v.envelope * v.sine) / stiff - Echo(gamma, delta)) / stiff
-    return _two(do, "NumeratorGapDrop", "-d ((n1 - n0)/delta)/d gamma",
+    return of_device(do, "NumeratorGapDrop", "-d ((n1 - n0)/delta)/d gamma",
                 choose(small, near, choose(v.swings, swing, creep)))  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from sympy import Expr, Matrix
 
 from symhaptic.model import passivity, wall
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.model.passivity import on_circle, real_part
+from symhaptic.model.passivity import mirror, on_circle, real_part
 from symhaptic.model.plant import Plant, Sampled, normalised, sampled
 from symhaptic.notation import B, K, T, alpha, b, beta, d, epsilon, l, theta, z
 
@@ -87,7 +87,7 @@ def energy_form(angle: Expr = theta) -> Matrix:
     return Matrix(
         [
             [b / T + straight, half],
-            [half.xreplace({sp.I: -sp.I}), b / (T * epsilon * (1 - epsilon))],
+            [mirror(half), b / (T * epsilon * (1 - epsilon))],
         ]
     )
 

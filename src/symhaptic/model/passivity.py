@@ -25,9 +25,14 @@ def on_circle(expr: Expr, angle: Expr = theta) -> Expr:
     return expr.func(*(on_circle(a, angle) for a in expr.args))
 
 
+def mirror(expr: Expr) -> Expr:
+    """The conjugate, of real symbols."""
+    return expr.xreplace({sp.I: -sp.I})
+
+
 def real_part(expr: Expr) -> Expr:
     """(X + conjugate of X)/2 for real symbols."""
-    return (expr + expr.xreplace({sp.I: -sp.I})) / 2
+    return (expr + mirror(expr)) / 2
 
 
 def dissipated(response: Expr, angle: Expr = theta) -> Expr:

@@ -14,8 +14,8 @@ from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
 
-from symhaptic.proof.ball import ball, length
-from symhaptic.proof.budget import spend
+from symhaptic.proof.ball import ball
+from symhaptic.proof.budget import size_of, spend
 from symhaptic.proof.certificate import Box
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.rewriting import Unsupported
@@ -120,7 +120,7 @@ def exact(caller: str, name: str, number: Any) -> Expr:
 
 def spend_reading(*forms: Expr) -> None:
     """Take off the budget what looking costs: SymPy sees each part as often as it occurs."""
-    spend(_TO_READ * sum(map(length, forms)))
+    spend(_TO_READ * sum(map(size_of, forms)))
 
 
 def allowed_steps(caller: str, steps: Any) -> None:

@@ -9,28 +9,22 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from decimal import Decimal
 from fractions import Fraction
-from functools import lru_cache
 from math import ceil, floor
 from typing import TypeAlias
 
 import sympy as sp
 from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
-from sympy.core.function import Application
 
 from symhaptic.notation.exact import fraction, from_leading
-from symhaptic.proof.budget import spend
 from symhaptic.proof.normal import Field, is_zero
-from symhaptic.proof.rewriting import Undefined, Unsupported, conjugated
+from symhaptic.proof.rewriting import Unsupported, conjugated
 
 PRECISIONS = (64, 256, 1024)
 """Bits tried one after the other until a question is decided."""
 
 NARROW = 1e-30
 """The width of a root's ball next to the circle."""
-
-_POWER = 1_000_000
-"""Powers of numbers are not written out with more bits."""
 
 _FUNCTIONS: dict[type, Callable[[acb], acb]] = {
     sp.exp: lambda x: x.exp(),
@@ -296,77 +290,3 @@ def sign(expr: Expr) -> int | None:
                 return -1
     field = Field([expr])
     return 0 if field.is_zero(expr) else None
-
-
-Value: TypeAlias = bool | Expr | None
-"""What an expression or relation is at a point; None stands for undefined."""
-
-
-def value_at(expr: Expr, at: Mapping[Expr, Expr]) -> Value:
-    """Exact value at a point: a number, the truth of a relation, None where undefined.
-
-    A division by zero at the point is found exactly, by the normal form of the denominator.
-    Raises :class:`Unsupported` where a relation cannot be decided.
-
-    >>> x = sp.Symbol("x")
-    >>> value_at(x/(x - 1), {x: 1}) is None, value_at(x > 0, {x: 2})
-    (True, True)
-    """
-    if expr in (sp.true, sp.false):
-        return bool(expr)
-    if isinstance(expr, sp.core.relational.Relational):
-        left, right = value_at(expr.lhs, at), value_at(expr.rhs, at)
-        if left is None or right is None:
-            return None
-        if isinstance(expr, (sp.Eq, sp.Ne)):
-            if is_zero(left - right):
-                return isinstance(expr, sp.Eq)
-            if not differs_from_zero(left - right):
-                raise Unsupported(f"undecided at {at}: {expr}")
-            return isinstance(expr, sp.Ne)
-        order = sign(left - right)
-        if order is None:
-            raise Unsupported(f"undecided at {at}: {expr}")
-        return bool(expr.func(order, 0))
-    try:
-        return _placed(expr, at)
-    except Undefined:
-        return None
-
-
-_TO_EVALUATE = 100
-"""Steps for each part of a number that a function is of: SymPy works out its decimals and sign."""
-
-
-@lru_cache(maxsize=1 << 14)
-def length(expr: Expr) -> int:
-    """How many parts it has, as often as they occur."""
-    return 1 + sum(map(length, expr.args))
-
-
-_PLACED = (sp.Add, sp.Mul, sp.Pow, Application, sp.core.relational.Relational, sp.Tuple)
-"""Whose symbols are all replaced by numbers."""
-
-
-def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
-    """Symbols replaced, every divisor tested, so that SymPy cannot cancel a zero with a pole."""
-    if expr in at:
-        return sp.sympify(at[expr], strict=True)
-    if not expr.args:
-        return expr
-    if not isinstance(expr, _PLACED):  # a derivative, an integral: by what, must stay a symbol
-        raise Unsupported(f"no value for {type(expr).__name__}: {expr}")
-    args = [_placed(a, at) for a in expr.args]
-    if expr.is_Pow:
-        base, power = args
-        if power.could_extract_minus_sign() and Field([base]).is_zero(base):
-            raise Undefined(f"division by {expr.args[0]}, which is zero")
-        bits = max(abs(base.p), base.q).bit_length() if base.is_Rational else 1
-        if power.is_Rational and abs(power) * bits > _POWER and base not in (-1, 0, 1):
-            raise Unsupported(f"a number of {bits} bits to the power of {power}")
-    if expr.is_Function:
-        spend(_TO_EVALUATE * sum(map(length, args)))
-    found = expr.func(*args)
-    if found.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
-        raise Undefined(f"{expr} is not defined")
-    return found

@@ -18,7 +18,8 @@ from flint import acb, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.terms import symbols_in
-from symhaptic.proof.ball import ball, is_real, length
+from symhaptic.proof.ball import ball, is_real
+from symhaptic.proof.budget import size_of
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
@@ -230,7 +231,7 @@ def _values(expr: Expr, box: Box, given: Given | None, work: _Work) -> Value:
     if complex_parts and not is_real(expr):
         raise NotShown(f"{expr} is not shown to be real")
 
-    size, symbols = length(expr), sorted(symbols_in(expr), key=str)
+    size, symbols = size_of(expr), sorted(symbols_in(expr), key=str)
     try:
         run = program(expr, symbols)
     except Uncheckable as wrong:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import lru_cache
+
+from sympy import Expr
 
 STEPS = 10_000_000
 """So many are done for a question of a user's own; some seconds to half a minute."""
@@ -47,3 +50,9 @@ def spend(steps: int) -> None:
     purse.left -= steps
     if purse.left < 0:
         raise Exhausted(f"more than {purse.steps} steps")
+
+
+@lru_cache(maxsize=1 << 14)
+def size_of(expr: Expr) -> int:
+    """How many parts it has, as often as they occur."""
+    return 1 + sum(map(size_of, expr.args))

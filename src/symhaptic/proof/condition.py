@@ -11,9 +11,9 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.paper.reading import Unreadable, read
-from symhaptic.proof.ball import value_at
 from symhaptic.proof.points import Point
 from symhaptic.proof.rewriting import Unsupported
+from symhaptic.proof.values import value_at
 
 _WHOLE = re.compile(r"(.+?)\\in\\mathbb\{N\}(_0)?$")
 _SHORT = (

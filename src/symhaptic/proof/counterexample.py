@@ -10,7 +10,6 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.checks import Check
 from symhaptic.proof.decide import compare
 from symhaptic.proof.points import Point
@@ -18,6 +17,7 @@ from symhaptic.proof.refute import differ
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact
+from symhaptic.proof.values import Value, value_at
 from symhaptic.proof.verdict import Unfounded
 
 

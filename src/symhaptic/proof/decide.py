@@ -12,15 +12,13 @@ from sympy import Expr
 from sympy.core.relational import Relational
 
 from symhaptic.notation.latex import latex
-from symhaptic.proof.ball import Value, value_at
 from symhaptic.proof.names import renamed, shared
 from symhaptic.proof.normal import Field
 from symhaptic.proof.points import Point, choices, points
 from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, misfit, parts
-
-__all__ = ["Comparison", "Form", "compare", "equal", "field_name", "named", "parts"]
+from symhaptic.proof.values import Value, value_at
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,13 @@ from sympy.core.function import Application, AppliedUndef
 from sympy.core.relational import Relational
 
 from symhaptic.notation import SYMBOLS
-from symhaptic.proof.ball import Value, ball, differs_from_zero, value_at
+from symhaptic.proof.ball import ball, differs_from_zero
 from symhaptic.proof.budget import spend
 from symhaptic.proof.names import admissible
 from symhaptic.proof.points import Point, points
 from symhaptic.proof.program import Uncheckable, known, program, value
 from symhaptic.proof.rewriting import Unsupported, is_complex
+from symhaptic.proof.values import Value, value_at
 
 _BITS = (64, 256, 1024, 4096)
 

@@ -73,13 +73,6 @@ def root_between(polynomial: Expr, lower: Expr, upper: Expr) -> arb:
     return found[0]
 
 
-def zero_between(
-    expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | None = None
-) -> arb:
-    """The ball of :func:`zero`."""
-    return zero(expr, variable, lower, upper, at).ball
-
-
 def zero(expr: Expr, variable: sp.Symbol, lower: Expr, upper: Expr, at: At | None = None) -> Zero:
     """The only zero of a function between two numbers, in a ball, by Newton's interval step.
 

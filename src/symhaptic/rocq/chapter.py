@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from symhaptic.book.chapters import Chapter
+from symhaptic.book.rests import Said, said
 from symhaptic.book.rules import says
 from symhaptic.proof.theorems.axioms import AXIOMS
 from symhaptic.proof.theorems.derivation import sources
@@ -15,7 +16,7 @@ from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
 from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
 from symhaptic.rocq.propositions import half_said
-from symhaptic.rocq.steps import Proof, Said, Step, comment, order, said, stated, wrapped
+from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
 
 WRITTEN = LOGIC | LEAVES | CLASSICAL

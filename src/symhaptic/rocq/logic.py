@@ -7,6 +7,7 @@ from typing import Any
 
 from sympy import Expr, Symbol, sqrt
 
+from symhaptic.book.rests import said
 from symhaptic.notation.proposition import (
     And,
     Exists,
@@ -21,7 +22,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.notation.terms import is_complex, term
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.steps import Proof, premises, said
+from symhaptic.rocq.steps import Proof, premises
 from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
 
 Written = Callable[[Proof, Theorem], None]

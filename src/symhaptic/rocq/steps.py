@@ -13,18 +13,12 @@ from dataclasses import dataclass, field
 
 from sympy import Symbol
 
+from symhaptic.book.rests import Said, said
 from symhaptic.notation.proposition import And, Proposition
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.propositions import text, typed
 from symhaptic.rocq.terms import Names, NotPrinted
-
-Said = tuple[frozenset[Proposition], Proposition]
-
-
-def said(theorem: Theorem) -> Said:
-    """What a theorem says."""
-    return theorem.hypotheses, theorem.conclusion
 
 
 @dataclass

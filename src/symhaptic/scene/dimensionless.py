@@ -59,15 +59,26 @@ def dimensionless(scene: Scene) -> Dimensionless:
     return found
 
 
+def units(mass: Any, period: Any) -> tuple[Any, Any]:
+    """m/T^2 and m/T: so large are a stiffness and a damping of 1."""
+    return mass / period**2, mass / period
+
+
+def per_unit(mass: Any, period: Any) -> tuple[Any, Any]:
+    """T^2/m and T/m, by which a stiffness in N/m and a damping in Ns/m lose their units."""
+    scale = period / mass
+    return scale * period, scale
+
+
 def limit(scene: Scene, alpha: Any, beta: Any, theta: Any) -> Limit:
     """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz."""
     given = {"alpha": alpha, "beta": beta, "theta": theta}
     for name, value in given.items():
         if not isinstance(value, Real) and getattr(value, "shape", None) != ():
             raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
-    scale, period = scene.mass / scene.sampling_period, scene.sampling_period
+    period = scene.sampling_period
     return Limit(
         float(alpha) * scene.mass / period**2,
-        float(beta) * scale,
+        float(beta) * units(scene.mass, period)[1],
         float(theta) / (2 * math.pi * period),
     )

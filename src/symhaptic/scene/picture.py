@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.passivity import passivity_boundary
 from symhaptic.numeric.stability import is_stable
+from symhaptic.scene.dimensionless import units
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
     from symhaptic.scene.scene import Scene
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
+
+BELOW: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "frameon": False}
+"""Where a legend is: below the axes."""
 
 
 def draw(
@@ -33,8 +37,7 @@ def draw(
     high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)
     low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
     n = held.dimensionless
-    per_B = held.mass / held.sampling_period
-    per_K = per_B / held.sampling_period
+    per_K, per_B = units(held.mass, held.sampling_period)
     B, K = np.meshgrid(np.linspace(low["B"], high["B"], 900), np.linspace(low["K"], high["K"], 700))
     stable = is_stable(K / per_K, B / per_B, n.gamma, n.delta, n.delay)
     axes.contourf(B, K, stable, levels=[0.5, 1.5], colors=[STABLE])
@@ -68,7 +71,7 @@ def draw(
     axes.set(xlim=(low["B"], high["B"]), ylim=(low["K"], high["K"]))
     axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+    axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
 def new_axes() -> Axes:
@@ -95,8 +98,8 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     n = alone.dimensionless
     theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
     alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    per_B = alone.mass / alone.sampling_period
-    K, B = alpha * per_B / alone.sampling_period, beta * per_B
+    per_K, per_B = units(alone.mass, alone.sampling_period)
+    K, B = alpha * per_K, beta * per_B
     far = {name: 2 * end for name, end in high.items()}
     seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
     axes.plot(
@@ -123,14 +126,13 @@ def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = No
     axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
     axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=2, frameon=False, fontsize=9)
+    axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
 def _passive(axes: Axes, alone: Scene) -> tuple[Stiffness, str]:
     """The passive walls, and the stiffest of them with what is said of it."""
     _, own, delay = alone.dimensionless
-    per_B = alone.mass / alone.sampling_period
-    per_K = per_B / alone.sampling_period
+    per_K, per_B = units(alone.mass, alone.sampling_period)
     angles = np.linspace(1e-3, np.pi / (delay + 1), 400)
     alpha, beta = passivity_boundary(angles, own, delay)[:2]
     known = np.isfinite(alpha) & (alpha >= 0)

@@ -19,6 +19,7 @@ from symhaptic.numeric.given import Given
 from symhaptic.numeric.tracing import margin
 from symhaptic.numeric.tracing import region as tracing
 from symhaptic.numeric.tracing.shape import Shape
+from symhaptic.scene.dimensionless import per_unit, units
 from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
     @kept(passivity_margin=float)
     def answer(K: Any, B: Any) -> Any:
         found = passivity.passivity_margin(*_scaled(scene, K, B), delta, delay)
-        return found * (scene.mass / scene.sampling_period)
+        return found * units(scene.mass, scene.sampling_period)[1]
 
     return _asked(answer, K, B, float, "N*s/m")
 
@@ -78,7 +79,8 @@ def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
 def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
     """The walls with which the loop swings at these frequencies."""
     gamma, delta, delay = scene.dimensionless
-    period, mass = scene.sampling_period, scene.mass
+    period = scene.sampling_period
+    unit_K, unit_B = units(scene.mass, period)
 
     @kept(K=float, B=float)
     def answer(frequency_hz: Any) -> Any:
@@ -88,7 +90,7 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
             beyond = (hz <= 0) | (2 * math.pi * period * hz >= math.pi)
             arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g} are")
         alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
-        return alpha * (mass / period**2), beta * (mass / period)
+        return alpha * unit_K, beta * unit_B
 
     K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
     return with_unit(K, "N/m", frequency_hz), with_unit(B, "N*s/m", frequency_hz)
@@ -97,8 +99,8 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
 def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
     """alpha and beta."""
     K, B = Given(K=K, B=B).values
-    scale = scene.sampling_period / scene.mass
-    return K * (scale * scene.sampling_period), B * scale
+    stiff, damped = per_unit(scene.mass, scene.sampling_period)
+    return K * stiff, B * damped
 
 
 def _asked(answer: Callable[..., Any], K: Any, B: Any, kind: type, unit: str = "") -> Any:
@@ -187,7 +189,7 @@ def limit_at(scene: Scene, B: Any) -> Limit:
     from symhaptic.numeric.tracing.extremes import stiffest_at
 
     gamma, delta, delay = scene.dimensionless
-    scale = scene.sampling_period / scene.mass
+    _, scale = per_unit(scene.mass, scene.sampling_period)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat
@@ -201,13 +203,14 @@ def limit_at(scene: Scene, B: Any) -> Limit:
 def passive_limit_at(scene: Scene, B: Any) -> Limit:
     """The largest passive stiffness at a damping, or at each of many."""
     _, delta, delay = scene.dimensionless
+    period = scene.sampling_period
+    _, scale = per_unit(scene.mass, period)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
-        scale = scene.sampling_period / scene.mass
         beta = arguments.unitless("B", damping, damping * scale)
         alpha, _, theta = passivity.stiffest_passive_at(beta, delta, delay)
-        period = scene.sampling_period
-        return np.stack([alpha * (scene.mass / period**2), theta / (2 * math.pi * period)])
+        unit_K, _ = units(scene.mass, period)
+        return np.stack([alpha * unit_K, theta / (2 * math.pi * period)])
 
     return _limits(rows, B)
 
@@ -258,8 +261,6 @@ def stable_region(scene: Scene) -> StableWalls:
     """The region of the (K, B) plane."""
     from shapely.affinity import scale
 
-    period = scene.sampling_period
     found = tracing.stable_region(*scene.dimensionless)
-    units = scene.mass / period**2, scene.mass / period
-    polygon = scale(found.polygon, *units, origin=(0, 0))
-    return StableWalls(scene, found, polygon, found.corners * units)
+    own = units(scene.mass, scene.sampling_period)
+    return StableWalls(scene, found, scale(found.polygon, *own, origin=(0, 0)), found.corners * own)

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.notation.quantities import shown
-from symhaptic.scene.picture import EDGE, PASSIVE, STABLE, UNSTABLE
+from symhaptic.scene.dimensionless import units
+from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
@@ -84,7 +85,7 @@ def robust_limits(
     axes.axvline(0, color="black", lw=0.5)
     labelled(axes, x, y)
     axes.set_title(_range(arms), fontsize=9, loc="left")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    axes.legend(**BELOW, ncols=2)
     return figure
 
 
@@ -109,7 +110,7 @@ def stiffest(
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
         fixed, name = {"gamma": 0.0}, "alpha"
     else:
-        own = scene.damping or scene.mass / scene.sampling_period / 100
+        own = scene.damping or units(scene.mass, scene.sampling_period)[1] / 100
         period = scene.sampling_period
         axes_of = {"delay": delay or (0.0, 4 * period), "damping": damping or (0.0, 2 * own)}
         name = "K"
@@ -161,7 +162,7 @@ def delay_margin(
         axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
         axes.fill([], [], color=PASSIVE, label="stable with any delay")
     labelled(axes, x, y)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    axes.legend(**BELOW, ncols=2)
     return figure
 
 
@@ -203,7 +204,7 @@ def model_costs(
     axes.set(xlim=(float(across.min()), float(across.max())))
     axes.set(xlabel=said(across), ylabel="largest error of the stiffest wall in %")
     axes.set_title(_range(arms), fontsize=9, loc="left")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False)
+    axes.legend(**BELOW, ncols=3)
     return figure
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.quantities import decimal, nearest, shown
 from symhaptic.notation.suggest import suggested
+from symhaptic.scene.dimensionless import per_unit, units
 
 
 class Meaning(NamedTuple):
@@ -170,11 +171,12 @@ class Work:
             name, _, said = str(wrong).partition(":")
             given = [p for p in _PARTS.get(name, ()) if p in arrays]
             raise ValueError(f"{given[0]}: {name} ={said}" if given else str(wrong)) from None
+        unit_K, unit_B = units(mass, period)
         scale = {
-            "K": mass / period**2,
-            "B": mass / period,
+            "K": unit_K,
+            "B": unit_B,
             "frequency_hz": 1 / (2 * math.pi * period),
-            "passivity_margin": mass / period,
+            "passivity_margin": unit_B,
             "delay_margin": period,
         }
         return tuple(
@@ -208,9 +210,9 @@ def _scaled(name: str, si: Mapping[str, Any]) -> Any:
         late = _periods(si["delay"], period) if "delay" in si else si["delay_samples"]
         return np.asarray(late, dtype=np.float64)
     (part,) = _PARTS[name]
-    scale = period / mass
+    stiff, damped = per_unit(mass, period)
     scales = {
-        "K": scale * period, "stiffness": scale * period, "B": scale, "damping": scale,
+        "K": stiff, "stiffness": stiff, "B": damped, "damping": damped,
         "frequency_hz": 2 * math.pi * period,
     }  # fmt: skip
     return np.asarray(si[part] * scales[part])

@@ -8,6 +8,7 @@ import sympy as sp
 from sympy import Expr, I, Ne, S, Symbol, cos, exp, sin, tan
 
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, theta
 from symhaptic.notation.proposition import And, Predicate, Proposition, Relation
 from symhaptic.paper.propositions.stability import (
@@ -37,10 +38,6 @@ from symhaptic.proof.theorems.tactics import closed, either_way, positive
 HALF = S.Half
 
 
-def _mirror(expr: Expr) -> Expr:
-    return expr.xreplace({I: -I})
-
-
 @cache
 def apart() -> tuple[Theorem, ...]:
     """sin(theta) != 0 and cos(theta/2) != 0 for 0 < theta < pi."""
@@ -63,15 +60,15 @@ def zero_on_circle_is_explicit() -> Theorem:
 def explicit_wall(root: Proposition, wall: Proposition, top: Expr, square_: Expr) -> Theorem:
     """That, of a zero ... + top ((alpha + beta) z - beta) = 0 and the size of its factor."""
     turn = exp(I * theta)
-    back = _mirror(top) / (turn * square_)
+    back = mirror(top) / (turn * square_)
     height = back / (2 * I * sin(theta))
     across = back / 2 - tan(theta / 2) * back / (2 * I)
     zero = assume(root)
-    mirror = mirrored(zero)
+    other = mirrored(zero)
     stiff, damped = (assume(p) for p in wall.parts)
     there = conjoined(
-        combined(stiff.conclusion, [zero, across], [mirror, _mirror(across)]),
-        combined(damped.conclusion, [zero, height], [mirror, _mirror(height)]),
+        combined(stiff.conclusion, [zero, across], [other, mirror(across)]),
+        combined(damped.conclusion, [zero, height], [other, mirror(height)]),
     )
     here = combined(root, [stiff, top * turn], [damped, top * (turn - 1)])
     return closed(either_way(there, here, root, wall), *apart())
@@ -87,12 +84,12 @@ def numerator_on_circle() -> Theorem:
     turn = exp(I * theta)
     way = (turn - 1) * (n_1 * turn + n_0)
     work = energy.conclusion.terms[1]
-    along, across = (way + _mirror(way)) / 2, (way - _mirror(way)) / (2 * I)
-    size = combined(way * _mirror(way) >= 0, [square(along)], [square(across)])
+    along, across = (way + mirror(way)) / 2, (way - mirror(way)) / (2 * I)
+    size = combined(way * mirror(way) >= 0, [square(along)], [square(across)])
     moved = positive(work > 0, [energy], [size, delta > 0])
     bottom = turn**2 - a * turn + e
-    rest = (turn - 1) * _mirror(turn - 1) * bottom * _mirror(bottom)
-    other = (way * _mirror(bottom) - _mirror(way) * bottom) / (2 * I)
+    rest = (turn - 1) * mirror(turn - 1) * bottom * mirror(bottom)
+    other = (way * mirror(bottom) - mirror(way) * bottom) / (2 * I)
     product = combined(SQUARE * rest > 0, [moved, moved], [square(other)])
     low = positive(theta <= sp.pi, theta < sp.pi)
     return closed(factor(SQUARE, product, rest), low)

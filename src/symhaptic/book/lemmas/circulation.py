@@ -8,12 +8,12 @@ from typing import Any
 
 from sympy import Eq, Expr, Ne, S, Symbol, cancel, cos, sin
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import divisors as line_divisors
 from symhaptic.book.lemmas.linear_part import margin_below, shares
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.scaling import moved
-from symhaptic.book.lemmas.walls import not_zero
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, theta, z
 from symhaptic.notation.proposition import Relation, whole
 from symhaptic.proof.theorems.definitions import loop

@@ -9,14 +9,6 @@ from symhaptic.book.page import Page
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
 
-RESTS = {
-    "stability_boundary": "discretize_fractional",
-    "max_stable_stiffness": "discretize_fractional",
-    "passivity_boundary": "passivity_margin",
-    "max_passive_stiffness": "passivity_margin",
-}
-"""Forms that are made, beside, of what the statement on another form is about."""
-
 
 def statement(form: str) -> str:
     """The id of the statement on a form.

@@ -7,6 +7,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
 
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
 from symhaptic.notation.proposition import Proposition, Relation, proposition
 from symhaptic.proof.theorems.familiar import (
@@ -30,11 +31,6 @@ PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)
 WALL = (n_1 * TURN + n_0) * ((alpha + beta) * TURN - beta)
 OTHER = Symbol("theta_1")
 NAMES = (alpha, beta, n_1, n_0, a, e, d, theta)
-
-
-def mirror(of: Expr) -> Expr:
-    """The conjugate, of real symbols."""
-    return of.xreplace({I: -I})
 
 
 def size(of: Expr) -> Expr:

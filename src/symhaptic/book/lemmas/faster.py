@@ -11,6 +11,7 @@ from symhaptic.book.lemmas.counted_delays import counted
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.ratio_peak import least
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import And, Or, Relation, negated, proposition
@@ -34,7 +35,6 @@ from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
-    fact,
     none_of,
     not_all,
     positive,
@@ -84,7 +84,7 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
     later: Arm = (point[gamma] / times**2, damper / times)
     best, _, wall = passive_walls(late, ELEVEN)
     best = placed(best, {delta: damper})
-    best = closed(best, *(fact(p) for p in best.hypotheses if not p.free))
+    best = numbers_known(best)
     values: Any = tuple(v.xreplace({delta: damper}) for v in wall)
     softest = least(late * int(times), later[1])
 

@@ -12,6 +12,7 @@ from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.springs_alike import line_and_curve
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.bounds.linear_points import Arc, points
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 from symhaptic.notation.proposition import Relation
@@ -32,11 +33,6 @@ from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, p
 
 FAR = -Rational(1, 10**5)
 """Marks next to the corner lie left of this, and are not drawn."""
-
-
-def _known(theorem: Theorem) -> Theorem:
-    """Without the hypotheses that have no symbols."""
-    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
 
 
 @cache
@@ -67,7 +63,7 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     below = half * sin(angle) * size
 
     def on_curve(expr: Expr) -> Theorem:
-        return _known(placed(at_point(expr, ranges), here))
+        return numbers_known(placed(at_point(expr, ranges), here))
 
     bottom = on_curve(below)
     share = over(Relation(S.Zero, "<", 1 / below), one(), bottom)
@@ -97,8 +93,8 @@ def drawn() -> Theorem:
     def build(known: dict[Any, Expr]) -> Theorem:
         plant = {**known, gamma: STIFF}
         _, left, *marks = then.at(known).of  # type: ignore[attr-defined]
-        solid = _known(placed(stable_curve(), plant))
-        line = _known(placed(right_of_the_line(), plant))
+        solid = numbers_known(placed(stable_curve(), plant))
+        line = numbers_known(placed(right_of_the_line(), plant))
         bound = for_all((alpha, beta), [left.body.of[0]], line)
         late = int(known[d])
         found = (

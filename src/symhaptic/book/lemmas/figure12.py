@@ -13,6 +13,7 @@ from symhaptic.book.lemmas.figure9 import each_value
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_below
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.notation import delta, gamma, theta
 from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
@@ -56,7 +57,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
 
     def on_curve(expr: Expr) -> Theorem:
         found = placed(at_point(expr, ranges), here)
-        return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+        return numbers_known(found)
 
     size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
     height = stiffness(S(delay)).xreplace({theta: angle})

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
 from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, z
 from symhaptic.notation.proposition import Proposition, Relation, whole
 from symhaptic.paper.propositions import CLAIMED
@@ -93,18 +93,13 @@ def right_of_the_line() -> Theorem:
     return by_cases(ordered(-gamma, alpha), assume(wanted), outside)
 
 
-def _known(theorem: Theorem) -> Theorem:
-    """Without the hypotheses that have no symbols."""
-    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
-
-
 def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     """What the figure shows of one arm and delay."""
     curve, left, near, tip = claim.at(corner).of
     arm: Arm = (corner[gamma], corner[delta])
     late = int(corner[d])
-    solid = _known(placed(stable_curve(), corner))
-    line = _known(placed(right_of_the_line(), corner))
+    solid = numbers_known(placed(stable_curve(), corner))
+    line = numbers_known(placed(right_of_the_line(), corner))
     bound = for_all(left.over, [left.body.of[0]], line)
     beside = (-corner[gamma] + THIN / 2, NEAR[late])
     held = stable_at({**dict(zip((alpha, beta), beside, strict=True)), **corner})

@@ -13,8 +13,8 @@ from typing import Any
 from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, cos, exp, pi, sin
 
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.crossing import mirror
 from symhaptic.book.lemmas.principal import FREE, true_loop
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import alpha, beta, l, psi
 from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
 from symhaptic.proof.theorems.analysis import induction

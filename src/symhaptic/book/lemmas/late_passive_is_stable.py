@@ -18,6 +18,7 @@ from symhaptic.book.lemmas.passive_is_stable import (
 )
 from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
 from symhaptic.model.fractional import required_straight, stiffness_squared
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import (
     B,
     K,
@@ -73,14 +74,10 @@ def late_passive_walls_are_stable() -> Proposition:
     return every(LOOP, [*GIVEN, PASSIVE], STABLE)
 
 
-def _mirror(expr: Expr) -> Expr:
-    return expr.xreplace({I: -I})
-
-
 def _size(expr: Expr) -> Theorem:
     """0 <= |e|^2."""
-    size = expr * _mirror(expr)
-    along, across = (expr + _mirror(expr)) / 2, (expr - _mirror(expr)) / (2 * I)
+    size = expr * mirror(expr)
+    along, across = (expr + mirror(expr)) / 2, (expr - mirror(expr)) / (2 * I)
     return combined(size >= 0, [square(along)], [square(across)])
 
 
@@ -101,8 +98,8 @@ def no_crossing() -> Theorem:
     energy = axiom("late held steady state", gamma, delta, epsilon, *ALL_NUMBERS, theta)
     burnt = energy.conclusion.right - energy.conclusion.left  # type: ignore[attr-defined]
     eased = _eased(force)
-    gained = _size(2 * delta * off + PAIR * y * _mirror(force) * way)
-    total = 4 * delta * burnt + 4 * PAIR * way * _mirror(way) * eased.conclusion.right  # type: ignore[attr-defined]
+    gained = _size(2 * delta * off + PAIR * y * mirror(force) * way)
+    total = 4 * delta * burnt + 4 * PAIR * way * mirror(way) * eased.conclusion.right  # type: ignore[attr-defined]
     total += gained.conclusion.right  # type: ignore[attr-defined]
     share = positive(PAIR > 0, [epsilon > 0, positive(1 - epsilon > 0, epsilon < 1)])
     above = combined(
@@ -112,9 +109,9 @@ def no_crossing() -> Theorem:
         [gained],
     )
     root = assume(Eq(path, 0))
-    worked = 2 * delta * PAIR * _mirror(way) / delayed
+    worked = 2 * delta * PAIR * mirror(way) / delayed
     balance = combined(
-        Relation(S.Zero, "=", total), [root, -worked], [mirrored(root), -_mirror(worked)]
+        Relation(S.Zero, "=", total), [root, -worked], [mirrored(root), -mirror(worked)]
     )
     contrary = absurd(closed(above, sine_not_zero()), closed(balance, sine_not_zero()))
     wanted = proposition(Ne(path, 0))

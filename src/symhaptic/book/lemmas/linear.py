@@ -7,6 +7,7 @@ from functools import cache
 
 from sympy import Eq, Expr, S
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.model import lag
 from symhaptic.notation import B, K, T, b, d, delta, k, m, s, t_d, t_e, x
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, Terms, both, negated
@@ -58,7 +59,7 @@ def stable_with_lag() -> Theorem:
         combined(minors.of[1], [room]),
         combined(minors.of[2], [spring, room]),
     )
-    apart = positive(Relation(known[1].conclusion.right, "!=", S.Zero), [known[1]])  # type: ignore[attr-defined]
+    apart = not_zero(known[1])
     found = chained(criterion, either_way(closed(there, apart), back, minors, HELD))
     return closed(found, lead)
 

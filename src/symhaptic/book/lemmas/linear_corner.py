@@ -11,13 +11,13 @@ from typing import Any
 from sympy import Ne, Rational, S
 
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, reached
 from symhaptic.book.lemmas.linear_far import arc, on_the_circle, quotient
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.book.lemmas.undelayed_curve import apart_of
 from symhaptic.model.circle import expanded
 from symhaptic.model.linear import CHORD
 from symhaptic.notation import alpha, beta, d, delta, gamma
@@ -85,11 +85,11 @@ def wall(delay: int) -> Theorem:
     far = combined(wanted.body.of[-1], [down], [magnitude(value, True), -S.One])  # type: ignore[attr-defined]
     far = closed(far, positive(value <= 0, [down], [LEVEL]))
     found = witnessed(conjoined(boundary, less, far), wanted, {s: s for s in there})
-    apart = apart_of(size), apart_of(width), positive(Ne(alpha + gamma, 0), [left])
+    apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
     exists = conjoined(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
     found = chosen(witnessed(exists, named, there), closed(found, *apart, slow()))
-    return closed(found, apart_of(size))
+    return closed(found, not_zero(size))
 
 
 def _away(delay: int) -> Theorem:
@@ -124,8 +124,8 @@ def in_the_corner() -> Theorem:
         combined(100 * chord <= delta, [quotient(first, wide)]),
         combined(chord <= TINY, [quotient(second, wide)]),
         combined(BY_GAP.at({CHORD: chord})),
-        apart_of(wide),
+        not_zero(wide),
     )
-    found = [closed(placed(wall(n), {CHORD: chord}), *ends, slow(), apart_of(wide)) for n in LATE]
+    found = [closed(placed(wall(n), {CHORD: chord}), *ends, slow(), not_zero(wide)) for n in LATE]
     weak = positive(gamma >= 0, gamma > 0), positive(delta >= 0, delta > 0)
     return closed(of_every_plant(conjoined(*found)), *weak)

@@ -9,6 +9,7 @@ from functools import cache
 
 from sympy import Rational, S
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_boundary import (
     HIGH,
     LOW,
@@ -31,7 +32,6 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.book.lemmas.undelayed_curve import apart_of
 from symhaptic.model.circle import expanded
 from symhaptic.notation import alpha, beta, delta, gamma
 from symhaptic.notation.proposition import Relation, conjuncts
@@ -96,7 +96,7 @@ def rises(delay: int) -> Theorem:
     gap = over(
         other - one > 0, positive(second[b] * first[A] - first[b] * second[A] > 0, [turned]), size
     )
-    rise = closed(combined(one < other, [gap]), *map(apart_of, (*width, size)))
+    rise = closed(combined(one < other, [gap]), *map(not_zero, (*width, size)))
     found = conjoined(rise, later(small(delay)))
     return closed(of_every_plant(found), before)
 
@@ -109,7 +109,7 @@ def small(delay: int) -> Theorem:
     below = closed(placed(below_the_ray(delay), place), *walls, _damped(delay))
     gap = (steep * place[A] - place[b]) / share(delay)
     found = over(LEVEL - error(delay) > 0, positive(gap > 0, [1 / share(delay), below]), walls[1])
-    return closed(combined(error(delay) < LEVEL, [found]), apart_of(walls[1]))
+    return closed(combined(error(delay) < LEVEL, [found]), not_zero(walls[1]))
 
 
 def _damped(delay: int) -> Theorem:

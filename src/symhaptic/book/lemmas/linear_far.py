@@ -12,13 +12,13 @@ from typing import Any
 from sympy import Expr, Ne, S, Symbol
 
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached, turn
 from symhaptic.book.lemmas.linear_rays import (
     share,
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.book.lemmas.undelayed_curve import apart_of
 from symhaptic.model import linear
 from symhaptic.model.circle import expanded
 from symhaptic.model.plant import Sampled
@@ -96,12 +96,12 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     beyond_ = closed(beyond_, positive(value <= 0, [down], [LEVEL]))
     found = conjoined(boundary, push, less, beyond_)
     found = witnessed(found, far_at(delay), {s: s for s in there})
-    apart = [*map(apart_of, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
+    apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
     found = closed(found, *apart, slow())
     exists = conjoined(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
     found = chosen(witnessed(exists, named, there), found)
-    return of_every_plant(closed(found, apart_of(known[area])))
+    return of_every_plant(closed(found, not_zero(known[area])))
 
 
 def far_at(delay: int) -> Any:

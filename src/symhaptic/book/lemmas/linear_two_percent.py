@@ -12,6 +12,7 @@ from typing import Any
 
 from sympy import Expr, Rational, S, Symbol
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW
 from symhaptic.book.lemmas.linear_error import small, wall
@@ -34,7 +35,6 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
-from symhaptic.book.lemmas.undelayed_curve import apart_of
 from symhaptic.model.circle import expanded
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import Or, Proposition, Relation, negated
@@ -87,7 +87,7 @@ def within(delay: int, most: Expr) -> Theorem:
     up = combined(wanted, [small(delay)], [magnitude(value)])
     down = combined(wanted, [least], [magnitude(value, True)])
     up = closed(up, positive(value >= 0, value > 0))
-    found = closed(by_cases(ordered(S.Zero, value), up, down), apart_of(walls[1]))
+    found = closed(by_cases(ordered(S.Zero, value), up, down), not_zero(walls[1]))
     ends = (
         positive(beta <= 0, beta < 0),
         positive(beta <= HIGH, beta < 0, [HIGH]),
@@ -132,7 +132,7 @@ def _above_the_ray(delay: int, most: Expr) -> Theorem:
         positive(steep * A >= LOW, [steep, width], [-LOW]),
         positive(steep * A <= steep * top, [steep, top >= A]),
         positive(A >= 0, width),
-        apart_of(width),
+        not_zero(width),
     )
     found = closed(found, *ends)
     return by_cases(ordered(b, steep * A), found, assume(wanted))

@@ -10,7 +10,7 @@ from typing import Any
 
 from sympy import Eq, Expr, Rational, S, pi
 
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
@@ -59,7 +59,7 @@ def hardly(claim: Proposition, best: dict[Any, Expr], others: dict[Any, Expr]) -
 def _there(theorem: Theorem, values: dict[Any, Expr]) -> Theorem:
     """For one spring or one damper of the range."""
     found = placed(theorem, values)
-    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+    return numbers_known(found)
 
 
 def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theorem:

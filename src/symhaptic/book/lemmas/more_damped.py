@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 from sympy import Eq, Rational, S
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
@@ -27,7 +28,6 @@ from symhaptic.book.lemmas.stiffest_stable import (
 from symhaptic.book.lemmas.undelayed_curve import (
     above_minus_one,
     above_one,
-    apart_of,
     away,
     between,
     needed,
@@ -133,7 +133,7 @@ def grows() -> Theorem:
     after = rise.conclusion.right  # type: ignore[attr-defined]
     known = plants()
     bound = over(CURVE - alpha > 0, assume(inequalities(0)[-1].conclusion), known["weight"])
-    apart = [apart_of(known[n]) for n in ("weight", "late", "toward", "total")]
+    apart = [not_zero(known[n]) for n in ("weight", "late", "toward", "total")]
     left = closed(combined(alpha < CURVE, [bound]), *apart)
     other = {delta: HEAVIER, **dict(zip(NUMBERS, OTHERS, strict=True))}
     there = closed(placed(left, other), positive(after > 0, [minor], [rise]))

@@ -11,11 +11,10 @@ from sympy import Expr, Rational
 
 from symhaptic.book.lemmas.outpaced import softer_than
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.proof.theorems.kernel import Theorem, placed
-from symhaptic.proof.theorems.tactics import closed, fact
 
 Arm = tuple[Expr, Expr]
 """gamma and delta."""
@@ -58,4 +57,4 @@ def none_above(arm: Arm, delay: int, share: Expr = CLOSE) -> tuple[Expr, Theorem
         found = placed(no_stiffer(0, (limit, damping), ranges), here)
     else:
         found = placed(softer_than(limit, delay, angle, ranges), here)
-    return limit, closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+    return limit, numbers_known(found)

@@ -13,8 +13,10 @@ from typing import Any
 import sympy as sp
 from sympy import I, Rational, S, exp, pi
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import alpha, beta, delta, gamma, z
 from symhaptic.notation.proposition import (
     Proposition,
@@ -83,11 +85,6 @@ def shares() -> dict[str, Theorem]:
     }
 
 
-def apart(theorem: Theorem) -> Theorem:
-    """e != 0 from 0 < e."""
-    return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
-
-
 @cache
 def inequalities() -> Theorem:
     """stable <=> Jury's inequalities of the loop with this spring."""
@@ -109,12 +106,12 @@ def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
             power = 2 if left.has(delta**2) else 1
             size: list[Any] = [4, turn, turn] if left.coeff(delta**power).has(pi) else []
             if left.has(I):
-                other = left.xreplace({I: -I})
+                other = mirror(left)
                 size = [*grown, *grown, *[nyquist, *size] * power]
                 product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
                 found.append(factor(left, product, other))
             else:
-                found.append(apart(combined(left > 0, [*grown, nyquist, *size])))
+                found.append(not_zero(combined(left > 0, [*grown, nyquist, *size])))
     return found
 
 
@@ -139,7 +136,7 @@ def needed() -> Theorem:
         over(p, combined(NU * (p.gts - p.lts) > 0, [t]), s["nu"])
         for p, t in zip(triangle(), (right, low, top), strict=True)
     ]
-    return closed(conjoined(*sides), *(apart(t) for t in (*s.values(), top, room)))
+    return closed(conjoined(*sides), *(not_zero(t) for t in (*s.values(), top, room)))
 
 
 def enough() -> Theorem:
@@ -161,7 +158,7 @@ def enough() -> Theorem:
             [low, s["lost"], s["left"], low],
         ),
     ]
-    found = closed(applied(loop, conjoined(*known)), *(apart(t) for t in s.values()))
+    found = closed(applied(loop, conjoined(*known)), *(not_zero(t) for t in s.values()))
     return closed(found, *_divisors(found.hypotheses))
 
 
@@ -190,7 +187,7 @@ def reached() -> Theorem:
         combined(top, [room, s["lost"]], [-WALL[0] - 2 * WALL[1]]),
     )
     found = applied(placed(is_triangle(), wall), conjoined(*known))
-    return closed(found, apart(s["more"]))
+    return closed(found, not_zero(s["more"]))
 
 
 def stiffer() -> Theorem:

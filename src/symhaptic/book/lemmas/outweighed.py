@@ -9,10 +9,10 @@ import sympy as sp
 from sympy import I, Ne, Rational, S, cos, exp
 
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.crossing import mirror
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant
+from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, d, e, gamma, n_0, n_1, theta, y, z
 from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.paper.propositions.ratio import ARM
@@ -35,7 +35,7 @@ from symhaptic.proof.theorems.kernel import (
 )
 from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
 from symhaptic.proof.theorems.roots import all_inside, roots_stay
-from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
+from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 LATE = Rational(59, 10**5)
 """The stiffness of a wall without virtual damping that is stable behind every delay, for the arm of
@@ -104,4 +104,4 @@ def stable_behind_every_delay() -> Theorem:
     loop: Any = part(readings, readings.conclusion.parts[1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = placed(of_every_plant(closed(applied(loop, zeros), *steps)), ARM)
-    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+    return numbers_known(found)

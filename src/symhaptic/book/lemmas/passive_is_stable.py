@@ -8,7 +8,7 @@ import sympy as sp
 from sympy import Expr, I, Ne, exp, pi
 
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
-from symhaptic.model.passivity import margin
+from symhaptic.model.passivity import margin, mirror
 from symhaptic.notation import (
     B,
     K,
@@ -75,10 +75,6 @@ MARGIN = margin().xreplace({K: alpha, B: beta, b: delta, T: sp.S.One})
 EVERY_MARGIN = at_every_angle(MARGIN >= 0)
 
 
-def _mirror(expr: Expr) -> Expr:
-    return expr.xreplace({I: -I})
-
-
 @cache
 def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
     """0 <= margin for 0 < theta <= pi, from the angles below pi."""
@@ -118,8 +114,8 @@ def no_crossing() -> Theorem:
     safe = positive(
         eased >= 0, [positive(1 - y >= 0, y <= 1), delta > 0], [y > 0, margin_to_the_end()]
     )
-    size = way * _mirror(way)
-    along, across = (way + _mirror(way)) / 2, (way - _mirror(way)) / (2 * I)
+    size = way * mirror(way)
+    along, across = (way + mirror(way)) / 2, (way - mirror(way)) / (2 * I)
     nonnegative = combined(size >= 0, [square(along)], [square(across)])
     apart = sine_not_zero()
     both = closed(combined(gain + size * eased > 0, [energy], [nonnegative, safe]), apart)
@@ -128,7 +124,7 @@ def no_crossing() -> Theorem:
     balance = combined(
         Relation(sp.S.Zero, "=", gain + size * eased),
         [mirrored(root), -turned],
-        [root, -_mirror(turned)],
+        [root, -mirror(turned)],
     )
     contrary = absurd(both, closed(balance, apart))
     wanted = proposition(Ne(path, 0))

@@ -17,6 +17,7 @@ from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import LATE, stable_behind_every_delay
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
 from symhaptic.notation.proposition import (
@@ -91,7 +92,7 @@ def above(share: Expr, delay: Any, arm: Arm = SPRUNG) -> Any:
 def least(delay: int, damper: Expr = DAMPED) -> Theorem:
     """alpha <= 2 delta tan(pi/(4 (d+1))) of a passive wall."""
     found = placed(bound(), {K: alpha, B: beta, b: damper, T: S.One, d: S(delay)})
-    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+    return numbers_known(found)
 
 
 def of_delay(claim: Any, delay: int, arm: Arm = SPRUNG) -> Theorem:
@@ -193,7 +194,7 @@ def passive_wall(delay: int, damper: Expr = DAMPED) -> tuple[Theorem, tuple[Expr
     found, _, wall = passive_walls(delay, ELEVEN)
     found = placed(found, {delta: damper})
     values: Any = tuple(v.subs(delta, damper) for v in wall)
-    return closed(found, *(fact(p) for p in found.hypotheses if not p.free)), values
+    return numbers_known(found), values
 
 
 RATIOS = Rational(9999, 10**4), Rational(91, 100)
@@ -230,7 +231,7 @@ def never_met(some: Any) -> Theorem:
     best, rest = (assume(p) for p in met.conclusion.body.of)
     unit = {K: other[0], B: other[1], b: DAMPED, T: S.One, d: END}
     least_ = placed(pushes(), unit)
-    least_ = closed(least_, *(fact(p) for p in least_.hypotheses if not p.free))
+    least_ = numbers_known(least_)
 
     def contrary(share: Expr) -> Theorem:
         claim = below(share).at({d: END})

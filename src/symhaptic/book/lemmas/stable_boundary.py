@@ -8,6 +8,7 @@ from sympy import Expr, I, Ne, S, cos, exp, pi, sin, symbols, tan
 
 from symhaptic.book.lemmas.stable_forms import Block, not_zero
 from symhaptic.forms.device_forms import made_of
+from symhaptic.model.passivity import mirror
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import (
     X,
@@ -45,11 +46,6 @@ LATE_NUMBERS = {a: S.One, e: S.Half, m_2: S.One, m_1: S.Half, m_0: S.Half}
 def turned(expr: Expr) -> Expr:
     """At z = exp(j theta)."""
     return expr.xreplace({z: TURN})
-
-
-def mirror(expr: Expr) -> Expr:
-    """The conjugate."""
-    return expr.xreplace({I: -I})
 
 
 def force(top: Expr, delay: Expr, shift: int) -> Expr:

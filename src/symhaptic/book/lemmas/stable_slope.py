@@ -17,11 +17,11 @@ from symhaptic.book.lemmas.stable_boundary import (
     WHOLE,
     force,
     inside,
-    mirror,
     turned,
 )
 from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
 from symhaptic.forms import max_stiffness_slope
+from symhaptic.model.passivity import mirror
 from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, y, z
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.proof.theorems.kernel import Theorem, assume

@@ -72,6 +72,11 @@ def of_every_plant(theorem: Theorem) -> Theorem:
     return chosen(device_exists(gamma, delta, NUMBERS), theorem)
 
 
+def numbers_known(theorem: Theorem) -> Theorem:
+    """Without the hypotheses that have no symbols."""
+    return closed(theorem, *(fact(p) for p in theorem.hypotheses if not p.free))
+
+
 def stable_wall(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
     """The wall, given by gamma and delta, is stable for all plants of the box."""
     loop = placed(by_inequalities(delay), dict(zip((alpha, beta), wall, strict=True)))

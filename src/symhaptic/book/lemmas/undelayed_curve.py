@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 from sympy import Expr, S
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
@@ -60,11 +61,6 @@ def plants() -> dict[str, Theorem]:
     }
 
 
-def apart_of(theorem: Theorem) -> Theorem:
-    """e != 0 from 0 < e."""
-    return positive(Relation(theorem.conclusion.right, "!=", S.Zero), [theorem])  # type: ignore[attr-defined]
-
-
 @cache
 def needed() -> Theorem:
     """A stable wall lies between them."""
@@ -73,7 +69,7 @@ def needed() -> Theorem:
     right = over(NEAR > 0, combined(NEAR * TOTAL > 0, [first], [known["static"]]), known["total"])
     left = over(CURVE - alpha > 0, combined(minor.conclusion, [minor]), known["weight"])
     found = conjoined(positive(alpha > -gamma, [right]), combined(alpha < CURVE, [left]))
-    return closed(found, *(apart_of(known[n]) for n in ("total", "weight", "late", "toward")))
+    return closed(found, *(not_zero(known[n]) for n in ("total", "weight", "late", "toward")))
 
 
 @cache
@@ -84,7 +80,7 @@ def enough() -> Theorem:
     left = assume(BETWEEN.parts[1])
     known = plants()
     static = known["static"]
-    apart = [apart_of(known[n]) for n in ("weight", "late", "toward")]
+    apart = [not_zero(known[n]) for n in ("weight", "late", "toward")]
     inner = closed(combined(minor, [left, known["weight"]]), *apart)
     near = positive(NEAR > 0, alpha > -gamma)
     room = _room(inner, near, minor.right)
@@ -131,7 +127,7 @@ def enough() -> Theorem:
     )
     at_one = combined(first, [known["total"], near], [static, -S.One])
     found = applied(loop, conjoined(at_one, plane, flat, inner))
-    return closed(found, *sides, *apart, apart_of(room), *sides, *apart)
+    return closed(found, *sides, *apart, not_zero(room), *sides, *apart)
 
 
 def _share(expr: Expr) -> Expr:
@@ -179,7 +175,7 @@ def above_minus_one() -> Theorem:
     pushed = combined((alpha + gamma) * TOTAL > 0, [planes[0]], [static])
     near = over(alpha + gamma > 0, pushed, total)
     found = above_one(minor, toward, near)
-    return of_every_plant(closed(found, low, high, apart_of(total)))
+    return of_every_plant(closed(found, low, high, not_zero(total)))
 
 
 def above_one(minor: Theorem, toward: Theorem, near: Theorem) -> Theorem:

@@ -9,12 +9,12 @@ from functools import cache
 
 from sympy import Expr, Rational
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.stiffest_stable import inequalities, of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import (
     BETWEEN,
     ROOM,
     TOTAL,
-    apart_of,
     enough,
     needed,
     plants,
@@ -59,7 +59,7 @@ def above() -> Theorem:
     )
     weight = positive(TOTAL * ROOM > 0, [total, room])
     found = combined(ABOVE > -FINE, [over(goal > 0, product, weight)])
-    return closed(found, apart_of(weight), apart_of(total), apart_of(room))
+    return closed(found, not_zero(weight), not_zero(total), not_zero(room))
 
 
 @cache
@@ -90,5 +90,5 @@ def is_filled() -> Theorem:
         minor, [known["total"], room, high], [most], [slow, room], [known["static"], -_share()]
     )
     curve = combined(alpha < CURVE, [over(CURVE - alpha > 0, inner, known["weight"])])
-    apart = [apart_of(known[n]) for n in ("weight", "late", "toward")]
+    apart = [not_zero(known[n]) for n in ("weight", "late", "toward")]
     return closed(enough(), closed(curve, *apart))

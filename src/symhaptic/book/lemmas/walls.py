@@ -7,6 +7,7 @@ from typing import Any
 
 from sympy import Expr, Ne, Rational, S, cos, pi, sin
 
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import MARGIN
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.notation import alpha, beta, d, delta, gamma, omega, theta, z
@@ -56,11 +57,6 @@ def divisors(angle: Expr) -> tuple[Theorem, ...]:
     """What (5) and the margin divide by is not zero at an angle between 0 and pi."""
     half = sine_of_half(angle)
     return positive(Ne(2 - 2 * cos(angle), 0), [4, half, half]), not_zero(half)
-
-
-def not_zero(theorem: Theorem) -> Theorem:
-    """e != 0 from 0 < e."""
-    return positive(Ne(theorem.conclusion.right, 0), [theorem])  # type: ignore[attr-defined]
 
 
 def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:

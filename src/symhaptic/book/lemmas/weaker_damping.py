@@ -16,7 +16,7 @@ from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import none_above, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
-from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import (
     ELEVEN,
     LATE,
@@ -116,7 +116,7 @@ def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
 def passive_at(passive: Theorem, values: Any) -> Theorem:
     """The stiffest passive wall beside another damper."""
     found = placed(passive, values)
-    return closed(found, *(fact(p) for p in found.hypotheses if not p.free))
+    return numbers_known(found)
 
 
 def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:

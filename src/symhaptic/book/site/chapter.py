@@ -30,7 +30,7 @@ from symhaptic.book.sources import PAPER, source_of
 from symhaptic.book.tex.errata import CLASSES
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
-from symhaptic.book.tex.words import anchor, place_of
+from symhaptic.book.tex.words import anchor, as_sentence, place_of
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
@@ -116,7 +116,7 @@ def _equation(block: Block, lead: str, place: Place) -> list[str]:
     label = f"equation-{place.number}-{block.number}"
     paper = f" — paper {_paper(block.paper, place)}" if block.paper else ""
     said = _said(block.verdict, f"({place.number}.{block.number})", words(block.method), paper)
-    reason = [words(_sentence(block.text)), ""] if block.text else []
+    reason = [words(as_sentence(block.text)), ""] if block.text else []
     formula = container(
         "formula boxed" if block.boxed else "formula", display(rows_of(block.lines))
     )
@@ -133,7 +133,7 @@ def _paper(number: str, place: Place) -> str:
 
 
 def _theorem(block: Block, lead: str, place: Place) -> list[str]:
-    reason = [words(_sentence(block.text)), ""] if block.text else []
+    reason = [words(as_sentence(block.text)), ""] if block.text else []
     number = f"{place.number}.{block.number}"
     if block.boxed:
         back = [*reason, f"This is :ref:`the theorem ({number}) <theorem-{number}>`.", ""]
@@ -155,7 +155,7 @@ def _claimed(block: Block, place: Place) -> list[str]:
     kind = "claim boxed" if block.boxed else "claim"
     number = f"({place.number}.{block.number})"
     numbers = evidence(block.theorem, place.shown) if block.theorem is not None else ""
-    beside = container("numbers", [words(_sentence(numbers))]) if numbers else []
+    beside = container("numbers", [words(as_sentence(numbers))]) if numbers else []
     return [*container(kind, [says]), *beside, *_said(block.verdict, number, method)]
 
 
@@ -297,8 +297,3 @@ def _figure(block: Block) -> list[str]:
         f"   {words(block.text)}",
         "",
     ]
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith((".", "!", "?", ":")) else f"{text}."

@@ -16,7 +16,7 @@ from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
 from symhaptic.book.tex.forms import BESIDE, LONG_CLAIM, answers, letters, printed_forms, sentence
-from symhaptic.book.tex.words import anchor, escaped, prose
+from symhaptic.book.tex.words import anchor, as_sentence, escaped, prose
 from symhaptic.notation.latex import latex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind
@@ -61,7 +61,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
 
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = "Result" if block.kind == "result" else f"Step {step}"
-    reason = _sentence(prose(block.text)) if block.text else ""
+    reason = as_sentence(prose(block.text)) if block.text else ""
     rows = rows_of(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
     tag = (
@@ -99,7 +99,7 @@ def _answer(page: Record, chapter: int, shown: Mapping[Said, Shown]) -> list[str
         line
         for block in boxed
         for line in (
-            f"\\step{{Theorem.}}{{{_sentence(prose(block.title))}}}",
+            f"\\step{{Theorem.}}{{{as_sentence(prose(block.title))}}}",
             _claimed("boxedclaim", block, chapter, shown),
             "",
         )
@@ -111,7 +111,7 @@ def _theorem(block: Block, chapter: int, step: int, shown: Mapping[Said, Shown])
 
     Of the chapter's theorem, which stands at its head, only the reason is left to say.
     """
-    reason = _sentence(prose(block.text)) if block.text else ""
+    reason = as_sentence(prose(block.text)) if block.text else ""
     heading = f"Step {step}. {prose(block.title)}."
     if block.boxed:
         number = f"\\theoremlink{{{chapter}.{block.number}}}"
@@ -132,8 +132,8 @@ def _claimed(kind: str, block: Block, chapter: int, shown: Mapping[Said, Shown])
     beside = "" if long else method
     claim = f"\\{kind}{{{sentence(given, then)}}}{{{number}}}{{{block.verdict}}}{{{beside}}}"
     numbers = evidence(block.theorem, shown) if block.theorem is not None else ""
-    below = [_sentence(method)] if long else []
-    below += [_sentence(prose(numbers))] if numbers else []
+    below = [as_sentence(method)] if long else []
+    below += [as_sentence(prose(numbers))] if numbers else []
     return "\n".join([claim, *(f"\\numbers{{{text}}}" for text in below)])
 
 
@@ -186,11 +186,6 @@ def _split(text: str) -> list[str]:
         else:
             parts[-1] += c
     return parts
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith((".", "!", "?", ":")) else f"{text}."
 
 
 def rows_of(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:

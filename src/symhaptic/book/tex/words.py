@@ -24,6 +24,12 @@ def literally(text: str) -> str:
     return "".join(_SIGNS.get(c, c) for c in text)
 
 
+def as_sentence(text: str) -> str:
+    """Words that begin with a capital letter and end with a stop."""
+    text = text[:1].upper() + text[1:]
+    return text if text.endswith((".", "!", "?", ":")) else f"{text}."
+
+
 def prose(text: str) -> str:
     """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
     return beside_formulas(referred(text, lambda number: f"\\chapterlink{{{number}}}"))

@@ -60,7 +60,10 @@ class Loops(NamedTuple):
         return leave
 
     def many(self, steps: Array, part: Array) -> NDArray[np.bool_]:
-        """The same for many whole delays of each loop, in rows, behind a fraction 0 < part <= 1."""
+        """Whether no root is outside, each loop behind a fraction 0 < part <= 1 of a period.
+
+        ``steps`` has the whole periods before it, many of each loop in a row of its own.
+        """
         x, v, whole = self._in_rows(part)
         return np.asarray(stability.count(x, v, steps + whole, False) == 0)
 
