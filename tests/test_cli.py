@@ -163,12 +163,12 @@ def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
     assert [line.split()[0] for line in run.stdout.splitlines()] == ["my-own", "my-other", "2"]
     run = symhaptic("verify", "--derivation", silent)
     assert (run.returncode, run.stdout) == (0, "0 statements\n")
-    committed = GOOD.replace("my-own", "eq11").replace(
-        '    page.state("eq11", "doubling",', "    ("
+    committed = GOOD.replace("my-own", "eq6").replace(
+        '    page.state("eq6", "doubling",', "    ("
     )
     run = symhaptic("verify", "--derivation", chapter(tmp_path, committed))
     assert run.returncode == 2
-    assert "'eq11' has a verdict in my.py and in derivations/" in run.stderr
+    assert "'eq6' has a verdict in my.py and in derivations/" in run.stderr
 
 
 def test_what_is_read_is_not_written_over(tmp_path):
