@@ -207,6 +207,7 @@ def test_whole_periods_in_milliseconds_are_whole(tmp_path, delay, period):
     assert (scene.mass, scene.delay) == (0.072, float(f"{delay}e-3"))
 
 
+@pytest.mark.ci
 def test_each_format_is_written_where_it_is_said(device, tmp_path):
     printed = {name: symhaptic("limits", device, "--format", name).stdout for name in ALL[:2]}
     for name, ending in ((*pair,) for pair in zip(ALL, ("txt", *ALL[1:]), strict=True)):

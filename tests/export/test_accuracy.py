@@ -71,7 +71,7 @@ def has_others(*case):
     return count > some
 
 
-every = cases(MEASURED, DERIVATIVES)
+every = cases(MEASURED, DERIVATIVES, later=DERIVATIVES)
 every_other = cases(MEASURED, DERIVATIVES, wanted=has_others)
 AT_HOME = libm.tag() == MEASURED_ON
 """Whether the mathematical library is that of the records; figures may only shrink there."""
@@ -134,7 +134,7 @@ def are_within_the_record(records, precision, name, compiled, share):
 
 
 @needs_gcc
-@cases(MEASURED, DERIVATIVES, later=DERIVATIVES)
+@every
 def test_no_error_is_larger_than_the_recorded_one(records, precision, name, compiled):
     """All hard cases and some others; the record is that of 10^5 points, of derivatives 10^4."""
     some = slice(counts(records, precision, name)[1])
