@@ -163,9 +163,7 @@ def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
     assert [line.split()[0] for line in run.stdout.splitlines()] == ["my-own", "my-other", "2"]
     run = symhaptic("verify", "--derivation", silent)
     assert (run.returncode, run.stdout) == (0, "0 statements\n")
-    committed = GOOD.replace("my-own", "eq6").replace(
-        '    page.state("eq6", "doubling",', "    ("
-    )
+    committed = GOOD.replace("my-own", "eq6").replace('    page.state("eq6", "doubling",', "    (")
     run = symhaptic("verify", "--derivation", chapter(tmp_path, committed))
     assert run.returncode == 2
     assert "'eq6' has a verdict in my.py and in derivations/" in run.stderr
