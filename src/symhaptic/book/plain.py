@@ -77,6 +77,8 @@ def in_formulas(text: str) -> str:
 
     >>> in_formulas("p(z) != 0 for a v, and z^(d+1) A of Jury's p' at exp(j theta) in (18)")
     "$p(z)\\ne0$ for a $v$, and $z^{d+1}A$ of Jury's $p'$ at $\\exp(j\\theta)$ in (18)"
+    >>> in_formulas("A zero a is of n1, a and e; conj(p) ends at 1, and see 5.10(b)")
+    'A zero $a$ is of $n_1$, $a$ and $e$; $\\overline{p}$ ends at 1, and see 5.10(b)'
     """
     return _prose(_bracketed(list(_tokens(text))))
 

@@ -8,6 +8,7 @@ from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from symhaptic.notation.quantities import decimal, nearest, shown
+from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
 from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
@@ -38,8 +39,6 @@ def periods(scene: Scene) -> Fraction:
 
 def dimensionless(scene: Scene) -> Dimensionless:
     """gamma, delta and the delay in periods, as far as functions take them."""
-    from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
-
     period, mass = decimal(scene.sampling_period), decimal(scene.mass)
     found = Dimensionless(
         gamma=nearest(decimal(scene.stiffness or 0) * period**2 / mass),
