@@ -1,4 +1,4 @@
-"""Verify and mutants: what asks whether the chapters are right."""
+"""Verify: what asks whether the chapters are right."""
 
 from __future__ import annotations
 
@@ -10,6 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from symhaptic.cli.given import (
+    Derivations,
+    SourceFolder,
+    chapters_in,
+    own_chapters,
+    read,
+    told_bad,
+)
 from symhaptic.cli.shared import app, folder_allowed, progress, refuse, writable, write
 from symhaptic.notation.suggest import suggested
 
@@ -28,36 +36,6 @@ class ListFormat(StrEnum):
 
 LISTED = "`symhaptic verify --list` lists all"
 
-Derivations = Annotated[
-    list[Path] | None,
-    typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
-]
-
-
-SourceFolder = Annotated[
-    Path | None,
-    typer.Option(
-        "--source", metavar="DIR", help="A folder of your own: source.py, and chapters beside it."
-    ),
-]
-
-
-def chapters_in(folder: Path) -> list[Path]:
-    """The chapters of a user's source, which is read before any of them is run."""
-    from symhaptic.book.chapters import SOURCE_FILE, BadChapter, readable
-    from symhaptic.book.parallel import source_apart
-
-    if not (folder / SOURCE_FILE).is_file():
-        refuse(f"--source {folder}: has no {SOURCE_FILE}; a folder with one is allowed")
-    paths = [path for path in sorted(folder.glob("*.py")) if path.name != SOURCE_FILE]
-    if not paths:
-        refuse(f"--source {folder}: has no chapter beside {SOURCE_FILE}")
-    try:
-        source_apart(paths[0])
-        return [readable(path) for path in paths]
-    except BadChapter as wrong:
-        refuse(f"--source {wrong}")
-
 
 def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapter]) -> list[Entry]:
     """The statements that derivations settle; those that cannot be run are told at once."""
@@ -69,22 +47,6 @@ def settled(paths: list[Path], workers: int, own: list[Path], bad: list[BadChapt
 
     with progress(len(paths)) as told:
         return parallel.settled(paths, workers, told, failed)
-
-
-def told_bad(wrong: BadChapter, own: list[Path]) -> None:
-    """One line on what is wrong with a chapter."""
-    given = "--derivation " if wrong.path in own else ""
-    typer.echo(f"symhaptic: error: {given}{wrong}", err=True)
-
-
-def own_chapters(paths: list[Path] | None) -> list[Path]:
-    """A user's chapters, which are looked at before anything is run."""
-    from symhaptic.book.chapters import BadChapter, readable
-
-    try:
-        return list({path.resolve(): readable(path) for path in paths or []}.values())
-    except BadChapter as wrong:
-        refuse(f"--derivation {wrong}")
 
 
 @app.command()
@@ -229,13 +191,6 @@ def verify(
         raise typer.Exit(1)
 
 
-def read(own: list[Path], source: Path | None) -> list[Path]:
-    """What somebody has written and hands in."""
-    from symhaptic.book.chapters import SOURCE_FILE
-
-    return own if source is None else [*own, source / SOURCE_FILE]
-
-
 def committed_beside(source: Path) -> dict[str, str] | None:
     """The verdicts that a user has committed; None where no file is."""
     from symhaptic.book import committed
@@ -267,65 +222,3 @@ def name_statements(
         typer.echo(text, nl=False)
     else:
         write(listing.replace, output, text)
-
-
-@app.command()
-def mutants(
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "-o",
-            metavar="FILE",
-            help="Where to write; without chapters of your own, reports/mutants.json.",
-        ),
-    ] = None,
-    workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
-    derivation: Derivations = None,
-    source: SourceFolder = None,
-    check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
-    ] = False,
-) -> None:
-    """Change every statement and step in one place; fail where a wrong one is not refused.
-
-    With --derivation those of your chapters are changed, with --source those of your own source,
-    and not the paper's.
-    """
-    from symhaptic.book import chapters, listing
-    from symhaptic.book.mutation import trials
-
-    if source is not None and derivation:
-        refuse(f"--source {source}: is for itself; leave --derivation out")
-    own = own_chapters(derivation) if source is None else chapters_in(source)
-    output = output or (None if own else Path("reports/mutants.json"))
-    writable(output)
-    if output is not None and not trials.ours(output):
-        refuse(
-            f"-o {output}: is there and not written by `symhaptic mutants`; another name is allowed"
-        )
-    found = []
-    try:
-        for trial in trials.trials(own or chapters.shipped(), workers):
-            found.append(trial)
-            typer.echo(f"{trial.chapter}: {trial.refused} refused", err=True)
-    except chapters.BadChapter as wrong:
-        told_bad(wrong, own)
-        raise typer.Exit(2) from None
-    accepted = [survivor for trial in found for survivor in trial.accepted]
-    for survivor in accepted:
-        typer.echo(f"ACCEPTED  {survivor.of}: {survivor.change}")
-    stale = False
-    if output is not None and check:
-        stale = trials.stale(output, found)
-    elif output is not None:
-        write(listing.replace, output, trials.committed(found))
-    survivors = sum(len(trial.survivors) for trial in found) - len(accepted)
-    typer.echo(
-        f"{'' if output is None or check else f'wrote {output}: '}"
-        f"{sum(trial.refused for trial in found)} changes refused, "
-        f"{survivors} survive with a reason, {len(accepted)} accepted though wrong"
-    )
-    if stale:
-        typer.echo(f"symhaptic: {output} is stale; `symhaptic mutants` writes it", err=True)
-    if accepted or stale:
-        raise typer.Exit(1)

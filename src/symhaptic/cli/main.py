@@ -14,7 +14,14 @@ from typing import Annotated, Any
 
 import typer
 
-from symhaptic.cli import checking, computing, deciding, limits, reporting  # noqa: F401 - each registers its commands
+from symhaptic.cli import (  # noqa: F401 - each registers its commands
+    checking,
+    computing,
+    deciding,
+    limits,
+    mutating,
+    reporting,
+)
 from symhaptic.cli.shared import Unusable, app, refuse
 from symhaptic.notation.suggest import suggested
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.deciding import Derivations, SourceFolder, chapters_in, own_chapters
 from symhaptic.cli.foreign import stale
+from symhaptic.cli.given import Derivations, SourceFolder, chapters_in, own_chapters
 from symhaptic.cli.shared import app, folder_allowed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
