@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from symhaptic.model import jury
+from symhaptic.model import jury, polynomials
 
 SYMBOLS = sp.symbols("alpha beta n_1 n_0 a e")
 METHODS = {
@@ -31,7 +31,7 @@ def over_integers(matrix):
 
 def forget():
     sp.core.cache.clear_cache()
-    jury._monomial.cache_clear()
+    polynomials._monomial.cache_clear()
 
 
 CASES = [(d, name) for name, (_, most) in METHODS.items() for d in range(most + 1)]

@@ -24,7 +24,7 @@ from symhaptic.export.accuracy import (
     MUSL,
 )
 from symhaptic.export.precision import DOUBLE, SINGLE
-from symhaptic.export.vectors import sized
+from symhaptic.export.term_sizes import sized
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 needs_gcc = pytest.mark.skipif(

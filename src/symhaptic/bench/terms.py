@@ -12,7 +12,7 @@ from sympy import Expr
 
 from symhaptic.export.error_scale import size as slope_size
 from symhaptic.export.target import code_name
-from symhaptic.export.vectors import rounded
+from symhaptic.export.term_sizes import rounded
 from symhaptic.forms.entire import C, Entire, S
 from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
 from symhaptic.forms.implicit import ImplicitFunction, Rated
