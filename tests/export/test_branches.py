@@ -5,7 +5,8 @@ import sympy as sp
 
 from symhaptic.export.blocks import Assign, Choice, Join, Set
 from symhaptic.export.branches import lazy
-from symhaptic.export.routine import Steps, choose
+from symhaptic.export.routine import choose
+from symhaptic.export.steps import Steps
 
 x, y = sp.symbols("x y")
 

@@ -9,7 +9,7 @@ from symhaptic.export import kernels, request
 from symhaptic.export.error_free import ROUTINES as PAIRS
 from symhaptic.export.pairs import plus, rounded, scaled
 from symhaptic.export.records import Records
-from symhaptic.export.routine import Steps
+from symhaptic.export.steps import Steps
 from symhaptic.export.targets import TARGETS
 
 x, y, z = sp.symbols("x y z")

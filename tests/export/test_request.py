@@ -207,8 +207,8 @@ def test_the_same_request_gives_the_same_files():
 
 
 def test_no_form_has_the_name_of_a_routine():
+    from symhaptic.export.code_names import code_name
     from symhaptic.export.module import known
-    from symhaptic.export.target import code_name
 
     assert not set(stable.FORMS) & set(map(code_name, known()))
 

@@ -13,7 +13,8 @@ from export.inlining import inlined
 from symhaptic.export.array_api import TARGET
 from symhaptic.export.module import known, library
 from symhaptic.export.response import less
-from symhaptic.export.routine import Steps, TwoProdError
+from symhaptic.export.routine import TwoProdError
+from symhaptic.export.steps import Steps
 from symhaptic.forms import stable
 from symhaptic.forms.required_damping import Between, Straight
 from symhaptic.forms.response import Ahead, FractionalNumeratorGap, InPhase

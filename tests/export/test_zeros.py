@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from symhaptic.export import request
-from symhaptic.export.routine import Steps
+from symhaptic.export.steps import Steps
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.zeros import without_zeros
 

@@ -10,8 +10,8 @@ import numpy as np
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.export.code_names import code_name
 from symhaptic.export.error_scale import size as slope_size
-from symhaptic.export.target import code_name
 from symhaptic.export.term_sizes import rounded
 from symhaptic.forms.entire import C, Entire, S
 from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace

@@ -10,8 +10,9 @@ from sympy import Expr, cos, factorial, sin
 from symhaptic.export.device_series import w
 from symhaptic.export.elementary import k, x
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
 from symhaptic.export.slopes import powers
+from symhaptic.export.steps import Steps
 from symhaptic.forms.entire import Chord, CosNext, Gap, Sinc, SinNext, Spread
 
 TURN = sp.Rational(3, 2)

@@ -23,11 +23,13 @@ from symhaptic.export.array_scope import Scope
 from symhaptic.export.array_steps import CROSSING, HALVES, PRODUCT_ERROR, SERIES, STEPS
 from symhaptic.export.blocks import Block, functional
 from symhaptic.export.branches import lazy, told
+from symhaptic.export.described import describe
 from symhaptic.export.hoist_plant import hoisted
 from symhaptic.export.module import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
-from symhaptic.export.routine import Routine, Step, Steps, fresh
-from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.routine import Routine, Step, fresh
+from symhaptic.export.steps import Steps
+from symhaptic.export.target import Target, called, vocabulary
 from symhaptic.export.wrapping import in_brackets, wrapped
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.form import Form

@@ -10,13 +10,14 @@ from sympy.printing.c import C99CodePrinter
 from symhaptic.export import c_si, cmake, rounding, standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.cmake import FLAGS, STRICT
+from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.records import Places, Records
 from symhaptic.export.routine import Routine, Several
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, vocabulary
 from symhaptic.export.wrapping import WIDTH, wrapped
 
 KEYWORDS = vocabulary(

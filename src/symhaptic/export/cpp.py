@@ -8,12 +8,13 @@ from symhaptic.export import cmake, standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.c import CPP_KEYWORDS
 from symhaptic.export.cmake import FLAGS, STRICT
+from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, called, describe
+from symhaptic.export.target import Target, called
 from symhaptic.export.wrapping import wrapped
 
 

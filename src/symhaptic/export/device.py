@@ -16,7 +16,8 @@ from symhaptic.export.device_series import NEAR
 from symhaptic.export.double_word import Fading, Wave, fading, fallen, root_low, waving
 from symhaptic.export.pairs import Pair, exact, fast_two_sum, over, scaled, two_diff
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 from symhaptic.export.whole_turns import turned
 from symhaptic.notation import delta, gamma
 

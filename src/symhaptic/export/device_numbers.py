@@ -53,7 +53,8 @@ from symhaptic.export.pairs import (
     two_diff,
 )
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Steps, choose, expm1
+from symhaptic.export.routine import Routine, choose, expm1
+from symhaptic.export.steps import Steps
 from symhaptic.forms.entire import Decay
 from symhaptic.notation import delta, gamma
 

@@ -11,7 +11,8 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.pairs import exact, minus, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps
+from symhaptic.export.routine import Routine
+from symhaptic.export.steps import Steps
 from symhaptic.notation import delta, gamma
 
 NEAR = sp.Rational(9, 4)

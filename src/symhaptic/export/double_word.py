@@ -24,7 +24,8 @@ from symhaptic.export.pairs import (
     times,
 )
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, TwoProdError, choose
+from symhaptic.export.routine import Routine, TwoProdError, choose
+from symhaptic.export.steps import Steps
 
 BRIEF = sp.Rational(3, 4)
 """Up to this rate 1 - exp(-rate) is found from its series, beyond it from exp(-rate)."""

@@ -7,13 +7,8 @@ from sympy import Expr, Max, cos, exp, factorial, floor, sin, sqrt
 
 from symhaptic.export.pairs import rounded, times, two_diff
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import (
-    Routine,
-    Steps,
-    TwoProdError,
-    choose,
-    expm1,
-)
+from symhaptic.export.routine import Routine, TwoProdError, choose, expm1
+from symhaptic.export.steps import Steps
 from symhaptic.forms.entire import CosNext, Decay, Gap, Sinc, SinNext
 
 x, w, k, y, z = sp.symbols("x w k y z")

@@ -14,7 +14,8 @@ from sympy import Expr, Symbol
 
 from symhaptic.export import pairs
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Steps, TwoProdError
+from symhaptic.export.routine import Routine, TwoProdError
+from symhaptic.export.steps import Steps
 
 x, x_low, y, y_low = sp.symbols("x x_low y y_low")
 ONE, TWO = (x, x_low), (y, y_low)

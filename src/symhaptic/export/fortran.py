@@ -10,12 +10,13 @@ from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.branches import guarded
+from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Repeat, Routine, Several, plain
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, vocabulary
 from symhaptic.export.wrapping import wrapped
 
 

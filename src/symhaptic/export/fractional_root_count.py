@@ -16,7 +16,8 @@ from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.root_count import _Wall, faint, turns
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 from symhaptic.forms.root_count import FRACTIONAL_ARGUMENTS
 
 alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = FRACTIONAL_ARGUMENTS

@@ -28,7 +28,8 @@ from symhaptic.export.root_count import (
     n1,
     together,
 )
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 from symhaptic.forms.form import Form
 from symhaptic.forms.root_count import Stable, WholeRoots
 

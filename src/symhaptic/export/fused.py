@@ -10,17 +10,8 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export.routine import (
-    Routine,
-    Several,
-    Step,
-    choose,
-    computed,
-    expm1,
-    fresh,
-    names,
-)
-from symhaptic.export.target import brief, code_name
+from symhaptic.export.code_names import brief, code_name
+from symhaptic.export.routine import Routine, Several, Step, choose, computed, expm1, fresh, names
 from symhaptic.forms.entire import CosNext, Entire, SinNext
 from symhaptic.forms.entire_device import (
     DenominatorAtMinusOne,

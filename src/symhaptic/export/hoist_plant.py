@@ -7,8 +7,9 @@ from dataclasses import replace
 import sympy as sp
 from sympy import Expr, Symbol
 
+from symhaptic.export.code_names import code_name
 from symhaptic.export.routine import Routine, Step, computed, fresh, names
-from symhaptic.export.target import OPERATIONS, code_name
+from symhaptic.export.target import OPERATIONS
 from symhaptic.notation import delta, gamma
 
 _PLANT = {gamma, delta}

@@ -19,8 +19,9 @@ from symhaptic.export.pairs import (
     two_diff,
 )
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
 from symhaptic.export.search import crossing
+from symhaptic.export.steps import Steps
 from symhaptic.forms import max_stiffness_slope
 from symhaptic.forms.max_stiffness_angle import MAX_STIFFNESS_ARGUMENTS, MAX_STIFFNESS_SPRING
 from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots

@@ -25,13 +25,14 @@ from symhaptic.export import (
     slopes,
     whole_turns,
 )
+from symhaptic.export.code_names import code_name, routine_name
 from symhaptic.export.free_stable import with_free_verdict
 from symhaptic.export.fused import fused, merged
 from symhaptic.export.late_device import with_late_device
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.shared import routine
-from symhaptic.export.target import Refused, Target, calls, code_name, operations, routine_name
+from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.export.zeros import without_zeros
 from symhaptic.forms.stable import Form
 

@@ -9,11 +9,12 @@ from sympy.printing.octave import OctaveCodePrinter
 
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
+from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.printing import Printing
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target, called, describe, vocabulary
+from symhaptic.export.target import Target, called, vocabulary
 from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.routine import Steps
+from symhaptic.export.steps import Steps
 
 Pair = tuple[Expr, Expr]
 

@@ -13,11 +13,12 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
+from symhaptic.export.described import beyond, sizes
 from symhaptic.export.module import Library
 from symhaptic.export.once import parts
 from symhaptic.export.precision import Precision
 from symhaptic.export.rounding import Goal, told
-from symhaptic.export.target import Target, beyond, sizes
+from symhaptic.export.target import Target
 from symhaptic.export.vectors import allowed
 from symhaptic.forms.device_forms import ANY
 from symhaptic.forms.entire import written_out

@@ -10,8 +10,9 @@ from sympy import Expr, Symbol, atan2, cos, floor, pi, sin, sqrt
 
 from symhaptic.export.pairs import exact, minus, over, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
 from symhaptic.export.search import crossing
+from symhaptic.export.steps import Steps
 from symhaptic.forms import required_damping, stiffest_passive
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.notation import alpha, beta, d, epsilon, l, phi, psi, theta

@@ -22,7 +22,8 @@ from symhaptic.export.pairs import (
     times,
     two_diff,
 )
-from symhaptic.export.routine import Routine, Steps, TwoProdError
+from symhaptic.export.routine import Routine, TwoProdError
+from symhaptic.export.steps import Steps
 from symhaptic.notation import psi
 
 _PART = "part of A/(z M), M over A being the device, at z = exp(2 j psi)"

@@ -14,7 +14,8 @@ import sympy as sp
 from sympy import And, Expr, Max, Or, atan2, floor, pi, sqrt
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 from symhaptic.forms.root_count import ARGUMENTS
 
 alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart = ARGUMENTS

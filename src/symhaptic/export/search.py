@@ -13,7 +13,8 @@ from sympy import And, Expr, Max, Min, Or, Symbol
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Search, Steps, choose
+from symhaptic.export.routine import Routine, Search, choose
+from symhaptic.export.steps import Steps
 
 MOST = 120
 """At most so many steps; some ten are usual, and halving alone would need sixty."""

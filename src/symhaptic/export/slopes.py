@@ -24,7 +24,8 @@ from symhaptic.export.double_word import root_low
 from symhaptic.export.elementary import x
 from symhaptic.export.pairs import fast_two_sum, scaled, times
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 from symhaptic.forms.entire import Creep, Decay, Fade, Lag
 from symhaptic.forms.entire_device import PlantN0, PlantN1
 from symhaptic.forms.slopes import Echo, Kick, PlantN0Drop, PlantN1Drop

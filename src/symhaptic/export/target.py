@@ -6,7 +6,6 @@ by name before anything is written.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from copy import copy
 from functools import cache
@@ -16,16 +15,15 @@ from typing import TYPE_CHECKING
 import sympy as sp
 from sympy import Expr
 
+from symhaptic.export.code_names import brief, code_name
 from symhaptic.export.once import parts
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Repeat, Routine, Several
-from symhaptic.notation import SYMBOLS
 
 if TYPE_CHECKING:
     from symhaptic.export.module import Library
     from symhaptic.export.printing import Printing
     from symhaptic.export.rounding import Goal
-    from symhaptic.forms.stable import Form
 
 OPERATIONS = (
     "Abs", "Infinity", "Max", "Min", "NaN", "TwoProdError", "atan2", "cos", "exp", "expm1", "floor",
@@ -38,16 +36,6 @@ _PAIRS = ("Max", "Min", "TwoProdError", "atan2")
 
 _LONGEST = 60
 """Letters of a name: Fortran takes 63."""
-
-_CODE_NAMES = {"C": "cosh_root", "S": "sinhc_root"}
-
-_BRIEF = {
-    "denominator_at_minus_one": "at_minus_one", "numerator_at_one": "together",
-    "numerator_gap": "n_gap", "plant_n0": "n0", "plant_n1": "n1", "plant_trace": "trace",
-    "cos_next": "cosine", "sin_next": "sine", "late_first": "m2", "late_last": "m0",
-    "late_apart": "apart",
-}  # fmt: skip
-"""What a result of a routine is called where it is used."""
 
 
 def vocabulary(text: str) -> frozenset[str]:
@@ -67,37 +55,6 @@ def called(prefix: str, suffix: str = "", **special: str) -> Mapping[str, str]:
 
 class Refused(ValueError):
     """A request that cannot be met; the message is one line."""
-
-
-def code_name(name: str) -> str:
-    """The name of a routine in source code.
-
-    >>> code_name("PlantN0Series"), code_name("C")
-    ('plant_n0_series', 'cosh_root')
-    """
-    return _CODE_NAMES.get(name, re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower())
-
-
-def brief(name: str) -> str:
-    """The name of a variable that has the result of a routine, or its part of a joint name.
-
-    >>> brief("plant_n1_of"), brief("plant_n1_of2"), brief("plant_n1"), brief("kick_of")
-    ('n1', 'n1_2', 'n1', 'kick_of')
-    """
-    base, of, number = name.partition("_of")
-    if base not in _BRIEF or (of and number and not number.isdigit()):
-        return name
-    return f"{_BRIEF[base]}_{number}" if number else _BRIEF[base]
-
-
-def routine_name(name: str) -> str:
-    """The name of a routine, from that in source code.
-
-    >>> routine_name("plant_n0_series"), routine_name("cosh_root")
-    ('PlantN0Series', 'C')
-    """
-    special = {code: own for own, code in _CODE_NAMES.items()}
-    return special.get(name) or "".join(part.capitalize() for part in name.split("_"))
 
 
 class Target:
@@ -272,46 +229,6 @@ class Target:
     def notes(self, library: Library) -> list[str]:
         """Lines of the README on what is special in this language."""
         return []
-
-
-def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
-    """A function in lines of plain text: what it gives, its arguments and its domain."""
-    lines = [f"{form.title}."]
-    for symbol in form.arguments:
-        known = SYMBOLS[symbol.name]
-        lines.append(f"{symbol.name}: {known.meaning} [{known.unit}]")
-    if form.domain:
-        lines.append(f"Domain: {', '.join(form.domain)}.")
-    if form.arguments:
-        lines.append(f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}.")
-    return lines
-
-
-def beyond(form: Form) -> str:
-    """What a function gives outside its domain.
-
-    >>> from symhaptic.forms.stable import form
-    >>> beyond(form("is_stable")), beyond(form("discretize"))
-    ('False outside', 'NaN outside')
-    """
-    return f"{'NaN' if form.outside is sp.nan else str(form.outside)} outside"
-
-
-def sizes(form: Form, precision: Precision) -> str:
-    """How large an argument has to be to be outside."""
-    names = {symbol.name for symbol in form.arguments}
-    some = [f"larger than {_short(precision.largest)}"] * bool(names - {"d", "epsilon", "theta"})
-    ends: dict[float, list[str]] = {precision.largest: []}
-    for name, end in (("gamma", precision.stiffest), ("d", precision.longest)):
-        ends.setdefault(end, []).extend({name} & names)
-    del ends[precision.largest]
-    some += [f"{' or '.join(of)} larger than {_short(end)}" for end, of in ends.items() if of]
-    return " or ".join(some or ["infinite"])
-
-
-def _short(number: float) -> str:
-    """A power of ten in few letters."""
-    return f"{number:g}".replace("e+0", "e").replace("e+", "e")
 
 
 @cache

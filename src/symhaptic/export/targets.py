@@ -14,8 +14,9 @@ from symhaptic.export import (
     octave,
     rust,
 )
+from symhaptic.export.code_names import code_name
 from symhaptic.export.module import known
-from symhaptic.export.target import Target, code_name
+from symhaptic.export.target import Target
 
 TARGETS: dict[str, Target] = {
     module.TARGET.name: module.TARGET

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
+from symhaptic.export.code_names import code_name
+from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import Target, code_name, describe
+from symhaptic.export.target import Target
 from symhaptic.export.ufunc_templates import CALL, LOOP, LOOPS, MODULE_TEXT
 from symhaptic.export.wrapping import wrapped
 

@@ -35,7 +35,8 @@ from symhaptic.export.pairs import (
     two_diff,
 )
 from symhaptic.export.precision import Precision
-from symhaptic.export.routine import Routine, Steps, choose
+from symhaptic.export.routine import Routine, choose
+from symhaptic.export.steps import Steps
 
 half, square, square_low, root, stiff = GIVEN = sp.symbols("half square square_low root stiff")
 

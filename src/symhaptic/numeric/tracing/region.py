@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,22 +15,20 @@ from symhaptic.numeric.containers import numbers_only
 from symhaptic.numeric.extremum import Extremum
 from symhaptic.numeric.stability import SHEETS, is_stable
 from symhaptic.numeric.tracing.arcs import Loop, flips
+from symhaptic.numeric.tracing.corners import joined
 from symhaptic.numeric.tracing.shape import Shape
-
-_ROUNDS = 30
-"""Halvings of a chord at most."""
+from symhaptic.numeric.tracing.sides import (
+    Piece,
+    at_angle,
+    curves,
+    diagonal,
+    left_sides,
+    right_sides,
+)
 
 _SAME = (1e-8, 1e-7, 1e-6, 1e-5)
 """Ends of pieces closer than this, relative to the region, are one corner, refined afterwards; the
 first that leaves no loose end is taken."""
-
-
-@dataclass(frozen=True)
-class Piece:
-    """A part of the boundary: points from corner to corner, and the angles of a curve's ends."""
-
-    points: Array
-    angles: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
@@ -120,10 +117,10 @@ def stable_region(
     if not 1e-12 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
     loop = Loop(**numbers, sheet=sheet)
-    pieces, error = _curves(loop, tolerance)
+    pieces, error = curves(loop, tolerance)
     ends = np.array([p.points[i] for p in pieces for i in (0, -1)]).reshape(-1, 2)
-    near = _SAME[0] * _size(pieces)
-    pieces = pieces + _left_sides(loop, ends, near) + _right_sides(loop, ends, near)
+    near = _SAME[0] * diagonal(pieces)
+    pieces = pieces + left_sides(loop, ends, near) + right_sides(loop, ends, near)
     corners, faces, moved = _faces(loop, pieces)
     stable = []
     for face in faces:
@@ -158,162 +155,15 @@ def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
     """
     if not pieces:
         return np.zeros((0, 2)), [], 0.0
-    size = _size(pieces)
+    extent = diagonal(pieces)
     for share in _SAME:
-        corners, joined = _joined(loop, pieces, share * size)
-        lines = shapely.unary_union([shapely.LineString(p.points) for p in joined])
+        corners, met = joined(loop, pieces, share * extent)
+        lines = shapely.unary_union([shapely.LineString(p.points) for p in met])
         polygons, *rest = shapely.polygonize_full([lines])
-        if sum(shapely.length(rest)) <= share * size:
-            moved = 0.0 if share == _SAME[0] else share * size
+        if sum(shapely.length(rest)) <= share * extent:
+            moved = 0.0 if share == _SAME[0] else share * extent
             return corners, list(polygons.geoms), moved
     raise NotTraced(loop)
-
-
-# -- the sides ------------------------------------------------------------------------------
-
-
-def _point(loop: Loop, angle: float) -> Array:
-    if angle == 0:
-        return loop.begin
-    if angle == np.pi and loop.end is not None:
-        return loop.end
-    return loop.curve(np.asarray(angle))
-
-
-def _curves(loop: Loop, tolerance: float) -> tuple[list[Piece], float]:
-    """The curved sides with chords short enough, and the error of the chords."""
-    arcs = [(a, b) for a, b in loop.arcs if b < np.pi or loop.end is not None]
-    if not arcs:
-        return [], 0.0
-    grid = loop.samples()
-    inside = [grid[(grid > a) & (grid < b)] for a, b in arcs]
-    rough = [
-        np.vstack([_point(loop, a), loop.curve(g), _point(loop, b)])
-        for (a, b), g in zip(arcs, inside, strict=True)
-    ]
-    size = float(np.linalg.norm(np.ptp(np.vstack(rough), axis=0)))
-    pieces, worst = [], 0.0
-    for (a, b), angles, points in zip(arcs, inside, rough, strict=True):
-        angles = np.concatenate([[a], angles, [b]])
-        for _ in range(_ROUNDS):
-            middles = (angles[1:] + angles[:-1]) / 2
-            fresh = loop.curve(middles)
-            off = _distance(fresh, points[:-1], points[1:])
-            far = np.flatnonzero(off > tolerance * size / 2)
-            if not far.size:
-                break
-            angles = np.insert(angles, far + 1, middles[far])
-            points = np.insert(points, far + 1, fresh[far], axis=0)
-        # a chord's largest distance is at most 4/3 of that at its middle to second order
-        worst = max(worst, 2 * float(off.max()))
-        pieces.append(Piece(points, (a, b)))
-    return pieces, worst
-
-
-def _distance(points: Array, begin: Array, end: Array) -> Array:
-    """Distance of points from segments."""
-    along = end - begin
-    length = np.sum(along**2, axis=1)
-    share = np.sum((points - begin) * along, axis=1) / np.where(length == 0, 1.0, length)
-    foot = begin + np.clip(share, 0, 1)[:, None] * along
-    return np.asarray(np.linalg.norm(points - foot, axis=1))
-
-
-def _left_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
-    """The parts of the line of a root at 1, between the points where the curve meets it."""
-    angles = loop.at_left
-    touching = ends[np.abs(ends[:, 0] + loop.gamma) <= near, 1]
-    betas = [float(loop.begin[1]), *loop.curve(angles)[:, 1], *touching]
-    if loop.line is not None:
-        betas.append((loop.line + loop.gamma) / 2)
-    return _sides(loop, np.array([[-loop.gamma, beta] for beta in _apart(betas, near)]))
-
-
-def _right_sides(loop: Loop, ends: Array, near: float) -> list[Piece]:
-    """The parts of the line of a root at -1, likewise."""
-    if loop.line is None or loop.end is None:
-        return []
-    line = loop.line
-    angles = loop.at_right
-    touching = ends[np.abs(ends @ (1, 2) - line) <= near, 0]
-    alphas = [-loop.gamma, float(loop.end[0]), *loop.curve(angles)[:, 0], *touching]
-    return _sides(loop, np.array([[alpha, (line - alpha) / 2] for alpha in _apart(alphas, near)]))
-
-
-def _apart(values: list[float], near: float) -> list[float]:
-    """The values in order, each but once."""
-    kept: list[float] = []
-    for value in sorted(values):
-        if not kept or value - kept[-1] > near:
-            kept.append(value)
-    return kept
-
-
-def _sides(loop: Loop, points: Array) -> list[Piece]:
-    """The segments between neighbouring points that have stable walls beside them."""
-    pieces = []
-    for one, two in itertools.pairwise(points):
-        across = np.array([two[1] - one[1], one[0] - two[0]]) * 1e-7
-        middle = (one + two) / 2
-        near = np.stack([middle + across, middle - across])
-        stable = is_stable(near[:, 0], near[:, 1], loop.gamma, loop.delta, loop.delay, loop.sheet)
-        if np.any(stable):
-            pieces.append(Piece(np.stack([one, two])))
-    return pieces
-
-
-def _size(pieces: list[Piece]) -> float:
-    """Diagonal of the box around the pieces."""
-    if not pieces:
-        return 0.0
-    return float(np.linalg.norm(np.ptp(np.vstack([p.points for p in pieces]), axis=0)))
-
-
-# -- the corners ----------------------------------------------------------------------------
-
-
-def _joined(loop: Loop, pieces: list[Piece], near: float) -> tuple[Array, list[Piece]]:
-    """The corners, refined, and the pieces with their ends exactly there."""
-    ends = [(i, j) for i in range(len(pieces)) for j in (0, -1)]
-    groups: list[list[tuple[int, int]]] = []
-    for i, j in ends:
-        here = pieces[i].points[j]
-        for group in groups:
-            k, m = group[0]
-            if np.linalg.norm(pieces[k].points[m] - here) <= near:
-                group.append((i, j))
-                break
-        else:
-            groups.append([(i, j)])
-    points = [p.points.copy() for p in pieces]
-    corners = []
-    for group in groups:
-        corner = _refined(loop, [(pieces[i], j) for i, j in group])
-        corners.append(corner)
-        for i, j in group:
-            points[i][j] = corner
-    return np.array(corners), [
-        Piece(new, piece.angles) for new, piece in zip(points, pieces, strict=True)
-    ]
-
-
-def _refined(loop: Loop, group: list[tuple[Piece, int]]) -> Array:
-    """A corner to full precision: from a straight side, or where two angles give one wall."""
-    for piece, j in group:
-        if piece.angles is None:
-            return np.asarray(piece.points[j])
-    angles = np.array([piece.angles[j] for piece, j in group if piece.angles is not None])
-    if len(angles) < 2 or angles[0] == 0 or angles[-1] == np.pi:
-        return np.asarray(group[0][0].points[group[0][1]])
-    pair = angles[:2]
-    for _ in range(4):
-        one, two = loop.curve(pair)
-        slopes = loop.tangent(pair)
-        matrix = np.stack([slopes[0], -slopes[1]], axis=1)
-        if np.linalg.matrix_rank(matrix) < 2:
-            break
-        pair = pair - np.linalg.solve(matrix, one - two)
-    return np.asarray(loop.curve(pair).mean(axis=0))
 
 
 def farthest(loop: Loop, direction: Array) -> Array:
@@ -328,7 +178,7 @@ def farthest(loop: Loop, direction: Array) -> Array:
         rises = loop.tangent(inner) @ direction > 0
         rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner, rises)
         angles = [low, *rising, high]
-        points = np.array([[*_point(loop, angle), angle] for angle in angles])
+        points = np.array([[*at_angle(loop, angle), angle] for angle in angles])
         reach = points[:, :2] @ direction
         at = int(np.nanargmax(reach))
         if np.isnan(best[0]) or reach[at] > best[:2] @ direction:
