@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
@@ -27,6 +28,10 @@ if TYPE_CHECKING:
 
 PLAN = "symhaptic_sweep"
 """The attribute that says which sweep it is."""
+
+
+_TAKEN = ("blocks", "zarr.json")
+"""Names of its own in a group."""
 
 
 class Store(Protocol):
@@ -92,10 +97,13 @@ class Zarr:
             pass
         else:
             said = found.attrs.get(PLAN)
-            return _begun(self.place, said if isinstance(said, str) else None, plan)
+            _begun(self.place, said if isinstance(said, str) else None, plan)
+            return self._labelled(empty)
         local = "://" not in self.place
         if local and Path(self.place).exists():
             _begun(self.place, None, plan)
+        for name, coord in empty.coords.items():
+            self._to_be_kept(str(name), coord)
         place = _beside(self.place) if local else self.place
         chunks = {v: {"chunks": plan.lengths} for v in map(str, empty.data_vars) if plan.lengths}
         empty.to_zarr(place, compute=False, encoding=chunks, consolidated=False, zarr_format=3)
@@ -108,6 +116,37 @@ class Zarr:
         if local:
             os.rename(place, self.place)
         return None
+
+    def _to_be_kept(self, name: str, coord: xarray.DataArray) -> None:
+        """Refuse labels that Zarr would lose or change."""
+        import xarray
+        from zarr.storage import MemoryStore
+
+        tried = MemoryStore()
+        try:
+            xarray.Dataset(coords={name: coord}).to_zarr(tried, consolidated=False, zarr_format=3)
+            found = xarray.open_zarr(tried, consolidated=False, chunks=None)
+        except (TypeError, ValueError):
+            found = xarray.Dataset()
+        if name in _TAKEN or name not in found or not found[name].equals(coord):
+            raise ValueError(
+                f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
+                "numbers, text and dates are, with a plain name and plain attributes"
+            )
+
+    def _labelled(self, empty: xarray.Dataset) -> None:
+        """Refuse a sweep of other labels."""
+        import xarray
+
+        found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+        for name in sorted({*map(str, found), *map(str, empty.coords)}):
+            if name not in found or name not in empty.coords or not (
+                found[name].equals(empty.coords[name])
+            ):  # fmt: skip
+                raise ValueError(
+                    f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
+                    f"the labels {name!r}"
+                )
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
