@@ -128,6 +128,20 @@ def test_a_sweep_of_other_labels_is_another(tmp_path):
         sweep("is_stable", to=place, **arms(["Lee", "Hogan"]))
 
 
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_what_stands_beside_it_stays_and_nothing_is_left_beside_it(kind, tmp_path):
+    mine = tmp_path / f"kept.{kind}.begun" / "thesis.txt"
+    mine.parent.mkdir()
+    mine.write_text("mine")
+    sweep("is_stable", to=tmp_path / f"kept.{kind}", **arms([1, 2]))
+    assert mine.read_text() == "mine"
+    (tmp_path / f"link.{kind}").symlink_to("nowhere")
+    with pytest.raises(OSError, match="Not a directory"):
+        sweep("is_stable", to=tmp_path / f"link.{kind}", **arms([1, 2]))
+    names = {f"kept.{kind}", f"kept.{kind}.begun", f"link.{kind}"}
+    assert set(os.listdir(tmp_path)) == names
+
+
 def test_a_table_has_a_row_a_point_and_units(tmp_path):
     pandas = pytest.importorskip("pandas", reason="no pandas here: it reads no Parquet")
     from pyarrow import parquet

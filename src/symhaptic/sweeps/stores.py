@@ -10,7 +10,9 @@ import json
 import math
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
@@ -75,10 +77,15 @@ def _begun(place: str, said: str | None, plan: Plan) -> None:
         )
 
 
-def _beside(place: str) -> str:
-    """Where it is made until it is whole; what was left there is removed."""
-    shutil.rmtree(f"{place}.begun", ignore_errors=True)
-    return f"{place}.begun"
+@contextmanager
+def _beside(place: Path) -> Iterator[Path]:
+    """Where it is made before it has its name, in a folder of its own that does not stay."""
+    place.parent.mkdir(parents=True, exist_ok=True)
+    draft = Path(tempfile.mkdtemp(prefix=f".{place.name}-", dir=place.parent))
+    try:
+        yield draft / "new"
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
 
 
 @dataclass(frozen=True)
@@ -104,7 +111,18 @@ class Zarr:
             _begun(self.place, None, plan)
         for name, coord in empty.coords.items():
             self._to_be_kept(str(name), coord)
-        place = _beside(self.place) if local else self.place
+        if not local:
+            return self._made(self.place, plan, empty)
+        with _beside(Path(self.place)) as place:
+            self._made(str(place), plan, empty)
+            os.rename(place, self.place)
+        return None
+
+    @staticmethod
+    def _made(place: str, plan: Plan, empty: xarray.Dataset) -> None:
+        """A group without values, in which no block is done."""
+        import zarr
+
         chunks = {v: {"chunks": plan.lengths} for v in map(str, empty.data_vars) if plan.lengths}
         empty.to_zarr(place, compute=False, encoding=chunks, consolidated=False, zarr_format=3)
         group = zarr.open_group(place, mode="r+")
@@ -113,9 +131,6 @@ class Zarr:
             fill_value=0,
         )  # fmt: skip
         group.attrs[PLAN] = plan.description()
-        if local:
-            os.rename(place, self.place)
-        return None
 
     def _to_be_kept(self, name: str, coord: xarray.DataArray) -> None:
         """Refuse labels that Zarr would lose or change."""
@@ -188,14 +203,14 @@ class Parquet:
         if Path(self.place).exists():
             file = self._plan(self.place)
             return _begun(self.place, file.read_text("utf-8") if file.is_file() else None, plan)
-        place = _beside(self.place)
-        os.makedirs(place)
-        self._plan(place).write_text(plan.description(), "utf-8")
-        os.rename(place, self.place)
+        with _beside(Path(self.place)) as place:
+            place.mkdir()
+            self._plan(place).write_text(plan.description(), "utf-8")
+            os.rename(place, self.place)
         return None
 
     @staticmethod
-    def _plan(place: str) -> Path:
+    def _plan(place: str | Path) -> Path:
         return Path(place) / f"_{PLAN}.json"
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
