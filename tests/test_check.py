@@ -176,9 +176,29 @@ def test_a_command(tmp_path):
     )
     way = "check", "--formula", "linear_limit", "--command"
     assert symhaptic(*way, "python3 f.py", cwd=tmp_path).returncode == 0
-    done = symhaptic(*way, "true", cwd=tmp_path)
-    assert done.returncode == 2
-    assert len(done.stderr.splitlines()) == 1
+    for line in ("true", "", " ", "python3 'f.py"):
+        done = symhaptic(*way, line, cwd=tmp_path)
+        assert done.returncode == 2
+        assert done.stderr.startswith(f"symhaptic: error: --command: {line!r} ")
+        assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    "way",
+    [("--python", "f:f"), ("--command", "python3 f.py"), ("--library", "f.py:f")],
+)
+def test_what_is_checked_is_not_written_over(tmp_path, way):
+    text = "def f(beta, delta, d):\n    return (beta + delta)/(d + 0.5)\n"
+    (tmp_path / "f.py").write_text(text)
+    (tmp_path / "f.txt").symlink_to("f.py")
+    for name in ("f.py", "f.txt"):
+        done = symhaptic(
+            "check", "--formula", "linear_limit", "--points", 5, *way, "-o", name, cwd=tmp_path
+        )
+        assert done.returncode == 2
+        said = f"symhaptic: error: -o {name}: is what is read here; another file is allowed\n"
+        assert done.stderr == said
+        assert (tmp_path / "f.py").read_text() == text
 
 
 BAD = """

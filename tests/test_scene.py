@@ -309,3 +309,11 @@ def test_a_device_of_which_a_float_tells_nothing_is_told_by_what_was_given(more,
 def test_without_a_mass_or_a_period_there_is_no_loop(name):
     with pytest.raises(ValueError, match=f"^{name}: None is not allowed; finite numbers > 0 are$"):
         Scene(**{"mass": 0.1, "sampling_period": 1e-3, name: None})
+
+
+def test_a_wall_has_the_same_stiffness_wherever_units_are_given_to_it():
+    """alpha m/T^2 is rounded in one order."""
+    scene = Scene(mass=0.3, damping=0.7, sampling_period=0.003, delay_samples=1)
+    unit = 0.3 / 0.003**2
+    for alpha in (n / 7 for n in range(1, 40)):
+        assert scene.limit(alpha, 0.0, 1.0).K == alpha * unit

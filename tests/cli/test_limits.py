@@ -275,3 +275,21 @@ def test_no_file_and_no_picture(device, tmp_path):
     run = symhaptic("limits", device, "-o", tmp_path / "walls.gif")
     assert run.returncode == 2
     assert "'.gif' is not allowed" in run.stderr
+
+
+def test_a_device_is_not_written_over(device):
+    text = device.read_text()
+    place = device.rename(device.with_suffix(".txt"))
+    done = symhaptic("limits", place, "-o", place)
+    assert done.returncode == 2
+    assert done.stderr.endswith(": is what is read here; another file is allowed\n")
+    assert place.read_text() == text
+
+
+def test_arms_of_any_mass_are_refused_in_one_line(device):
+    arms = '[arms]\nmass = ["0 kg", "1e300 kg"]\n'
+    device.write_text(device.read_text().split("[")[0] + arms)
+    done = symhaptic("limits", device)
+    assert done.returncode == 2
+    assert done.stderr.endswith("arms: no wall is shown to be stable for all of them\n")
+    assert len(done.stderr.splitlines()) == 1

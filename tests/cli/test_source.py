@@ -83,6 +83,20 @@ def test_what_is_argued_otherwise_is_told(notes):
     assert f"DIFFERS  {said}" in run.stdout
 
 
+@pytest.mark.parametrize("derived", ["", ", Eq(x, 2*y)"])
+def test_data_outside_is_no_proof_until_the_ledger_has_it(tmp_path, derived):
+    """What a chapter has from data outside is its word, whatever else it says beside it."""
+    body = f"def derive(page):\n    page.settle_external('odd:one', 'a book', 'seen'{derived})"
+    folder = odd(tmp_path, body)
+    run = symhaptic("verify", "--source", folder, "--strict")
+    assert run.returncode == 1
+    assert "DIFFERS  odd:one: external, and no ledger says so" in run.stdout
+    assert symhaptic("verify", "--source", folder).returncode == 0
+    ledger = folder / "ledger.json"
+    symhaptic("verify", "--source", folder, "--format", "json", "-o", ledger)
+    assert symhaptic("verify", "--source", folder, "--strict").returncode == 0
+
+
 def test_an_emptied_ledger_is_not_none(notes):
     (notes / "ledger.json").write_text('{"statements": []}', encoding="utf-8")
     run = symhaptic("verify", "--source", notes, "--strict")

@@ -78,6 +78,8 @@ if haptic.is_stable(.1, NaN, .001, .02, 1), error('stable'); end
 if ~haptic.is_stable(.01, .1, .001, .02, 1), error('not stable'); end
 found = haptic.is_stable(.01, .1, .001, .02, [1; NaN; 400]);
 assert(islogical(found) && isequal(found, [true; false; false]));
+found = haptic.is_stable(.01, .1, .001, .02, zeros(0, 3));
+assert(islogical(found) && isequal(size(found), [0 3]));
 """,
 }
 

@@ -109,22 +109,35 @@ def test_an_earlier_export_is_replaced_whole(tmp_path, monkeypatch, capsys):
     assert set(os.listdir(folder)) == before - {"example.c"}
     assert "linear_limit" in (folder / "haptic.c").read_text()
     assert os.listdir(tmp_path) == ["out"]
-    (folder / "mine.txt").write_text("mine")
-    assert symhaptic(monkeypatch, capsys, *words)[0] == 2
 
 
-def test_a_folder_that_something_else_has_built_in_an_export_stays(tmp_path):
+def test_what_something_else_has_made_in_an_export_stays(tmp_path):
     folder = tmp_path / "out"
     request.write({"a.c": "", "src/a.h": "", request.LISTING: "a.c\nsrc/a.h\nFILES\n"}, folder)
     built = folder / "build" / "objects" / "a.o"
     built.parent.mkdir(parents=True)
     built.write_text("built")
     os.utime(built, (1.0, 1.0))
+    (folder / "build" / "empty").mkdir()
+    tested, mine = folder / "selftest", folder / "src" / "mine.c"
+    tested.write_text("built")
+    tested.chmod(0o755)
+    mine.write_text("mine")
+    (folder / "link").symlink_to(tmp_path)
     request.write({"b.c": "", request.LISTING: "b.c\nFILES\n"}, folder)
-    assert set(os.listdir(folder)) == {"b.c", "build", request.LISTING}
+    others = {"build", "selftest", "src", "link"}
+    assert set(os.listdir(folder)) == {"b.c", request.LISTING} | others
     assert (built.read_text(), built.stat().st_mtime) == ("built", 1.0)
-    with pytest.raises(Refused, match=r"holds other files \(build/objects/a.o\)"):
-        request.write({"build/a.c": "", request.LISTING: "build/a.c\nFILES\n"}, folder)
+    assert (folder / "build" / "empty").is_dir()
+    assert (tested.read_text(), tested.stat().st_mode & 0o777) == ("built", 0o755)
+    assert os.listdir(folder / "src") == ["mine.c"]
+    assert (folder / "link").readlink() == tmp_path
+    for name in ("selftest", "selftest/a.c", "build/objects"):
+        with pytest.raises(Refused, match=r"holds other files \((selftest|build/objects/a.o)\)"):
+            request.write({name: "", request.LISTING: f"{name}\nFILES\n"}, folder)
+    for name in others - {"build"}:
+        (folder / name).unlink() if name != "src" else mine.unlink()
+    (folder / "src").rmdir()
     (folder / request.LISTING).unlink()  # that of no export
     (folder / "b.c").unlink()
     with pytest.raises(Refused, match="holds other files"):

@@ -80,6 +80,8 @@ def test_unknown_functions_are_undecided():
         (x > 0, {"x": (0, 1)}, TypeError, "no symbol"),
         (Eq(x, 0), {x: (0, 1)}, TypeError, "no inequality"),
         (x, {x: (0, 1)}, TypeError, "no inequality"),
+        (x < 1, (0, 1), TypeError, r"rhs: \(0, 1\) is no relation .* and no box; .* \{x: "),
+        (x < 1, [(x, 0, 1)], TypeError, r"rhs: \[\(x, 0, 1\)\] is no relation"),
         (sp.Symbol("r", positive=True) > -1, {x: (0, 1)}, TypeError, "is True already.*evaluate"),
         (x > -0.1, {x: (0, 1)}, ValueError, r"0\.1.* is no exact number"),
     ],

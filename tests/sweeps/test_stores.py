@@ -93,6 +93,55 @@ def test_what_is_kept_is_what_is_computed(kind, tmp_path):
     assert {p: p.stat().st_mtime_ns for p in place.rglob("*")} == times  # nothing is done again
 
 
+def arms(labels, name="arm", **said):
+    """Two arms with these labels, each with one wall."""
+    xarray = pytest.importorskip("xarray")
+    gamma = xarray.DataArray([0.0, 0.001], coords={name: (name, labels, said)}, dims=name)
+    return {"alpha": 0.1, "beta": 0.4, "gamma": gamma, "delta": 0.02, "delay": 1}
+
+
+@pytest.mark.parametrize(
+    ("labels", "name", "said"),
+    [
+        (np.array(["a", None], object), "arm", {}),
+        (np.array(["a", 1], object), "arm", {}),
+        ([1.0, 2.0], "arm", {"scale_factor": 10.0}),
+        ([1, 2], "arm", {"units": "days since 2000-01-01"}),
+        ([1, 2], "arm", {"_FillValue": 1}),
+        ([1, 2], "left/right", {}),
+        ([1, 2], "blocks", {}),
+    ],
+)
+def test_labels_that_zarr_would_lose_or_change_are_refused(labels, name, said, tmp_path):
+    with pytest.raises(ValueError, match=f"^{name}: .* as labels are not allowed in "):
+        sweep("is_stable", to=tmp_path / "kept.zarr", **arms(labels, name, **said))
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.filterwarnings("ignore:.*does not have a Zarr V3 specification")
+def test_a_sweep_of_other_labels_is_another(tmp_path):
+    place = tmp_path / "kept.zarr"
+    sweep("is_stable", to=place, **arms(["Hogan", "Lee"]))
+    again = sweep("is_stable", to=place, **arms(["Hogan", "Lee"]))
+    assert list(again.arm.values) == ["Hogan", "Lee"]
+    with pytest.raises(ValueError, match="another sweep, which differs in the labels 'arm'"):
+        sweep("is_stable", to=place, **arms(["Lee", "Hogan"]))
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_what_stands_beside_it_stays_and_nothing_is_left_beside_it(kind, tmp_path):
+    mine = tmp_path / f"kept.{kind}.begun" / "thesis.txt"
+    mine.parent.mkdir()
+    mine.write_text("mine")
+    sweep("is_stable", to=tmp_path / f"kept.{kind}", **arms([1, 2]))
+    assert mine.read_text() == "mine"
+    (tmp_path / f"link.{kind}").symlink_to("nowhere")
+    with pytest.raises(OSError, match="Not a directory"):
+        sweep("is_stable", to=tmp_path / f"link.{kind}", **arms([1, 2]))
+    names = {f"kept.{kind}", f"kept.{kind}.begun", f"link.{kind}"}
+    assert set(os.listdir(tmp_path)) == names
+
+
 def test_a_table_has_a_row_a_point_and_units(tmp_path):
     pandas = pytest.importorskip("pandas", reason="no pandas here: it reads no Parquet")
     from pyarrow import parquet

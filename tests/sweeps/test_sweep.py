@@ -1,7 +1,9 @@
 """Sweeps beside the functions they call, on every kind of worker, and what they refuse."""
 
+import inspect
 import json
 import math
+import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -142,6 +144,43 @@ def test_a_function_of_ones_own():
     found = sweep(passive_share, alpha=ALPHA[1:], beta=BETA)
     assert np.array_equal(found.passive_share, passive_share(ALPHA[1:, None], BETA))
     assert sweep(is_stable, **WALLS).equals(sweep("is_stable", **WALLS))
+
+
+def turning(x):
+    return x * 1j
+
+
+def growing(x):
+    return np.where(x > 1, 1.5 * x, x) if np.size(x) > 1 else 1
+
+
+def deciding(x):
+    return 2.0 * x if np.size(x) > 1 else x > 1
+
+
+@pytest.mark.parametrize(
+    ("function", "told"),
+    [
+        (turning, "turning: 1j is not allowed; real numbers are"),
+        (growing, "growing: float64 is not allowed; the first point gave int64"),
+        (deciding, "deciding: float64 is not allowed; the first point gave bool"),
+        (lambda value: None, "<lambda>: None is not allowed; real numbers are"),
+        (
+            lambda value: np.uint64(2**63 + 1) + np.zeros(np.shape(value), np.uint64),
+            "<lambda>: uint64 is not allowed; the first point gave int64",
+        ),
+    ],
+)
+def test_what_a_function_of_ones_own_gives_is_not_cut_to_a_kind(function, told):
+    """An imaginary part, a fraction or a sign would be lost."""
+    name = next(iter(inspect.signature(function).parameters))
+    with pytest.raises(ValueError, match=f"^{re.escape(told)}"):
+        sweep(function, **{name: [1.0, 2.2]})
+
+
+def test_what_a_function_of_ones_own_masks_is_nan():
+    found = sweep(lambda x: np.ma.array(x, mask=np.asarray(x) > 1), x=[1.0, 2.0])["<lambda>"]
+    assert np.array_equal(found, [1.0, np.nan], equal_nan=True)
 
 
 def test_threads_processes_and_executors_give_the_same_bits():

@@ -53,8 +53,12 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     return lines
 
 
-def argued(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
-    """Statements that are argued where no ledger is to have them."""
-    words = (e for e in entries if e.verdict.kind is Kind.ARGUED)
+UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL})
+"""Verdicts that rest on a chapter's word: for what joins its checks, or for data outside."""
+
+
+def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
+    """Statements that are argued, or rest on data outside, where no ledger is to have them."""
+    words = (e for e in entries if e.verdict.kind in UNPROVED)
     new = (e for e in words if known is None or (e.own and e.statement.id not in known))
     return [f"{e.statement.id}: {e.verdict.named}, and no ledger says so" for e in new]

@@ -66,6 +66,16 @@ def place(name: str) -> tuple[str, int] | None:
         return None
 
 
+def files(python: str | None, library: str | None, command: str | None) -> set[Path]:
+    """What is read when the function is called, as far as its name tells."""
+    words = [] if command is None else _words(command)
+    if library is not None:
+        words.append(library.rpartition(":")[0])
+    if python is not None:
+        words.append(getattr(sys.modules[python.partition(":")[0]], "__file__", None) or "")
+    return {Path(word).resolve() for word in words}
+
+
 def called(function: Callable[..., Any], results: int) -> Caller:
     """An error of arithmetic (a division by zero, a logarithm of nothing) is NaN."""
 
@@ -122,11 +132,12 @@ def library(name: str, arguments: int, results: int) -> Caller:
 
 def command(line: str) -> Caller:
     """A line of hexadecimal floats for each point in, a line of results for each out."""
+    words = _words(line)
 
     def run(points: Points) -> list[tuple[float, ...]]:
         text = "".join(" ".join(v.hex() for v in p) + "\n" for p in points)
         try:
-            done = subprocess.run(shlex.split(line), input=text, capture_output=True, text=True)
+            done = subprocess.run(words, input=text, capture_output=True, text=True)
             lines = done.stdout.splitlines()
             found = [tuple(_number(w) for w in one.split()) for one in lines]
         except (OSError, ValueError) as wrong:
@@ -140,6 +151,17 @@ def command(line: str) -> Caller:
         return found
 
     return run
+
+
+def _words(line: str) -> list[str]:
+    """A command's program and what it is given."""
+    try:
+        words = shlex.split(line)
+    except ValueError as wrong:
+        raise ValueError(f"--command: {line!r} cannot be used ({wrong})") from None
+    if not words:
+        raise ValueError(f"--command: {line!r} is not allowed; a program and its words are")
+    return words
 
 
 def _number(word: str) -> float:

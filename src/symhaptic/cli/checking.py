@@ -102,6 +102,8 @@ def check(
     begin = perf_counter()
     try:
         call = _caller(checked, python, library, command, arguments)
+        if output is not None and output.resolve() in callers.files(python, library, command):
+            refuse(f"-o {output}: is what is read here; another file is allowed")
         found = compared(checked, call, ulp, points)
     except ValueError as wrong:
         refuse(str(wrong))

@@ -67,7 +67,8 @@ def verify(
     strict: Annotated[
         bool,
         typer.Option(
-            "--strict", help="Fail on undecided too, and on argued where no ledger says so."
+            "--strict",
+            help="Fail on undecided too, and on argued or external where no ledger says so.",
         ),
     ] = False,
     workers: Annotated[
@@ -166,7 +167,7 @@ def verify(
     surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
     surprises += [entry.wrong for entry in found if entry.wrong]
     if strict:
-        surprises += committed.argued(entries, known)
+        surprises += committed.unproved(entries, known)
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
     for path in own if source is None and surprises else []:

@@ -61,6 +61,8 @@ def limits(
     from symhaptic.scene.device_file import BadDevice, read
 
     writable(output)
+    if output is not None and output.resolve() == device.resolve():
+        refuse(f"-o {output}: is what is read here; another file is allowed")
     said, into = asked(output, format)
     if into in DRAWN:
         can_draw(f"-o {output}")

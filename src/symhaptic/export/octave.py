@@ -171,6 +171,12 @@ function varargout = elementwise(one, names, varargin)
     [varargout{1:nargout}] = one(varargin{:});
     return
   end
+  if any(wide == 0)
+    none = num2cell(NaN(size(varargin)));
+    [varargout{1:nargout}] = one(none{:});
+    varargout = cellfun(@(y) repmat(y, wide), varargout, 'UniformOutput', false);
+    return
+  end
   for k = 1:numel(varargin)
     if numel(varargin{k}) == 1
       varargin{k} = repmat(varargin{k}, wide);

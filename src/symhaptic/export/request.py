@@ -170,7 +170,7 @@ def built(
 def write(files: dict[str, str], folder: Path) -> None:
     """A folder that appears whole or not at all, in place of an older export at most.
 
-    Folders in that one which no export has written, such as what CMake builds, stay.
+    What no export has written in that one, such as what is built of it, stays.
     """
     kept = _kept(files, folder)
     try:
@@ -186,8 +186,13 @@ def write(files: dict[str, str], folder: Path) -> None:
             path = new / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-        for name in kept:
-            shutil.copytree(folder / name, new / name, symlinks=True)
+        for path in kept:
+            copy = new / path.relative_to(folder)
+            if path.is_dir() and not path.is_symlink():
+                copy.mkdir(parents=True, exist_ok=True)
+            else:
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(path, copy, follow_symlinks=False)
         if folder.exists():
             os.replace(folder, draft / "old")
         os.replace(new, folder)
@@ -199,22 +204,31 @@ def write(files: dict[str, str], folder: Path) -> None:
         shutil.rmtree(draft, ignore_errors=True)
 
 
-def _kept(files: Iterable[str], folder: Path) -> list[str]:
-    """Folders in that of an older export which are not its own; only its own may be replaced."""
+def _kept(files: Iterable[str], folder: Path) -> list[Path]:
+    """What is in the folder of an older export and not its own, folders included; nothing that
+    is to be written may be in its place."""
     if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
         raise Refused(f"-o {folder}: is no folder; a new or an empty one is allowed")
     if not folder.exists():
         return []
-    names = sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir())
     listing = folder / LISTING
     own = listing.read_text(encoding="utf-8").split("\n") if listing.is_file() else []
-    others = [name for name in names if name not in own]
-    written = {name.partition("/")[0] for name in (*own, *files)}
-    kept = {name.partition("/")[0] for name in others if "/" in name} - written if own else set()
-    others = [name for name in others if name.partition("/")[0] not in kept]
-    if others:
-        raise Refused(
-            f"-o {folder}: holds other files ({others[0]}); a new, an empty or an earlier export's "
-            "folder is allowed"
-        )
-    return sorted(kept)
+    above = {parent for name in own for parent in Path(name).parents}
+    kept = []
+    for path in sorted(folder.rglob("*")):
+        inside = path.relative_to(folder)
+        if inside.as_posix() in own or inside in above:
+            continue
+        loose = path.is_symlink() or not path.is_dir()
+        if loose and (not own or _meets(inside, files)):
+            raise Refused(
+                f"-o {folder}: holds other files ({inside.as_posix()}); a new, an empty or an "
+                "earlier export's folder is allowed"
+            )
+        kept.append(path)
+    return kept
+
+
+def _meets(place: Path, files: Iterable[str]) -> bool:
+    """Whether one of the files is there, or below it, or above it."""
+    return any(place in (p := Path(f), *p.parents) or p in place.parents for f in files)

@@ -75,6 +75,12 @@ def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> V
 def _same(lhs: Form, rhs: Form) -> Verdict:
     left, right = form_of("prove", lhs), form_of("prove", rhs)
     forms = (*parts(left), *parts(right))
+    related = any(isinstance(part, (Relational, BooleanAtom)) for part in parts(right))
+    if isinstance(left, Relational) and isinstance(right, list) and not related:
+        raise TypeError(
+            f"prove: rhs: {rhs!r} is no relation to compare {left} with and no box; a relation is "
+            "allowed, or {x: (0, 1)} with an interval for each symbol"
+        )
     spend_reading(*forms)
     names = shared("prove", {s for form in forms for s in form.free_symbols})
     if any(_complex_part_of_unknown(form) for form in forms):

@@ -43,9 +43,10 @@ def lambdify(
     digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
     ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
     pandas and Pint, which come back as such), or mpmath, which gives as many digits as
-    ``mpmath.mp.dps`` says.  ``scene`` leaves arguments out, as a :class:`Scene` or in the words of
-    the command line (``"no-stiffness,no-delay"``).  The arguments of a
-    stable form are dimensionless and in the order that `--list` prints; those of the others are in
+    ``mpmath.mp.dps`` says.  ``jax.vmap`` maps them; ``torch.vmap`` cannot, since NaN is looked for,
+    and arrays that are broadcast do the same.  ``scene`` leaves arguments out, as a :class:`Scene`
+    or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments of a stable
+    form are dimensionless and in the order that `--list` prints; those of the others are in
     the order of their names.  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
     or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count

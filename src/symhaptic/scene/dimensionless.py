@@ -76,8 +76,9 @@ def limit(scene: Scene, alpha: Any, beta: Any, theta: Any) -> Limit:
         if not isinstance(value, Real) and getattr(value, "shape", None) != ():
             raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
     period = scene.sampling_period
+    unit_K, unit_B = units(scene.mass, period)
     return Limit(
-        float(alpha) * scene.mass / period**2,
-        float(beta) * units(scene.mass, period)[1],
+        float(alpha) * unit_K,
+        float(beta) * unit_B,
         float(theta) / (2 * math.pi * period),
     )

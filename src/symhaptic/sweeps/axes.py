@@ -190,9 +190,11 @@ def _results(work: Work, inputs: Mapping[str, Input]) -> tuple[Result, ...]:
         work.says if len(several) == 1 else f"{work.says}_{i}" for i in range(len(several))
     ]
     kinds = {"b": bool, "i": int, "u": int}
+    arrays = (arguments.real(n, v) if np.asarray(v).dtype.kind not in kinds else np.asarray(v)
+              for n, v in zip(names, several, strict=True))  # fmt: skip
     return tuple(
-        Result(name, Meaning("", name), kinds.get(np.asarray(value).dtype.kind, float))
-        for name, value in zip(names, several, strict=True)
+        Result(name, Meaning("", name), kinds.get(array.dtype.kind, float))
+        for name, array in zip(names, arrays, strict=True)
     )
 
 

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from symhaptic.numeric.arguments import real
 from symhaptic.numeric.compiled import kernels_used
 from symhaptic.sweeps.quantities import Work
 
@@ -103,13 +104,28 @@ class Piece:
             size = tuple(s.stop - s.start for s in tile)
             first = all(s.start == 0 for s in tile[kept:])
             for into, variable in zip(found, self.variables, strict=True):
-                value = np.broadcast_to(np.asarray(values[variable.source]), size)
+                value = np.broadcast_to(_kept(variable, values[variable.source]), size)
                 into[tile[:kept]] = _reduced(variable, value, over, into[tile[:kept]], first)
         total = math.prod(self.shape[kept:])
         return [
             into / total if v.word == "mean" else into.astype(v.dtype, copy=False)
             for into, v in zip(found, self.variables, strict=True)
         ]
+
+
+def _kept(variable: Variable, value: Any) -> NDArray[Any]:
+    """A result as numbers of the kind that is kept; a function of one's own may give others."""
+    kind = _sum(variable)
+    array = real(variable.name, value) if np.ma.isMaskedArray(value) else np.asarray(value)
+    if np.can_cast(array.dtype, kind):
+        return array
+    if kind.kind == "f":
+        return real(variable.name, array)
+    if array.dtype.kind != "u" or kind != np.int64 or np.any(array > np.iinfo(kind).max):
+        raise ValueError(
+            f"{variable.name}: {array.dtype} is not allowed; the first point gave {kind}"
+        )
+    return array
 
 
 def _sum(variable: Variable) -> np.dtype[Any]:

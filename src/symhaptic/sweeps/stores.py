@@ -10,13 +10,16 @@ import json
 import math
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
@@ -27,6 +30,10 @@ if TYPE_CHECKING:
 
 PLAN = "symhaptic_sweep"
 """The attribute that says which sweep it is."""
+
+
+_TAKEN = ("blocks", "zarr.json")
+"""Names of its own in a group."""
 
 
 class Store(Protocol):
@@ -70,10 +77,15 @@ def _begun(place: str, said: str | None, plan: Plan) -> None:
         )
 
 
-def _beside(place: str) -> str:
-    """Where it is made until it is whole; what was left there is removed."""
-    shutil.rmtree(f"{place}.begun", ignore_errors=True)
-    return f"{place}.begun"
+@contextmanager
+def _beside(place: Path) -> Iterator[Path]:
+    """Where it is made before it has its name, in a folder of its own that does not stay."""
+    place.parent.mkdir(parents=True, exist_ok=True)
+    draft = Path(tempfile.mkdtemp(prefix=f".{place.name}-", dir=place.parent))
+    try:
+        yield draft / "new"
+    finally:
+        shutil.rmtree(draft, ignore_errors=True)
 
 
 @dataclass(frozen=True)
@@ -92,11 +104,25 @@ class Zarr:
             pass
         else:
             said = found.attrs.get(PLAN)
-            return _begun(self.place, said if isinstance(said, str) else None, plan)
+            _begun(self.place, said if isinstance(said, str) else None, plan)
+            return self._labelled(empty)
         local = "://" not in self.place
         if local and Path(self.place).exists():
             _begun(self.place, None, plan)
-        place = _beside(self.place) if local else self.place
+        for name, coord in empty.coords.items():
+            self._to_be_kept(str(name), coord)
+        if not local:
+            return self._made(self.place, plan, empty)
+        with _beside(Path(self.place)) as place:
+            self._made(str(place), plan, empty)
+            os.rename(place, self.place)
+        return None
+
+    @staticmethod
+    def _made(place: str, plan: Plan, empty: xarray.Dataset) -> None:
+        """A group without values, in which no block is done."""
+        import zarr
+
         chunks = {v: {"chunks": plan.lengths} for v in map(str, empty.data_vars) if plan.lengths}
         empty.to_zarr(place, compute=False, encoding=chunks, consolidated=False, zarr_format=3)
         group = zarr.open_group(place, mode="r+")
@@ -105,9 +131,37 @@ class Zarr:
             fill_value=0,
         )  # fmt: skip
         group.attrs[PLAN] = plan.description()
-        if local:
-            os.rename(place, self.place)
-        return None
+
+    def _to_be_kept(self, name: str, coord: xarray.DataArray) -> None:
+        """Refuse labels that Zarr would lose or change."""
+        import xarray
+        from zarr.storage import MemoryStore
+
+        tried = MemoryStore()
+        try:
+            xarray.Dataset(coords={name: coord}).to_zarr(tried, consolidated=False, zarr_format=3)
+            found = xarray.open_zarr(tried, consolidated=False, chunks=None)
+        except (TypeError, ValueError):
+            found = xarray.Dataset()
+        if name in _TAKEN or name not in found or not found[name].equals(coord):
+            raise ValueError(
+                f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
+                "numbers, text and dates are, with a plain name and plain attributes"
+            )
+
+    def _labelled(self, empty: xarray.Dataset) -> None:
+        """Refuse a sweep of other labels."""
+        import xarray
+
+        found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+        for name in sorted({*map(str, found), *map(str, empty.coords)}):
+            if name not in found or name not in empty.coords or not (
+                found[name].equals(empty.coords[name])
+            ):  # fmt: skip
+                raise ValueError(
+                    f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
+                    f"the labels {name!r}"
+                )
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
@@ -149,14 +203,14 @@ class Parquet:
         if Path(self.place).exists():
             file = self._plan(self.place)
             return _begun(self.place, file.read_text("utf-8") if file.is_file() else None, plan)
-        place = _beside(self.place)
-        os.makedirs(place)
-        self._plan(place).write_text(plan.description(), "utf-8")
-        os.rename(place, self.place)
+        with _beside(Path(self.place)) as place:
+            place.mkdir()
+            self._plan(place).write_text(plan.description(), "utf-8")
+            os.rename(place, self.place)
         return None
 
     @staticmethod
-    def _plan(place: str) -> Path:
+    def _plan(place: str | Path) -> Path:
         return Path(place) / f"_{PLAN}.json"
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:

@@ -56,6 +56,19 @@ def test_inside_is_stable_with_every_spring_and_outside_is_not(delay):
         assert np.all(largest < 1) if sign < 0 else np.all(largest > 1)
 
 
+@pytest.mark.parametrize(("delta", "delay"), [(1.0, 0), (3.887, 1.5), (8.0, 1)])
+def test_inside_is_stable_where_the_device_is_damped_much(delta, delay):
+    """Springs with which it creeps, and those next to the Nyquist frequency, by eigenvalues."""
+    found = region(delta, delay)
+    ring = np.asarray(found.polygon.buffer(-found.error).exterior.segmentize(0.05).coords)
+    ring = ring[:: max(len(ring) // 60, 1)]
+    gamma = springs(delta)
+    shape = (len(ring), len(gamma))
+    alpha, beta = (np.broadcast_to(ring[:, i, None], shape) for i in (0, 1))
+    largest = radius(alpha, beta, np.broadcast_to(gamma, shape), delta, float(delay))
+    assert largest.max() < 1 + 1e-12
+
+
 def test_for_little_damping_it_is_passivity_with_more_damping_at_high_frequencies():
     """First order by hand: alpha D - beta cos (d+1) theta < delta (theta/2)^2/sin(theta/2)^2."""
     d, delta = 1, 1e-4

@@ -67,9 +67,9 @@ def place_of(id: str) -> str:
     """An id as the place of a link, of which TeX keeps all, and a label of the site, too.
 
     >>> place_of("rules:four"), place_of("my:K_0")
-    ('rules-four', 'my-.4b..5f.0')
+    ('rules.3a.four', 'my.3a..4b..5f.0')
     """
-    return re.sub(r"[^a-z0-9:-]", lambda odd: f".{ord(odd[0]):x}.", id).replace(":", "-")
+    return re.sub(r"[^a-z0-9-]", lambda odd: f".{ord(odd[0]):x}.", id)
 
 
 def anchor(name: str) -> str:

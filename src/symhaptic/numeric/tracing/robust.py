@@ -19,6 +19,10 @@ from symhaptic.numeric.tracing.shape import Shape
 _PER_TURN = 8
 """Springs per half turn of z^(d+1) to begin with."""
 
+_NEAR_NYQUIST = 0.5 ** np.arange(1, 8)
+"""Parts of the last step, before its end, at which springs are tried, too: the plant's numerator
+changes quickly there, and the middle of the step may cut nothing."""
+
 _ROUNDS = 20
 """Halvings of the steps between springs at most."""
 
@@ -79,7 +83,9 @@ def robust_region(
 
     count = int(np.ceil(_PER_TURN * (delay + 1)))
     regions = [region(-delta / 2)]  # which refuses too long a delay
-    angles = [-delta / 2, *np.linspace(0, np.pi, count + 1)]
+    creeping = np.linspace(0, min(np.pi, delta / 2), count + 1) - delta / 2
+    near = np.pi * (1 - _NEAR_NYQUIST / count)
+    angles = [*creeping[creeping < 0], *np.linspace(0, np.pi, count + 1)[:-1], *near, np.pi]
     regions += [region(angle) for angle in angles[1:]]
     shape = _common([r.polygon for r in regions])
     error = max(r.error for r in regions)
