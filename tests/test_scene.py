@@ -316,4 +316,4 @@ def test_a_wall_has_the_same_stiffness_wherever_units_are_given_to_it():
     scene = Scene(mass=0.3, damping=0.7, sampling_period=0.003, delay_samples=1)
     unit = 0.3 / 0.003**2
     for alpha in (n / 7 for n in range(1, 40)):
-        assert scene.limit(alpha, 0.0, 1.0).K == alpha * unit
+        assert alpha * unit == scene.limit(alpha, 0.0, 1.0).K
