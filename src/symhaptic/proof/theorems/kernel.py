@@ -160,12 +160,12 @@ def forget() -> None:
 def _exactly(part: Any) -> Any:
     """What only equal arguments share, names of bound symbols and types included; None for those
     that cannot be told apart so."""
-    part = ("at", *part.items()) if isinstance(part, Mapping) else part
-    if isinstance(part, (tuple, list)):
-        parts = tuple(map(_exactly, part))
-        return None if any(found is None for found in parts) else parts
     if isinstance(part, (Theorem, Basic)):
         return part
+    part = ("at", *part.items()) if isinstance(part, dict) else part
+    if isinstance(part, tuple):
+        parts = tuple(map(_exactly, part))
+        return None if any(found is None for found in parts) else parts
     if isinstance(part, Proposition):
         return _exactly((type(part).__name__, *part.__reduce__()[1]))
     if isinstance(part, (str, int, NoneType)):
