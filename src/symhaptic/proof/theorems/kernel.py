@@ -129,8 +129,9 @@ def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
 def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
     args, named = _written(args), _written(named)
     same = _exactly((name, args, named))
-    if same in _known:
-        return _known[same]
+    known = _known.get(same)
+    if known is not None:
+        return known
     try:
         judgement = _RULES[name](*args, **dict(named))
     except (Unsupported, Undefined) as why:  # a decider's, that it cannot tell
