@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.notation import alpha, beta, d, delta, gamma, x
 from symhaptic.paper.propositions.linear import safe
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -33,8 +33,8 @@ def derive(page):
         "larger, and the other inequalities hold in the whole triangle."
     )
     claim = safe()
-    symbols, arms, every = taken_apart(claim)
-    theorem = for_all(symbols, arms, weakened(conjoined(*map(below_the_crossing, every.of)), *arms))
+    symbols, arms, _ = taken_apart(claim)
+    theorem = for_all(symbols, arms, weakened(below_the_crossing(), *arms))
     page.lemma(
         "What satisfies (25) and has at most the damping of a stable wall on its line is stable",
         theorem,

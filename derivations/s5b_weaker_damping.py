@@ -95,7 +95,7 @@ def derive(page):
     undelayed = widened(conjoined(*(number(p) for p in short.of[0].of)), short)
     page.settle(
         "s5a-smaller-delta",
-        for_all(every, [*ranges, SHORT], weakened(further(then), *ranges)),
+        for_all(every, [*ranges, SHORT], weakened(further(), *ranges)),
         example=example(point, [*ranges, SHORT], undelayed),
         unless=[counterexample(claim, FAR, nearer(then.at(FAR)), not_short(), but=SHORT)],
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "

@@ -6,7 +6,7 @@ which arms that holds.
 
 from sympy import Rational, S, symbols, tan
 
-from symhaptic.book.lemmas.stiffness_claims import of_delay
+from symhaptic.book.lemmas.stiffness_claims import one_period
 from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over
 from symhaptic.model import boundary
 from symhaptic.notation import delta, gamma, phi, t
@@ -47,7 +47,7 @@ def derive(page):
     claim = CLAIMED["s6-stable-22"](())
     page.settle(
         "s6-stable-22",
-        of_delay(claim),
+        one_period(),
         example=example({gamma: S.Zero, delta: S.Zero}, taken_apart(claim)[1]),
         enclosed=True,
         value=shares[0],

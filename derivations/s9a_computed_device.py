@@ -10,12 +10,12 @@ from sympy import S, symbols
 
 from symhaptic.book.lemmas.computed import settle
 from symhaptic.book.lemmas.stable_device import (
-    COMPUTED,
     CONDITIONS,
     DERIVED,
     DISCRETE,
     POLYNOMIAL,
     SPRING,
+    computed,
     in_poles,
 )
 from symhaptic.forms.entire import Creep, Decay
@@ -68,7 +68,7 @@ def derive(page):
         "\\chapter{s4b_normalisation} finds for (14):"
     )
     for place, left, factor, function, title in NUMBERS:
-        ours = COMPUTED[place].xreplace(GIVEN)
+        ours = computed()[place].xreplace(GIVEN)
         same = page.same(title, ours, DERIVED.numbers[place].xreplace(device).xreplace(GIVEN))
         page.show(title, left, factor + name(function), same)
     page.say(
@@ -84,7 +84,7 @@ def derive(page):
     page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=name(Decay))
     page.limit(
         "Without a spring the way under a force is that of a mass with a damper",
-        COMPUTED[0].xreplace(GIVEN),
+        computed()[0].xreplace(GIVEN),
         c,
         delta,
         free,
@@ -95,7 +95,7 @@ def derive(page):
     critical = plant.sampled(plant.Plant(S.One, delta, delta**2 / 4)).n1
     page.limit(
         "At critical damping $n_1$ is that of the device with a double pole",
-        COMPUTED[0].xreplace(GIVEN),
+        computed()[0].xreplace(GIVEN),
         c,
         S.Zero,
         critical,

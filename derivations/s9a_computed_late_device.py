@@ -46,7 +46,7 @@ def derive(page):
         "impulse, with 1 of the rest of the period and with 2 of its beginning, and with the "
         "loss $L_1=1-e^{-\\delta(1-\\varepsilon)}$ of speed in the rest:"
     )
-    gap = LATE.written_out()[3]
+    gap = LATE.block.written_out()[3]
     page.show(
         "At $z=-1$ the numerator is made of the two parts of the period",
         "m_2-m_1+m_0",

@@ -16,7 +16,7 @@ from symhaptic.book.lemmas import (
     stable_walls,
 )
 from symhaptic.book.lemmas.renaming import definitions, explicit
-from symhaptic.book.lemmas.stable_forms import Block
+from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.forms import stable
 from symhaptic.forms.entire import written_out
 from symhaptic.model.parts import FULL
@@ -143,10 +143,10 @@ def test_what_is_said_twice_covers_nothing():
 
 
 BLOCKS = {
-    name: value
+    name: value.block
     for module in (stable_device, stable_boundary, stable_slope, stable_need, stable_walls)
     for name, value in vars(module).items()
-    if isinstance(value, Block)
+    if isinstance(value, Later)
 }
 
 

@@ -19,7 +19,7 @@ from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
-from symhaptic.proof.decide import compare
+from symhaptic.proof.decide import Comparison, compare
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
@@ -59,9 +59,19 @@ def line_at_work() -> int:
 class Evidence(Sealed):
     """An exact proof of something said in words."""
 
-    method: str
+    how: str | Comparison
     checks: tuple[Check, ...] = ()
     key: InitVar[object] = None
+
+    @property
+    def method(self) -> str:
+        """How it is proved, in words."""
+        return in_words(self.how)
+
+
+def in_words(how: str | Comparison) -> str:
+    """How something is proved."""
+    return how if isinstance(how, str) else how.method
 
 
 @dataclass(frozen=True)
@@ -74,7 +84,8 @@ class Block:
     lines: tuple[tuple[str, str, Any], ...] = ()
     """Left side, relation sign and right side of each line; sides are SymPy or LaTeX."""
     verdict: str = ""
-    method: str = ""
+    how: str | Comparison = ""
+    """In words, or what was compared, which finds the words when they are read."""
     number: int = 0
     boxed: bool = False
     draw: Callable[..., None] | None = None
@@ -86,6 +97,11 @@ class Block:
     """Cells of a table, its head first."""
     theorem: Theorem | None = None
     """The theorem that stands in it instead of lines."""
+
+    @property
+    def method(self) -> str:
+        """How it is proved, in words."""
+        return in_words(self.how)
 
     @cached_property
     def said(self) -> tuple[tuple[str, ...], str]:
@@ -160,15 +176,15 @@ class Record:
         self.checks.append((title, check))
         return check
 
-    def _proved(self, title: str, left: Form, right: Form) -> str:
-        method = self._compared(title, left, right)
+    def _proved(self, title: str, left: Form, right: Form) -> Comparison:
+        found = self._compared(title, left, right)
         self.checks.append((title, Same(parts(left), parts(right))))
-        return method
+        return found
 
-    def _compared(self, title: str, left: Form, right: Form) -> str:
+    def _compared(self, title: str, left: Form, right: Form) -> Comparison:
         result = compare(left, right)
         if result.equal:
-            return result.method
+            return result
         if result.equal is None:
             raise FalseStep(f"step {title!r} is undecided: {result.method}")
         at = ", ".join(f"{s} = {v}" for s, v in (result.point or {}).items())
@@ -179,7 +195,7 @@ class Record:
         title: str,
         lines: Sequence[tuple[Any, str, Any]],
         verdict: str,
-        method: str,
+        how: str | Comparison,
         because: str,
         boxed: bool = False,
         kind: str = "equation",
@@ -196,7 +212,7 @@ class Record:
                 because,
                 tuple(lines),
                 verdict,
-                method,
+                how,
                 self._count,
                 boxed,
                 paper=paper,

@@ -22,6 +22,7 @@ from symhaptic.notation.latex import latex
 from symhaptic.proof.ball import bound
 from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
 from symhaptic.proof.counterexample import Witness
+from symhaptic.proof.decide import Comparison
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
@@ -77,15 +78,15 @@ class Steps(Record):
         """
         if len(chain) < 2:
             raise FalseStep(f"{title}: a step needs two sides")
-        method = ""
+        how: str | Comparison = ""
         for left, right in itertools.pairwise(chain):
-            method = self._proved(title, left, right)
+            how = self._proved(title, left, right)
         self._defined(name, chain[0])
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
         rights = written[1:] if name is None else written
         lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
-        self._equation(title, lines, "proved", method, because, boxed, paper=paper)
+        self._equation(title, lines, "proved", how, because, boxed, paper=paper)
         return chain[-1]
 
     def show(
@@ -100,7 +101,7 @@ class Steps(Record):
     ) -> Expr | str:
         """``name = expr``, proved by evidence found before, such as :meth:`same`."""
         lines = [(name, "=", expr)]
-        self._equation(title, lines, "proved", proof.method, because, boxed, paper=paper)
+        self._equation(title, lines, "proved", proof.how, because, boxed, paper=paper)
         return expr
 
     def lemma(
@@ -210,11 +211,9 @@ class Steps(Record):
         paper: str = "",
     ) -> Form:
         """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
-        method = self._proved(text, relation, equal_to)
+        how = self._proved(text, relation, equal_to)
         lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(
-            text, lines, "proved", method, because, boxed=True, kind="result", paper=paper
-        )
+        self._equation(text, lines, "proved", how, because, boxed=True, kind="result", paper=paper)
         return relation
 
     def inside(
@@ -296,17 +295,18 @@ class Steps(Record):
         A form beside itself is refused.  Where SymPy makes one expression of two forms as it
         evaluates them, the method says so.
         """
-        method, before = "", len(self.checks)
+        how: str | Comparison = ""
+        before = len(self.checks)
         if len(forms) < 2:
             raise FalseStep(f"{what}: a comparison needs two sides")
         caller = sys._getframe(1)
         if again := written_twice(caller.f_code, caller.f_lasti, skipped=1):
             raise FalseStep(f"{what}: {again} compared with itself proves nothing")
         for left, right in itertools.pairwise(forms):
-            method = self._proved(what, left, right)
+            how = self._proved(what, left, right)
             if parts(left) == parts(right):
-                method = "both sides evaluate to one expression"
-        return Evidence(method, tuple(check for _, check in self.checks[before:]), KEY)
+                how = "both sides evaluate to one expression"
+        return Evidence(how, tuple(check for _, check in self.checks[before:]), KEY)
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""

@@ -20,6 +20,7 @@ from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.proof import box
 from symhaptic.proof.ball import ball
 from symhaptic.proof.certificate import Certificate, Known, Zero
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.enclosed import Enclosed, Source, value
 from symhaptic.proof.recheck import confirm
 from symhaptic.proof.roots import BITS, NoSuchRoot, zero
@@ -132,7 +133,7 @@ def _curve(delay: int) -> tuple[Expr, Expr]:
 @cache
 def _slopes() -> tuple[Expr, Expr]:
     """The slope of the stiffness by t and by phi."""
-    return sp.diff(STIFFNESS, t), sp.diff(STIFFNESS, phi)
+    return derivative(STIFFNESS, t), derivative(STIFFNESS, phi)
 
 
 Side: TypeAlias = tuple[Expr, Expr]

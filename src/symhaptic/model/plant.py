@@ -8,6 +8,7 @@ force.  Parts that are absent (``None``) do not occur; each case has its own pol
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 from sympy import Expr, Matrix
@@ -122,6 +123,7 @@ class Sampled:
         return self.numerator / self.denominator
 
 
+@cache
 def sampled(plant: Plant, period: Expr = sp.S.One, split: Expr | None = None) -> Sampled:
     """Exact discrete equivalent of the plant behind a zero-order hold.
 

@@ -122,8 +122,17 @@ def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
 
 @lru_cache(maxsize=1 << 15)
 def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -> tuple[Expr, ...]:
-    known = dict(values)
-    return tuple(t.xreplace(known) for t in terms)
+    known, symbols = dict(values), frozenset(s for s, _ in values)
+    return tuple(_put_in(t, known, symbols) for t in terms)
+
+
+def _put_in(term: Expr, known: dict[Any, Expr], symbols: frozenset[Symbol]) -> Expr:
+    """As ``xreplace``, which looks through parts without the symbols and twice through others."""
+    if symbols.isdisjoint(symbols_in(term)):
+        return term
+    if term not in known:
+        known[term] = term.func(*(_put_in(part, known, symbols) for part in term.args))
+    return known[term]
 
 
 _DEPTHS = {place: i for i, place in enumerate(PLACES)}

@@ -37,10 +37,12 @@ class NoTerm(TypeError):
 
 def term(of: Any) -> Expr:
     """A term: an exact, commutative expression in plain symbols.  Text is refused."""
-    number = isinstance(of, Number) and not isinstance(of, (float, complex, bool))
-    if not (number or isinstance(of, Expr)):
+    if isinstance(of, Expr):
+        expr = of
+    elif isinstance(of, Number) and not isinstance(of, (float, complex, bool)):
+        expr = sp.sympify(of, strict=True)
+    else:
         raise NoTerm(f"{of!r} is no term; an exact SymPy expression is")
-    expr = of if isinstance(of, Expr) else sp.sympify(of, strict=True)
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
     _looked_through(expr)

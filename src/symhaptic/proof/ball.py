@@ -17,6 +17,7 @@ from flint import acb, acb_poly, arb, ctx
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction, from_leading
+from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.rewriting import Unsupported, conjugated
 
@@ -186,7 +187,7 @@ def _in_balls(expr: Expr, variable: sp.Symbol, at: dict[Expr, Expr | acb | arb])
     """A polynomial with balls for coefficients; a leading one that contains 0 decides nothing."""
     if expr == variable:
         return acb_poly([0, 1])
-    if variable not in expr.free_symbols:
+    if variable not in symbols_in(expr):
         return acb_poly([_ball(expr, at)])
     if expr.is_Pow and expr.args[1].is_Integer and expr.args[1] > 0:
         return _in_balls(expr.args[0], variable, at) ** int(expr.args[1])
@@ -215,7 +216,7 @@ def _by_name(expr: Expr, variable: set[Expr], named: dict[Expr, Expr]) -> Expr:
     """A polynomial with a name for each of its constants, so that none of them is expanded."""
     if expr.is_Rational or expr in variable:
         return expr
-    if not expr.free_symbols & variable:
+    if symbols_in(expr).isdisjoint(variable):
         return named.setdefault(expr, sp.Dummy())
     return expr.func(*(_by_name(part, variable, named) for part in expr.args))
 

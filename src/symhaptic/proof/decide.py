@@ -26,9 +26,15 @@ class Comparison:
     """``equal`` is None where neither a proof nor a counterexample was found."""
 
     equal: bool | None
-    method: str
+    how: str | Field
+    """In words, or the field in which the difference is zero."""
     point: Point | None = None
     values: tuple[Value, Value] | None = None
+
+    @property
+    def method(self) -> str:
+        """How it was found, in words; a field is named when somebody asks."""
+        return self.how if isinstance(self.how, str) else f"zero in {field_name(self.how)}"
 
 
 def compare(left: Form, right: Form, anywhere: bool = False) -> Comparison:
@@ -51,7 +57,7 @@ def compare(left: Form, right: Form, anywhere: bool = False) -> Comparison:
     ours, theirs = _unified(parts(left), parts(right))
     if not ours:
         return Comparison(None, "nothing to compare")
-    method = ""
+    how: str | Field = ""
     for one, other in zip(ours, theirs, strict=True):
         result = _shown(one, other)
         if result is None:
@@ -61,8 +67,8 @@ def compare(left: Form, right: Form, anywhere: bool = False) -> Comparison:
             result = told if told.equal is False else result
         if not result.equal:
             return result
-        method = result.method or method
-    return Comparison(True, method)
+        how = result.how or how
+    return Comparison(True, how)
 
 
 def equal(left: Form, right: Form) -> bool:
@@ -97,7 +103,7 @@ def _shown(left: Expr, right: Expr) -> Comparison | None:
             return Comparison(True, "identical") if left == right else None
         field = Field([left, right])
         if field.are_equal(left, right):
-            return Comparison(True, f"zero in {field_name(field)}")
+            return Comparison(True, field)
     except Unsupported as missing:
         return Comparison(None, str(missing))
     except Undefined as pole:
@@ -115,7 +121,7 @@ def _relations(left: Relational, right: Relational) -> Comparison | None:
     ours, theirs = left.lhs - left.rhs, right.lhs - right.rhs
     field = Field([ours, theirs])
     if _proportional(field, ours, theirs, signed=isinstance(left, (sp.Eq, sp.Ne))):
-        return Comparison(True, f"zero in {field_name(field)}")
+        return Comparison(True, field)
     return None
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symhaptic.book.lemmas.stable_forms import Block
+from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.book.page import Page
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
@@ -19,12 +19,14 @@ def statement(form: str) -> str:
     return f"computed-{form.replace('_', '-')}"
 
 
-def settle(page: Page, form: str, blocks: Sequence[Block], says: str) -> None:
+def settle(page: Page, form: str, blocks: Sequence[Later], says: str) -> None:
     """State on a page that what a form computes is what is derived, and settle it.
 
     The claim is that of all the blocks that are the form's own.
     """
-    page.state(statement(form), says, claim=both(block.says() for block in blocks))
-    shown = [block.derive() for block in blocks]
+    page.state(statement(form), says, claim=both(later.block.says() for later in blocks))
+    shown = [later.derive() for later in blocks]
     whole = shown[0] if len(shown) == 1 else conjoined(*shown)
-    page.settle(statement(form), whole, example=None if len(shown) > 1 else blocks[0].example())
+    page.settle(
+        statement(form), whole, example=None if len(shown) > 1 else blocks[0].block.example()
+    )

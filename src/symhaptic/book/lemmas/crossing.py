@@ -41,34 +41,49 @@ def size(of: Expr) -> Expr:
 SURPLUS = size(PLANT) - size(WALL)
 """By how much the plant leads."""
 
-SLOPE = sp.diff(SURPLUS, theta)
-
-SPEED = sp.diff(PLANT + WALL, theta)
-OUTWARD = theta * (PLANT * mirror(SPEED) + mirror(PLANT) * SPEED) / 2
-"""Re dz/(z dd) at a zero, times |dp/dtheta|^2: dp = 0 says dz/(z dd) = theta f/(dp/dtheta)."""
-
 ZERO = Relation(PLANT + WALL, "=", S.Zero)
-EQUAL, GROWING = Relation(SURPLUS, "=", S.Zero), Relation(S.Zero, "<", SLOPE)
-THERE = [theta > 0, theta < pi, EQUAL, GROWING]
-TWICE = [*THERE, *(proposition(p).at({theta: OTHER}) for p in THERE)]
+EQUAL = Relation(SURPLUS, "=", S.Zero)
+
+
+@cache
+def slope() -> Expr:
+    """How the lead changes with the angle."""
+    return sp.diff(SURPLUS, theta)
+
+
+def outwards() -> Relation:
+    """Re dz/(z dd) at a zero, times |dp/dtheta|^2: dp = 0 says dz/(z dd) = theta f/(dp/dtheta)."""
+    speed = sp.diff(PLANT + WALL, theta)
+    outward = theta * (PLANT * mirror(speed) + mirror(PLANT) * speed) / 2
+    return Relation(outward, "=", theta * slope() / 2)
+
+
+def growing() -> Relation:
+    """The lead grows with the angle."""
+    return Relation(S.Zero, "<", slope())
+
+
+def twice() -> list[Proposition]:
+    """At both angles the plant takes the lead."""
+    there = [proposition(p) for p in (theta > 0, theta < pi, EQUAL, growing())]
+    return [*there, *(p.at({theta: OTHER}) for p in there)]
 
 
 def leaves_where_the_wall_stops_to_lead() -> Proposition:
     """At a zero on the circle the speed outwards has the sign of the slope of the plant's lead."""
-    return every(NAMES, [ZERO], Relation(OUTWARD, "=", theta * SLOPE / 2))
+    return every(NAMES, [ZERO], outwards())
 
 
 def at_one_angle() -> Proposition:
     """Two angles at which the plant takes the lead are one."""
-    return every((*NAMES, OTHER), TWICE, Relation(theta, "=", OTHER))
+    return every((*NAMES, OTHER), twice(), Relation(theta, "=", OTHER))
 
 
 @cache
 def speed_outwards() -> Theorem:
-    """OUTWARD is theta/2 times the slope of the surplus, where p = f + g is zero."""
+    """The speed is theta/2 times the slope of the surplus, where p = f + g is zero."""
     turned, zero = theta * sp.diff(WALL, theta) / 2, assume(ZERO)
-    claim = Relation(OUTWARD, "=", theta * SLOPE / 2)
-    found = combined(claim, [zero, mirror(turned)], [mirrored(zero), turned])
+    found = combined(outwards(), [zero, mirror(turned)], [mirrored(zero), turned])
     return for_all(NAMES, [ZERO], found)
 
 
@@ -82,7 +97,7 @@ def one_angle() -> Theorem:
         both_ways(assume(theta <= OTHER), assume(theta >= OTHER)),
     )
     found = by_cases(ordered(theta, OTHER), anything(_apart(theta, OTHER), wanted), later)
-    return for_all((*NAMES, OTHER), TWICE, found)
+    return for_all((*NAMES, OTHER), twice(), found)
 
 
 def _apart(smaller: Symbol, larger: Symbol) -> Theorem:
@@ -112,7 +127,7 @@ def _rises(angle: Symbol) -> Theorem:
     slope = sp.diff(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
     sine = sign_of(sin, angle)
     found = over(
-        slope > 0, assume(GROWING.at({theta: angle})), positive(2 * sin(angle) > 0, [2, sine])
+        slope > 0, assume(growing().at({theta: angle})), positive(2 * sin(angle) > 0, [2, sine])
     )
     return closed(found, positive(Ne(sin(angle), 0), [sine]))
 

@@ -20,10 +20,11 @@ from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x, y
 from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts
-from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.device import transcribed
+from symhaptic.paper.propositions.linear import safe
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.theorems.familiar import device_static, square
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     applied,
@@ -117,8 +118,12 @@ def softer(value: Expr, there: Theorem, delay: int) -> Theorem:
 
 
 @cache
-def stays_stable(delay: int) -> Theorem:
+def stays_stable() -> tuple[Theorem, ...]:
     """The wall x of the line is stable where alpha is, for -gamma < x <= alpha, on (23)."""
+    return tuple(map(_stays_stable, TOP))
+
+
+def _stays_stable(delay: int) -> Theorem:
     loop = placed(by_inequalities(delay), {beta: on_the_line(alpha, delay)})
     wanted = placed(by_inequalities(delay), {alpha: x, beta: on_the_line(x, delay)})
     known = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
@@ -145,10 +150,15 @@ def within(theorem: Theorem, delay: int) -> Theorem:
     return closed(theorem, *ends, least)
 
 
-def one_crossing(delay: int) -> Theorem:
-    """For -gamma < x < alpha: if alpha is stable, so is x, and alpha < 1."""
+@cache
+def one_crossing() -> Theorem:
+    """For -gamma < x < alpha: if alpha is stable, so is x, and alpha < 1; for d = 0 and d = 1."""
+    return conjoined(*map(_one_crossing, TOP))
+
+
+def _one_crossing(delay: int) -> Theorem:
     stiff = placed(below_the_top(delay), {beta: on_the_line(alpha, delay)})
-    found = conjoined(stays_stable(delay), positive(alpha < 1, [stiff], [1 - TOP[delay]]))
+    found = conjoined(stays_stable()[delay], positive(alpha < 1, [stiff], [1 - TOP[delay]]))
     wall = next(p for p in stiff.hypotheses if isinstance(p, Predicate))
     return discharged(closed(found, positive(x <= alpha, x < alpha)), wall)
 
@@ -157,7 +167,6 @@ DAMPING = -Rational(22, 1000), Rational(2, 5)
 """What is on the line from -gamma to the top, on (23)."""
 
 
-@cache
 def in_the_triangle(delay: int) -> Theorem:
     """A wall above the line, -gamma < alpha, with at most the damping of a stable wall x on it."""
     share = delay + S.Half
@@ -168,7 +177,7 @@ def in_the_triangle(delay: int) -> Theorem:
     most = assume(beta <= on_the_line(x, delay))
     walls = {alpha: x, x: there}
     on_it = closed(
-        placed(stays_stable(delay), walls),
+        placed(stays_stable()[delay], walls),
         positive(-gamma < there, [less], [above]),
         positive(there <= x, [1 / share, most]),
     )
@@ -229,7 +238,13 @@ def _from_the_start(value: Expr) -> list[list[Any]]:
     return [[2, room()], [2, total, assume(line)], [2, first, above], [turn, S.One]]
 
 
-def below_the_crossing(claim: Proposition) -> Theorem:
-    """The claim of the triangle for one delay, from its parts."""
-    delay = next(n for n in TOP if STABLE.at({d: S(n)}) == claim.of[1])  # type: ignore[attr-defined]
-    return discharged(in_the_triangle(delay), *conjuncts(claim.of[0]))  # type: ignore[attr-defined]
+@cache
+def below_the_crossing() -> Theorem:
+    """The claim of the triangle for d = 0 and d = 1, each from its parts."""
+    every: Any = taken_apart(safe())[2]
+    return conjoined(
+        *(
+            discharged(in_the_triangle(delay), *conjuncts(claim.of[0]))
+            for delay, claim in zip(TOP, every.of, strict=True)
+        )
+    )

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
+from symhaptic.model.circle import powers
 from symhaptic.notation import B, K, T, b, k, m, y, z
 from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
 from symhaptic.paper.propositions.stability import (
@@ -197,8 +198,8 @@ def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
     u = plane.conclusion.terms[1]
     slope, place = u.coeff(free, 1), Symbol("u")
     least = minor.conclusion.terms[1]
-    turned = -least.subs(free, (place - u.coeff(free, 0)) / slope)
-    high, low, last = sp.Poly(turned, place).all_coeffs()
+    turned = powers(-least.subs(free, (place - u.coeff(free, 0)) / slope), place)
+    high, low, last = (turned.get(n, S.Zero) for n in (2, 1, 0))
     r = Rational(int(1000 * sp.sqrt(last / high).n(30)), 1000)
     sizes = high, low + 2 * high * r, last - high * r**2
     signs = [number(Relation(S.Zero, "<", size)) for size in sizes]

@@ -6,7 +6,7 @@ from functools import partial
 
 from sympy import Expr, I, Ne, S, cos, exp, pi, sin, symbols, tan
 
-from symhaptic.book.lemmas.stable_forms import Block, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.forms.device_forms import made_of
 from symhaptic.model.passivity import mirror
 from symhaptic.model.plant import Sampled
@@ -127,5 +127,5 @@ def _divisors(late: bool, below: Expr) -> list[Theorem]:
     return [*known, size, combined(named, [size], [assume(Relation(w, "=", below)), w + below])]
 
 
-BOUNDARY = wall(WHOLE, d, False)
-LATE_BOUNDARY = wall(LATE, l, True)
+BOUNDARY = Later(partial(wall, WHOLE, d, False))
+LATE_BOUNDARY = Later(partial(wall, LATE, l, True))

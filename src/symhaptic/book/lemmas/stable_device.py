@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
+
 import sympy as sp
 from sympy import Eq, Expr, Ne, S, Symbol, exp, sqrt, symbols
 
-from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import fractional_delay, stable
 from symhaptic.forms.device_forms import device_of, made_of
 from symhaptic.forms.entire import written_out
@@ -81,9 +83,11 @@ def in_poles(expr: Expr) -> Expr:
     return written_out(expr).subs(sqrt(delta**2 - 4 * gamma), c)
 
 
-COMPUTED = tuple(
-    map(in_poles, (*device_of(FULL).numbers, fractional_delay.brief(FULL, S.One).kick))
-)
+@cache
+def computed() -> tuple[Expr, ...]:
+    """The numbers and the impulse, as they are computed."""
+    kick = fractional_delay.brief(FULL, S.One).kick
+    return tuple(map(in_poles, (*device_of(FULL).numbers, kick)))
 
 
 def spring_there() -> Theorem:
@@ -98,9 +102,10 @@ def _poles() -> list[Theorem]:
     return [spring, *(not_zero(x, spring) for x in (RISE, FALL, -FALL))]
 
 
-def device_block(*which: int, more: tuple[Relation, ...] = ()) -> Block:
+def device_block(*which: int, polynomial: bool = False) -> Block:
     """Numbers of the device, by their places in ``Device.numbers``; the impulse is the last."""
-    pairs = tuple(Relation(COMPUTED[i], "=", EXACT[i]) for i in which)
+    more = (_polynomial(),) if polynomial else ()
+    pairs = tuple(Relation(computed()[i], "=", EXACT[i]) for i in which)
     free = (c, delta, *((alpha, beta, z) if more else ()))
     point = POINT | ({alpha: S.One, beta: S.One, z: S(2)} if more else {})
     where = APART if 8 in which else APART[:2]
@@ -125,8 +130,8 @@ k_1, k_2, x_1, x_2, y_1, y_2, g_1, g_2 = symbols("k_1 k_2 x_1 x_2 y_1 y_2 g_1 g_
 def _part_of_period(time: Expr, x: Symbol, y: Symbol, g: Symbol, k: Symbol) -> tuple[Brief, Named]:
     """What is computed of a part of a period: its numbers as names, and what they stand for."""
     known = fractional_delay.brief(FULL, time)
-    computed = known.rise, known.fall, known.apart, known.kick
-    names = tuple(zip((x, y, g, k), map(in_parts, computed), strict=True))
+    ours = known.rise, known.fall, known.apart, known.kick
+    names = tuple(zip((x, y, g, k), map(in_parts, ours), strict=True))
     return Brief(x, y, g, k, S.Zero, written_out(known.loss)), names
 
 
@@ -138,8 +143,6 @@ def in_parts(expr: Expr) -> Expr:
     return found
 
 
-_first, _first_names = _part_of_period(REST, x_1, y_1, g_1, k_1)
-_last, _last_names = _part_of_period(PART, x_2, y_2, g_2, k_2)
 AFTER = (
     (h_1, impulse(REST)),
     (v_1, kept(REST, h_1)),
@@ -154,18 +157,20 @@ AFTER = (
 
 def _late() -> Block:
     """What is made of the two parts of a period beside the late force."""
-    last = exp(-delta * REST) * _last.fall
-    computed = (
-        _first.rise,
-        last,
+    first, first_names = _part_of_period(REST, x_1, y_1, g_1, k_1)
+    last, last_names = _part_of_period(PART, x_2, y_2, g_2, k_2)
+    fallen = exp(-delta * REST) * last.fall
+    ours = (
+        first.rise,
+        fallen,
         n_1 + n_0,
-        closed(fractional_delay.at_minus_one(FULL, _first, _last)),
-        COMPUTED[7] - (_first.rise + last),
+        closed(fractional_delay.at_minus_one(FULL, first, last)),
+        computed()[7] - (first.rise + fallen),
     )
     exact = m_2, m_0, m_2 + m_1 + m_0, m_2 - m_1 + m_0, m_1
     where = (*APART, *map(proposition, (Ne(epsilon, 0), Ne(epsilon, 1))))
-    names = (*NUMBERS[:5], *_first_names, *_last_names, *AFTER)
-    pairs = tuple(Relation(x, "=", y) for x, y in zip(computed, exact, strict=True))
+    names = (*NUMBERS[:5], *first_names, *last_names, *AFTER)
+    pairs = tuple(Relation(x, "=", y) for x, y in zip(ours, exact, strict=True))
     return Block((c, delta, epsilon), where, names, pairs, POINT | {epsilon: S.Half}, _parts)
 
 
@@ -181,8 +186,8 @@ def _parts() -> list[Theorem]:
     return [spring, *parts, *poles, *shorter]
 
 
-DISCRETE = device_block(0, 1, 2, 3)
-POLYNOMIAL = device_block(0, 1, 2, 3, more=(_polynomial(),))
-CONDITIONS = device_block(0, 1, 4, 6)
-ALL = device_block(*range(10))
-LATE = _late()
+DISCRETE = Later(partial(device_block, 0, 1, 2, 3))
+POLYNOMIAL = Later(partial(device_block, 0, 1, 2, 3, polynomial=True))
+CONDITIONS = Later(partial(device_block, 0, 1, 4, 6))
+ALL = Later(partial(device_block, *range(10)))
+LATE = Later(_late)

@@ -77,12 +77,8 @@ class Block:
             values[name] = meaning.xreplace(values)
         return example(values, self.given)
 
-    def derive(self) -> Theorem:
-        """The claim as a theorem, which is kept."""
-        return self._theorem
-
-    @cached_property
-    def _theorem(self) -> Theorem:
+    def theorem(self) -> Theorem:
+        """The claim as a theorem."""
         found = [self._pair(pair) for pair in self.pairs]
         whole = found[0] if len(found) == 1 else conjoined(*found)
         shown = weakened(closed(whole, *self.divisors()), *self.given)
@@ -97,6 +93,26 @@ class Block:
                 used.append(Relation(name, "=", meaning))
         names = definitions(reversed(used))
         return renamed(_shown(explicit(pair, *names)), pair, *names)
+
+
+class Later:
+    """A block that is made when it is first asked for."""
+
+    def __init__(self, make: Callable[[], Block]) -> None:
+        self._make = make
+
+    @cached_property
+    def block(self) -> Block:
+        """The block, which is kept."""
+        return self._make()
+
+    def derive(self) -> Theorem:
+        """Its claim as a theorem, which is kept."""
+        return self._theorem
+
+    @cached_property
+    def _theorem(self) -> Theorem:
+        return self.block.theorem()
 
 
 def _shown(claim: Proposition) -> Theorem:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from sympy import Expr, Rational, S, Symbol, cos, pi, sin, symbols
 
-from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
 from symhaptic.notation import alpha, beta, d, delta, epsilon, l, psi, theta, v, w, x, y
@@ -105,4 +105,4 @@ def _at_an_angle() -> Block:
     return Block((theta, d, alpha, beta, delta), ANGLE, (), (pair,), point, half_angle)
 
 
-NEEDS, MARGIN = _needs(), _at_an_angle()
+NEEDS, MARGIN = Later(_needs), Later(_at_an_angle)

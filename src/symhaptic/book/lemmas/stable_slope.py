@@ -19,7 +19,7 @@ from symhaptic.book.lemmas.stable_boundary import (
     inside,
     turned,
 )
-from symhaptic.book.lemmas.stable_forms import Block, Named, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import max_stiffness_slope
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, y, z
@@ -131,4 +131,5 @@ def _divisors(top: Expr, searched: bool) -> list[Theorem]:
     return [*known, square(top, known[2:]), other]
 
 
-SEARCHED, EARLY, UNDELAYED = _searched(), _polynomial(LATE, True), _polynomial(WHOLE, False)
+SEARCHED = Later(_searched)
+EARLY, UNDELAYED = (Later(partial(_polynomial, *x)) for x in ((LATE, True), (WHOLE, False)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Ne, S, cos, pi, sin
 
-from symhaptic.book.lemmas.stable_forms import Block, not_zero
+from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.book.lemmas.stable_need import (
     ANGLE,
     HALF,
@@ -154,5 +154,5 @@ def _order() -> list[Theorem]:
     return [combined(Ne(d + HALF, 0), [above])]
 
 
-TOUCHED, STIFFEST, LINEAR = _envelope(), _stiffest(), _linear()
-LATE_STIFFEST = _late_stiffest()
+TOUCHED, STIFFEST, LINEAR = Later(_envelope), Later(_stiffest), Later(_linear)
+LATE_STIFFEST = Later(_late_stiffest)

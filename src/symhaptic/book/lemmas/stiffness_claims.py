@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any, TypeAlias
 
 from sympy import Expr, Rational, S, diff
@@ -11,6 +12,7 @@ from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
 from symhaptic.notation import B, K, T, alpha, b, beta, delta, x, y
 from symhaptic.notation.proposition import Proposition, Relation, conjuncts
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
 from symhaptic.paper.ranges import RANGES
@@ -125,6 +127,12 @@ def of_ratio(claim: Proposition, delay: int, wall: Wall) -> Theorem:
         passive_beside_stable(digits, delay, ELEVEN),
     )
     return for_all(symbols, given, weakened(found, *given))
+
+
+@cache
+def one_period() -> Theorem:
+    """What is claimed of one period of delay."""
+    return of_delay(CLAIMED["s6-stable-22"](()))
 
 
 def of_delay(claim: Proposition) -> Theorem:

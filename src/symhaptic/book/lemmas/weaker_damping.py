@@ -26,9 +26,11 @@ from symhaptic.book.lemmas.stiffness_claims import (
 )
 from symhaptic.notation import alpha, beta, d, delta, gamma, x
 from symhaptic.notation.proposition import And, Exists, Or, Relation, negated, proposition
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.ratio import BEST, RATE, WALL
 from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -131,8 +133,10 @@ def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:
     )
 
 
-def further(claim: Any) -> Theorem:
-    """The claim under SHORT."""
+@cache
+def further() -> Theorem:
+    """What is claimed of two dampings, under SHORT."""
+    claim = taken_apart(CLAIMED["s5a-smaller-delta"](()))[2]
     return by_cases(assume(SHORT), *(_of_delay(claim, n) for n in (0, 1)))
 
 

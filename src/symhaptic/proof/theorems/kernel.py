@@ -129,8 +129,9 @@ def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
 def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
     args, named = _written(args), _written(named)
     same = _exactly((name, args, named))
-    if same in _known:
-        return _known[same]
+    known = _known.get(same)
+    if known is not None:
+        return known
     try:
         judgement = _RULES[name](*args, **dict(named))
     except (Unsupported, Undefined) as why:  # a decider's, that it cannot tell
@@ -160,12 +161,12 @@ def forget() -> None:
 def _exactly(part: Any) -> Any:
     """What only equal arguments share, names of bound symbols and types included; None for those
     that cannot be told apart so."""
-    part = ("at", *part.items()) if isinstance(part, Mapping) else part
-    if isinstance(part, (tuple, list)):
-        parts = tuple(map(_exactly, part))
-        return None if any(found is None for found in parts) else parts
     if isinstance(part, (Theorem, Basic)):
         return part
+    part = ("at", *part.items()) if isinstance(part, dict) else part
+    if isinstance(part, tuple):
+        parts = tuple(map(_exactly, part))
+        return None if any(found is None for found in parts) else parts
     if isinstance(part, Proposition):
         return _exactly((type(part).__name__, *part.__reduce__()[1]))
     if isinstance(part, (str, int, NoneType)):
