@@ -15,7 +15,7 @@ from hands import growth, loops, moved
 
 from symhaptic.bounds.safe.check import recheck
 from symhaptic.bounds.safe.curve import walls
-from symhaptic.bounds.safe.find import NothingSafe, certified
+from symhaptic.bounds.safe.find import NothingSafe, certified, outlines
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.stability import is_stable
 from symhaptic.numeric.tracing.extremes import stiffest_at
@@ -179,3 +179,10 @@ def test_what_is_not_shown_is_said_in_one_line(case, told):
     with pytest.raises(NothingSafe, match=f"^{told}") as wrong:
         certified(case)
     assert "\n" not in str(wrong.value)
+
+
+@pytest.mark.filterwarnings("error")
+def test_an_arm_whose_walls_no_float_holds_is_no_bound():
+    """1e306 kg at 1 kHz: alpha m/T^2 overflows; the command said so twice before its one line."""
+    largest = [K.max() for K, _ in outlines(loops("0.1", "0.5", 0, ((0, 10**306), (0, 0), (0, 0))))]
+    assert np.isinf(largest).any()

@@ -284,12 +284,3 @@ def test_a_device_is_not_written_over(device):
     assert done.returncode == 2
     assert done.stderr.endswith(": is what is read here; another file is allowed\n")
     assert place.read_text() == text
-
-
-def test_arms_of_any_mass_are_refused_in_one_line(device):
-    arms = '[arms]\nmass = ["0 kg", "1e300 kg"]\n'
-    device.write_text(device.read_text().split("[")[0] + arms)
-    done = symhaptic("limits", device)
-    assert done.returncode == 2
-    assert done.stderr.endswith("arms: no wall is shown to be stable for all of them\n")
-    assert len(done.stderr.splitlines()) == 1
