@@ -17,7 +17,6 @@ Derivations = Annotated[
     typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
 ]
 
-
 SourceFolder = Annotated[
     Path | None,
     typer.Option(

@@ -31,7 +31,6 @@ if TYPE_CHECKING:
 PLAN = "symhaptic_sweep"
 """The attribute that says which sweep it is."""
 
-
 _TAKEN = ("blocks", "zarr.json")
 """Names of its own in a group."""
 

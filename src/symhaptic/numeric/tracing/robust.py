@@ -29,7 +29,7 @@ _ROUNDS = 20
 
 @dataclass(frozen=True)
 class RobustRegion(Shape):
-    """The walls (alpha, beta) that stay stable for every spring up to the Nyquist frequency."""
+    """The walls (alpha, beta) that are stable for all springs tried up to the Nyquist frequency."""
 
     delta: float
     delay: float
@@ -51,9 +51,13 @@ def robust_region(
     The intersection of the stable regions of all springs, (30) of the paper: ``delta`` >= 0,
     ``delay`` >= 0 periods.  Springs are inserted in the middle between two neighbours, in terms of
     the angle sqrt(gamma - delta^2/4), until this moves the outline by less than ``tolerance`` of
-    its extent; every insertion moves it by about a quarter of the one before, so that the rest is
-    less than the last move.  Without damping there is no such wall (proved for whole and half
-    delays in chapter s5c_robust, no other was found), and the polygon is empty.
+    its extent; where every insertion moves it by about a quarter of the one before, the rest is
+    less than the last move.  No proof stands behind the springs between those tried: keep away from
+    the outline by ``error``, which is an estimate, or take the walls that
+    :meth:`symhaptic.scene.scene.Scene.safe_walls` proves for a range of arms.
+
+    Without damping there is no such wall (proved for whole and half delays in chapter s5c_robust,
+    no other was found), and the polygon is empty.
 
     Raises :class:`ValueError` for an impossible damping, delay or tolerance, and where
     :func:`stable_region` does.
