@@ -44,6 +44,9 @@ class Fractional:
 _DIGIT = 256
 """Numbers of so many bits are as dear as short ones."""
 
+_FEW = 32
+"""So many times, dividing by a relation is quicker than looking at each term."""
+
 
 def _bits(poly: fmpq_mpoly) -> int:
     """Each time that a power of it is multiplied by it, a coefficient may grow by so many bits."""
@@ -170,7 +173,7 @@ class Ring:
     def _remainder(self, poly: fmpq_mpoly, index: int) -> fmpq_mpoly:
         """The polynomial modulo a monic relation; each term is divided once for each power."""
         modulus = self.moduli[index]
-        if index in self.folds:
+        if index in self.folds and poly.degrees()[index] > _FEW * self.folds[index][0]:
             poly = self._folded(poly, index, *self.folds[index])
         powers = poly.degrees()[index] - modulus.degrees()[index] + 1
         if powers < 1:
@@ -181,8 +184,6 @@ class Ring:
     def _folded(self, poly: fmpq_mpoly, index: int, degree: int, number: fmpq) -> fmpq_mpoly:
         """With a number for a power of a generator, wherever that is a factor of a term."""
         times = poly.degrees()[index] // degree
-        if times < 1:
-            return poly
         spend(len(poly) * (1 + times * number.height_bits() // _DIGIT))
         found: dict[tuple[int, ...], fmpq] = {}
         for monomial, value in poly.to_dict().items():

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from functools import cache
 
-import sympy as sp
 from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
 
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
 from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import (
     both_ways,
     ordered,
@@ -48,12 +48,12 @@ EQUAL = Relation(SURPLUS, "=", S.Zero)
 @cache
 def slope() -> Expr:
     """How the lead changes with the angle."""
-    return sp.diff(SURPLUS, theta)
+    return derivative(SURPLUS, theta)
 
 
 def outwards() -> Relation:
     """Re dz/(z dd) at a zero, times |dp/dtheta|^2: dp = 0 says dz/(z dd) = theta f/(dp/dtheta)."""
-    speed = sp.diff(PLANT + WALL, theta)
+    speed = derivative(PLANT + WALL, theta)
     outward = theta * (PLANT * mirror(speed) + mirror(PLANT) * speed) / 2
     return Relation(outward, "=", theta * slope() / 2)
 
@@ -82,7 +82,7 @@ def at_one_angle() -> Proposition:
 @cache
 def speed_outwards() -> Theorem:
     """The speed is theta/2 times the slope of the surplus, where p = f + g is zero."""
-    turned, zero = theta * sp.diff(WALL, theta) / 2, assume(ZERO)
+    turned, zero = theta * derivative(WALL, theta) / 2, assume(ZERO)
     found = combined(outwards(), [zero, mirror(turned)], [mirrored(zero), turned])
     return for_all(NAMES, [ZERO], found)
 
@@ -124,7 +124,7 @@ def _quadratic(y: Expr) -> Expr:
 def _rises(angle: Symbol) -> Theorem:
     """q' is positive where the surplus rises with the angle."""
     y = Symbol("y")
-    slope = sp.diff(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
+    slope = derivative(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
     sine = sign_of(sin, angle)
     found = over(
         slope > 0, assume(growing().at({theta: angle})), positive(2 * sin(angle) > 0, [2, sine])
@@ -135,5 +135,5 @@ def _rises(angle: Symbol) -> Theorem:
 def _mean(one: Symbol, other: Symbol) -> Expr:
     """(q(y) - q(y'))/(y - y'), half the sum of both slopes."""
     y = Symbol("y")
-    slope = sp.diff(_quadratic(y), y)
+    slope = derivative(_quadratic(y), y)
     return sum(slope.subs(y, 2 - 2 * cos(angle)) for angle in (one, other)) / 2
