@@ -173,7 +173,7 @@ class Ring:
     def _remainder(self, poly: fmpq_mpoly, index: int) -> fmpq_mpoly:
         """The polynomial modulo a monic relation; each term is divided once for each power."""
         modulus = self.moduli[index]
-        if index in self.folds and poly.degrees()[index] > _FEW * self.folds[index][0]:
+        if index in self.folds:
             poly = self._folded(poly, index, *self.folds[index])
         powers = poly.degrees()[index] - modulus.degrees()[index] + 1
         if powers < 1:
@@ -184,7 +184,11 @@ class Ring:
     def _folded(self, poly: fmpq_mpoly, index: int, degree: int, number: fmpq) -> fmpq_mpoly:
         """With a number for a power of a generator, wherever that is a factor of a term."""
         times = poly.degrees()[index] // degree
+        if times < 1:
+            return poly
         spend(len(poly) * (1 + times * number.height_bits() // _DIGIT))
+        if times <= _FEW:
+            return poly % (self.gen[self.names[index]] ** degree - number)
         found: dict[tuple[int, ...], fmpq] = {}
         for monomial, value in poly.to_dict().items():
             turns, left = divmod(int(monomial[index]), degree)

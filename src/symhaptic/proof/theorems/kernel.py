@@ -437,8 +437,7 @@ def lost(values: Terms, claim: Proposition) -> set[Proposition]:
     while stack:
         current, inside = stack.pop()
         bound = set(inside) | set(current.bound)
-        free = current.free - bound
-        here = {s: term(v) for s, v in values.items() if s in free and s != v}
+        here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
         if not here:
             continue  # it stays as it is, and so do its parts
         for old, new in zip(current.terms, replaced(current.terms, here), strict=True):

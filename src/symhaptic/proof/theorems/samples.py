@@ -98,10 +98,8 @@ def _moves(
         raise NotShown(f"the device changes with {time}")
     if not all(smooth(f, time) for f in forms):
         raise NotShown("a motion is not differentiable by its form")
-    starts, forces = ((1, 0), (0, 1), (0, 0)), (0, 0, 1)
-    for (place, speed), (x, v), force in zip(
-        (phi[:, 0], phi[:, 1], held), starts, forces, strict=True
-    ):
+    columns = (phi[:, 0], (1, 0), 0), (phi[:, 1], (0, 1), 0), (held, (0, 0), 1)
+    for (place, speed), (x, v), force in columns:
         wrong = [
             sp.diff(place, time) - speed,
             sp.diff(speed, time) - (force - damping * speed - stiffness * place) / mass,
