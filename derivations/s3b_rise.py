@@ -6,7 +6,7 @@ With $\psi=\omega T/2$, $N=2(d+1)$, $u=KT/(2b)$ and $w=(B+KT/2)/b$ as before, th
 signs on $0<N\psi<\pi$ for $N>2$; each is certified.
 """
 
-from sympy import Eq, Rational, S, cos, cot, pi, sin
+from sympy import Eq, Rational, S, cos, cot, diff, pi, sin
 
 from symhaptic.book.lemmas.chords import bend, chord_after, chord_before, flatter, width
 from symhaptic.book.lemmas.envelope import LOWER, UPPER, rises
@@ -22,7 +22,6 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, conjoined, discharged, part, weakened
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
@@ -36,7 +35,7 @@ def derive(page):
     rising = bend().conclusion.right
     page.step(
         "Two chords are the factors of the slope",
-        derivative(rising, psi),
+        diff(rising, psi),
         4 * chord_before().conclusion.right * chord_after().conclusion.right / (N * sin(psi) ** 2),
         name=rf"\frac{{\partial}}{{\partial\psi}}\Bigl({latex(rising)}\Bigr)",
     )
@@ -51,7 +50,7 @@ def derive(page):
     )
     page.step(
         "The envelope's stiffness rises to $N\\psi=\\pi/2$ and falls after",
-        derivative(curve, psi),
+        diff(curve, psi),
         2 * N**2 * sin(psi) ** 2 * cos(N * psi) * rising / divisor**2,
         name=r"\partial U/\partial\psi",
         because="its sign is that of $\\cos N\\psi$",
@@ -60,7 +59,7 @@ def derive(page):
     page.lemma("From $N\\psi=\\pi/2$ on a larger angle has the smaller stiffness", rises(UPPER))
     page.step(
         "For a given stiffness the border moves towards the angle with $U=u$",
-        derivative((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
+        diff((u * cot(psi) * sin(N * psi) - 1) / cos(N * psi), psi),
         divisor / (2 * sin(psi) ** 2 * cos(N * psi) ** 2) * (u - curve),
         name=r"\partial w/\partial\psi",
         because="its sign is that of $u-U$. On each side of $N\\psi=\\pi/2$ the strictest angle is "

@@ -6,13 +6,12 @@ their signs, for every arm that swings by less than half a turn in a period,
 $\gamma-\frac14\delta^2<\pi^2$: the limit (30) of the paper.
 """
 
-from sympy import S, cosh, exp, sinh, sqrt
+from sympy import S, cosh, diff, exp, sinh, sqrt
 
 from symhaptic.book.lemmas.arm_numbers import ARM, pushed, signs
 from symhaptic.model import linear, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, s_1, s_2, t, x, z
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.kernel import weakened
 from symhaptic.proof.theorems.tactics import every, example, for_all
 
@@ -51,7 +50,7 @@ def derive(page):
         "The first sample is a mean of the force",
         r"n_1",
         r"\int_0^1e^{-\delta t/2}\,t\,S(qt^2)\,dt",
-        page.same("first", derivative(pushed, t), swing),
+        page.same("first", diff(pushed, t), swing),
         because="positive, as $S$ is",
     )
     second = page.same("second", device.n0, exp(-delta) * device.n1.subs(delta, -delta))
@@ -109,7 +108,7 @@ def roots(page):
     """S and its derivatives."""
     page.step(
         "$C$ has the slope",
-        derivative(cosh(sqrt(x)), x),
+        diff(cosh(sqrt(x)), x),
         sinh(sqrt(x)) / sqrt(x) / 2,
         name="C'(x)",
         because="half of $S(x)$",
@@ -118,7 +117,7 @@ def roots(page):
         "$S$ is a mean of $C$",
         "S(x)",
         r"\int_0^1C(xt^2)\,dt",
-        page.same("mean", derivative(sinh(sqrt(x) * t) / sqrt(x), t), cosh(sqrt(x) * t)),
+        page.same("mean", diff(sinh(sqrt(x) * t) / sqrt(x), t), cosh(sqrt(x) * t)),
         because="therefore $S'(x)=\\frac12\\int_0^1t^2S(xt^2)\\,dt$ and "
         "$S''(x)=\\frac12\\int_0^1t^4S'(xt^2)\\,dt$",
     )

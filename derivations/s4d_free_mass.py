@@ -13,7 +13,6 @@ from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
 from symhaptic.proof import sign
-from symhaptic.proof.derivative import derivative
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta
@@ -60,14 +59,14 @@ def derive(page):
     )
     page.step(
         "The second root near 1 moves inside",
-        (-derivative(loose, beta) / derivative(loose, z)).subs(beta, 0).subs(z, 1),
+        (-diff(loose, beta) / diff(loose, z)).subs(beta, 0).subs(z, 1),
         -1,
         name=r"\frac{dz}{d\beta}",
         because="from $z=1$ at $\\beta=0$; the other $d+1$ roots start at 0",
     )
     page.step(
         "The first root follows",
-        (-derivative(polynomial, alpha) / derivative(polynomial, z)).subs({alpha: 0, z: 1}),
+        (-diff(polynomial, alpha) / diff(polynomial, z)).subs({alpha: 0, z: 1}),
         -1 / beta,
         name=r"\frac{dz}{d\alpha}",
         because="from $z=1$ at $\\alpha=0$. So walls with small $\\beta$ and much smaller "

@@ -4,13 +4,12 @@ The stable walls of a free mass lie between the line $\alpha=0$ and the first ar
 $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
 """
 
-from sympy import Rational, S, Symbol, chebyshevt, cos, pi, sin, sqrt, tan
+from sympy import Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, rho, tau, theta, x
 from symhaptic.proof import roots, sign
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.enclosed import value
 
 ANGLE = (d + 1) * theta
@@ -50,7 +49,7 @@ def derive(page):
         "The stiffness rises with that function",
         r"\frac{d\alpha}{d\theta}",
         4 * tau**2 * Symbol("g") / sin(theta),
-        page.same("slope", derivative(stiffness, theta), 4 * t**2 / sin(theta) * bend),
+        page.same("slope", diff(stiffness, theta), 4 * t**2 / sin(theta) * bend),
     )
     page.step("The bracket $g$ starts from 2", bend.subs(theta, 0), S(2), name="g")
     page.step(
@@ -85,10 +84,10 @@ def signs(page, damping, bend):
     small = sign.sine(up, sign.combined(pi - theta, [side], [quarter]))
     wide = sign.cosine(up, side)
     grown = ([sine], [2, size, t, t, sine], [t, t, t, t, sine], [2, steps, t, cosine])
-    rising = sign.combined(derivative(damping, theta), *grown, [t, t, less], [t, t, t, t, less])
+    rising = sign.combined(diff(damping, theta), *grown, [t, t, less], [t, t, t, t, less])
     page.positive("Along the arc the damping rises", rising, ARC, name=r"\frac{d\beta}{d\theta}")
     falls = sign.combined(
-        -derivative(bend, theta), [2, size, sine], [size, wide, sine], [size, size, small, cosine]
+        -diff(bend, theta), [2, size, sine], [size, wide, sine], [size, size, small, cosine]
     )
     page.positive(
         "The bracket $g=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
@@ -110,10 +109,7 @@ def whole_delays(page, stiffness, bend):
     page.same(
         "in x, by the chain rule",
         (stiffness / 4, bend),
-        (
-            (1 - cos(theta)) / (1 + cos(theta)) * wave,
-            2 * wave + sin(theta) * derivative(wave, theta),
-        ),
+        ((1 - cos(theta)) / (1 + cos(theta)) * wave, 2 * wave + sin(theta) * diff(wave, theta)),
     )
     waves = [chebyshevt(delay + 1, x) for delay in DELAYS]
     page.same(
@@ -123,7 +119,7 @@ def whole_delays(page, stiffness, bend):
     )
     found = []
     for delay, polynomial in enumerate(waves):
-        turning = 2 * polynomial - (1 - x**2) * derivative(polynomial, x)
+        turning = 2 * polynomial - (1 - x**2) * diff(polynomial, x)
         end = cos(pi / (2 * (delay + 1)))
         quarter = (1 - x) / (1 + x) * polynomial
         found.append(roots.algebraic(quarter, turning, x, rho, end, S.One))

@@ -10,7 +10,6 @@ from sympy import Rational, S, diff, exp, expand
 from symhaptic.model import jury, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import B, K, T, a, alpha, b, beta, c, delta, e, gamma, m, n_0, n_1, z
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.sign import Interval, assume, combined, exponential, integrated, quotient
 
 DAMPED = plant.sampled(plant.normalised(Parts(stiffness=False)))
@@ -69,11 +68,11 @@ def signs(page):
     up, left = Interval(delta, S.Zero), exponential(-delta)
     soft = Interval(delta, S.Zero, (room, combined(S.One, [1])))
     low, apart, light = (expand(delta**2 * f) for f in (n0, n1 - n0, (2 + e) * n0 - n1))
-    low = integrated(low, up, combined(derivative(low, delta), [up.above, left]))
-    apart = integrated(apart, up, combined(derivative(apart, delta), [low]))
+    low = integrated(low, up, combined(diff(low, delta), [up.above, left]))
+    apart = integrated(apart, up, combined(diff(apart, delta), [low]))
     lost = integrated(1 - e, up, combined(e, [left]))
     bend = combined(diff(light, delta, 2), [6, left, room], [4, left, up.above, lost])
-    light = integrated(light, soft, integrated(derivative(light, delta), soft, bend))
+    light = integrated(light, soft, integrated(diff(light, delta), soft, bend))
     page.positive("The number $n_0$ is positive", low, r"\delta>0", name=r"\delta^2n_0")
     page.positive("The number $n_1$ is the larger", apart, r"\delta>0", name=r"\delta^2(n_1-n_0)")
     on, name = r"0<\delta\le\tfrac13", r"\delta^2\bigl((2+e)n_0-n_1\bigr)"

@@ -4,12 +4,11 @@ A wall that pulls harder than the arm's spring holds cannot be stable. We ask wh
 only limit on the left: does the stable region always reach the line $\alpha=-\gamma$?
 """
 
-from sympy import I, exp, sin
+from sympy import I, diff, exp, sin
 
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, t, v, x, z
-from symhaptic.proof.derivative import derivative
 
 
 def derive(page):
@@ -70,7 +69,7 @@ def derive(page):
         r"\tfrac{d}{dt}(v^2+\gamma x^2)",
         -2 * delta * v**2,
         page.same(
-            "energy", derivative(velocity**2 + given[gamma] * place**2, t), -2 * delta * velocity**2
+            "energy", diff(velocity**2 + given[gamma] * place**2, t), -2 * delta * velocity**2
         ),
         because="so the speed left is less than 1, but for $\\delta=0$ and whole half swings",
     )
@@ -78,9 +77,7 @@ def derive(page):
         "At the root 1 the slope is positive",
         r"p_1'(1)",
         1 - x,
-        page.same(
-            "slope", derivative(at_line, z).subs(z, 1).xreplace(given), (1 - kept).xreplace(given)
-        ),
+        page.same("slope", diff(at_line, z).subs(z, 1).xreplace(given), (1 - kept).xreplace(given)),
         because="positive, as is $\\partial p_1/\\partial\\alpha=n_1+n_0$: the root moves inside "
         "as $\\alpha$ grows",
     )

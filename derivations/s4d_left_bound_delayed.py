@@ -4,14 +4,13 @@ Without delay it does. We show that a delay of one period changes nothing for a 
 an arm, and that it does for a stiff one.
 """
 
-from sympy import Eq, Rational, S, exp, pi, symbols
+from sympy import Eq, Rational, S, diff, exp, pi, symbols
 
 from symhaptic.book.lemmas.left_bound import HALF_SWING, SOFT, left_bound, no_wall_near, not_soft
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, t, x, z
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
 from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
@@ -128,7 +127,7 @@ def soft_spring(page):
         -gamma * exp(delta * t) * x,
         page.same(
             "after a unit displacement and after a unit speed",
-            [derivative(exp(delta * t) * motion[1, i], t) for i in (0, 1)],
+            [diff(exp(delta * t) * motion[1, i], t) for i in (0, 1)],
             [-given[gamma] * exp(delta * t) * motion[0, i] for i in (0, 1)],
         ),
         because="for a motion that starts with a unit displacement or with a unit speed",

@@ -4,7 +4,7 @@ The passive region shrinks in proportion to $\delta$, the stable one hardly, say
 terms of the largest stiffness that asks whether $\alpha_{\max}/\delta$ falls as $\delta$ grows.
 """
 
-from sympy import Rational, S, latex, symbols, tan
+from sympy import Rational, S, diff, latex, symbols, tan
 
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.weaker_damping import FAR, SHORT, further, nearer, not_short
@@ -15,7 +15,6 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.paper.ranges import IN_23, RANGES
 from symhaptic.proof import box
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, NUMBERS, SLOPES, named
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
@@ -108,4 +107,4 @@ def derive(page):
 
 def dash(expr):
     """The derivative with respect to delta."""
-    return sum(derivative(expr, s) * slope for s, slope in zip(NUMBERS, SLOPES, strict=True))
+    return sum(diff(expr, s) * slope for s, slope in zip(NUMBERS, SLOPES, strict=True))

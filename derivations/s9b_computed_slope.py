@@ -13,7 +13,6 @@ from symhaptic.model import boundary
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, d, e, n_0, n_1, t, theta, z
-from symhaptic.proof.derivative import derivative
 
 DEVICE = Sampled(n_1, n_0, a, e)
 UNDEFINED = "wherever nothing in either is divided by zero"
@@ -28,7 +27,7 @@ def derive(page):
     meaning = dict(names)
     for _ in range(2):
         slope = slope.xreplace(meaning)
-    derived = derivative(boundary.wall(DEVICE)[0], theta)
+    derived = boundary.wall(DEVICE)[0].diff(theta)
     page.show(
         "The derived stiffness has this slope",
         r"\frac{d\alpha}{d\theta}",

@@ -13,7 +13,6 @@ from symhaptic.forms import required_damping
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, written_out
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, l, psi, theta
-from symhaptic.proof.derivative import derivative
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 TURNED = (
@@ -94,9 +93,7 @@ def _at_the_worst(page):
         r"\frac{dn}{d\psi}",
         r"\psi\left(4(\ell+1)^2\bigl(\beta+\tfrac\alpha2\bigr)\mathrm{Sinc}(2(\ell+1)\psi)"
         r"-\frac{2\alpha\,\mathrm{Chord}(\ell,2\psi)}{\mathrm{Sinc}^2(\psi)}\right)",
-        page.same(
-            "slope", written_out(psi * required_damping.steepness(l)), derivative(whole, psi)
-        ),
+        page.same("slope", written_out(psi * required_damping.steepness(l)), whole.diff(psi)),
     )
     page.say(
         "Behind $\\ell+\\varepsilon$ periods $n$ is the mean over the two whole delays beside, and "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import sympy as sp
 from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
 
 from symhaptic.model.passivity import mirror
@@ -48,12 +49,12 @@ EQUAL = Relation(SURPLUS, "=", S.Zero)
 @cache
 def slope() -> Expr:
     """How the lead changes with the angle."""
-    return derivative(SURPLUS, theta)
+    return sp.diff(SURPLUS, theta)
 
 
 def outwards() -> Relation:
     """Re dz/(z dd) at a zero, times |dp/dtheta|^2: dp = 0 says dz/(z dd) = theta f/(dp/dtheta)."""
-    speed = derivative(PLANT + WALL, theta)
+    speed = sp.diff(PLANT + WALL, theta)
     outward = theta * (PLANT * mirror(speed) + mirror(PLANT) * speed) / 2
     return Relation(outward, "=", theta * slope() / 2)
 
@@ -82,7 +83,7 @@ def at_one_angle() -> Proposition:
 @cache
 def speed_outwards() -> Theorem:
     """The speed is theta/2 times the slope of the surplus, where p = f + g is zero."""
-    turned, zero = theta * derivative(WALL, theta) / 2, assume(ZERO)
+    turned, zero = theta * sp.diff(WALL, theta) / 2, assume(ZERO)
     found = combined(outwards(), [zero, mirror(turned)], [mirrored(zero), turned])
     return for_all(NAMES, [ZERO], found)
 

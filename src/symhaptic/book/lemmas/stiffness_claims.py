@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, TypeAlias
 
-from sympy import Expr, Rational, S
+from sympy import Expr, Rational, S, diff
 
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
@@ -16,7 +16,6 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
 from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -91,7 +90,7 @@ def stable_beside_passive(
 def linear(expr: Expr, ends: tuple[Any, Any]) -> list[list[Any]]:
     """A linear function of delta by its value at one end and its slope."""
     low, high = ends
-    steep = derivative(expr, delta)
+    steep = diff(expr, delta)
     rises = steep.is_number and bool(steep >= 0)
     end = number(Relation(S.Zero, "<", expr.subs(delta, low if rises else high)))
     slope = number(Relation(S.Zero, "<=", steep if rises else -steep))
