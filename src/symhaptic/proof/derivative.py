@@ -1,4 +1,4 @@
-"""Derivatives that searches and chapters ask for; what is said of them is proved without this."""
+"""Derivatives that searches and lemmas ask for; what is said of them is proved without this."""
 
 from __future__ import annotations
 
