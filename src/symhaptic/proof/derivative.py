@@ -1,4 +1,4 @@
-"""Derivatives that searches ask for; what they find is checked again without them."""
+"""Derivatives that searches and lemmas ask for; what is said of them is proved without this."""
 
 from __future__ import annotations
 

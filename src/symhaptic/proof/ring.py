@@ -44,6 +44,9 @@ class Fractional:
 _DIGIT = 256
 """Numbers of so many bits are as dear as short ones."""
 
+_FEW = 32
+"""So many times, dividing by a relation is quicker than looking at each term."""
+
 
 def _bits(poly: fmpq_mpoly) -> int:
     """Each time that a power of it is multiplied by it, a coefficient may grow by so many bits."""
@@ -184,6 +187,8 @@ class Ring:
         if times < 1:
             return poly
         spend(len(poly) * (1 + times * number.height_bits() // _DIGIT))
+        if times <= _FEW:
+            return poly % (self.gen[self.names[index]] ** degree - number)
         found: dict[tuple[int, ...], fmpq] = {}
         for monomial, value in poly.to_dict().items():
             turns, left = divmod(int(monomial[index]), degree)

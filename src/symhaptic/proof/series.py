@@ -45,7 +45,7 @@ def lowest_term(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> tuple[
     (1, 1/6)
     """
     order, coefficient = _lowest_term(expr, variable, at)
-    return order, sp.cancel(coefficient)
+    return order, shortened(coefficient)
 
 
 @lru_cache(maxsize=1 << 10)
@@ -59,6 +59,17 @@ def _lowest_term(expr: Expr, variable: sp.Symbol, at: Expr) -> tuple[int, Expr]:
         if found is not None:
             return found
     raise Unsupported(f"no leading term up to order {ORDERS[-1]} in {variable}")
+
+
+def shortened(quotient: Expr) -> Expr:
+    """As ``cancel``, which first looks for common terms that a quotient does not need.
+
+    >>> d = sp.Symbol("d")
+    >>> shortened((sp.exp(d) - 1)/(sp.exp(2*d) - 1))
+    1/(exp(d) + 1)
+    """
+    number, above, below = sp.cancel(quotient.as_numer_denom())
+    return number * above / below
 
 
 def limit(expr: Expr, variable: sp.Symbol, at: Expr = sp.S.Zero) -> Expr:

@@ -12,6 +12,7 @@ from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2, u
 from symhaptic.notation.proposition import Implies, Proposition, Relation, both
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.familiar import (
     both_ways,
@@ -156,8 +157,8 @@ def _damped(spring: Theorem) -> Theorem:
     test = -u * (1 - exp(-x)) - gamma * (1 - u) * bent / delta**2
     first, second = -delta - gamma / 2, gamma / 2 - delta
     kernel = first + second * exp(-x)
-    slope = sp.diff(test, u)
-    kernel -= sp.diff(slope, u) + delta * slope + gamma * test
+    slope = derivative(test, u)
+    kernel -= derivative(slope, u) + delta * slope + gamma * test
     sign = "<" if spring.conclusion == both([gamma > 0]) else "<="
     shown = combined(
         Relation(S.Zero, sign, kernel), [spring, spring, size, size, assume(u < 1), there]
@@ -178,9 +179,9 @@ def _bent() -> Theorem:
     """0 < (1 + q/2) exp(-q) - 1 + q/2 for 0 < q."""
     v = Symbol("v")
     inner = 1 - (1 + u) * exp(-u)
-    rise = grows(inner, u, S.Zero, v, combined(sp.diff(inner, u) > 0, [assume(u > 0), _fall(u)]))
+    rise = grows(inner, u, S.Zero, v, combined(derivative(inner, u) > 0, [assume(u > 0), _fall(u)]))
     outer = (1 + v / 2) * exp(-v) - 1 + v / 2
-    slope = combined(Relation(S.Zero, "<", sp.diff(outer, v)), [HALF, rise])
+    slope = combined(Relation(S.Zero, "<", derivative(outer, v)), [HALF, rise])
     return positive(outer.subs(v, _PLACE) > 0, [grows(outer, v, S.Zero, _PLACE, slope)])
 
 

@@ -18,6 +18,7 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import device_at_rest, held_steady_state, sign_of, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -126,7 +127,7 @@ def begins_there(delay: Expr = d, lower: Expr = S.Zero) -> Theorem:
             raw = -(2 - a + delay * (1 - a + e)) / total + n_1 * (1 - a + e) / total**2
         limit = closed(tends(expr, theta, start, raw), *apart)
         # both values differ by a multiple of what is zero
-        share = sp.cancel(sp.diff(raw - value, gamma) / sp.diff(static_difference(), gamma))
+        share = sp.cancel(derivative(raw - value, gamma) / derivative(static_difference(), gamma))
         equal = closed(combined(Relation(raw, "=", value), [static, -share]), *apart)
         place = Symbol("q")
         pattern = Predicate("limit", (theta,), (expr, start, place))

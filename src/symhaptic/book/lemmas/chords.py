@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, wraps
 
-from sympy import Expr, I, S, cos, diff, exp, pi, sin
+from sympy import Expr, I, S, cos, exp, pi, sin
 
 from symhaptic.notation import N, phi, psi
 from symhaptic.notation.proposition import Relation
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.analysis import above_its_start, grows, increases
 from symhaptic.proof.theorems.familiar import ordered, rising, sign_of
@@ -101,7 +102,7 @@ def _before() -> Theorem:
 def flatter() -> Theorem:
     """0 < N sin psi - sin N psi: the sine of the larger psi is flatter."""
     rest = N * sin(phi) - sin(N * phi)
-    slope = positive(diff(rest, phi) > 0, [size(), falls(phi)])
+    slope = positive(derivative(rest, phi) > 0, [size(), falls(phi)])
     return _from_zero(rest, slope)
 
 
@@ -128,7 +129,7 @@ def chord_before() -> Theorem:
     rest = sin(N * phi) - N * sin(phi) * cos((N - 1) * phi)
     below = positive((N - 1) * phi < pi, N * phi < pi, phi > 0)
     less = closed(sign_of(sin, (N - 1) * phi), one_less(phi), below)
-    slope = positive(diff(rest, phi) > 0, [size(), N > 2, sine(phi), less])
+    slope = positive(derivative(rest, phi) > 0, [size(), N > 2, sine(phi), less])
     return _from_zero(rest, slope)
 
 
@@ -141,7 +142,7 @@ def chord_after() -> Theorem:
     more = positive((N + 1) * phi > 0, [size(), phi > 0], phi > 0)
     above = closed(sign_of(sin, (N + 1) * phi), more, inside)
     slope = positive(
-        diff(rest, phi) > 0, [size(), size(), sine(phi), above], [2, size(), sine(phi), above]
+        derivative(rest, phi) > 0, [size(), size(), sine(phi), above], [2, size(), sine(phi), above]
     )
     early = _from_zero(rest, slope)
     low = positive(room - pi > -pi / 2, [assume(pi <= room)], [HALF, PI])
@@ -162,7 +163,7 @@ def bend() -> Theorem:
     )
     bottom = positive(N * sin(phi) ** 2 > 0, [size(), sine(phi), sine(phi)])
     apart = not_zero(size()), not_zero(sine(phi))
-    slope = closed(over(diff(rest, phi) > 0, top, bottom), *apart)
+    slope = closed(over(derivative(rest, phi) > 0, top, bottom), *apart)
     below = over(pi / N - phi > 0, positive(pi - N * phi > 0, N * phi < pi), size())
     inside = closed(positive(N * phi < pi, [size(), assume(phi < pi / N)]), *apart)
     slope, defined = closed(slope, inside), closed(apart[1], inside)

@@ -10,6 +10,7 @@ from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
 from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import (
     both_ways,
     ordered,
@@ -124,7 +125,7 @@ def _quadratic(y: Expr) -> Expr:
 def _rises(angle: Symbol) -> Theorem:
     """q' is positive where the surplus rises with the angle."""
     y = Symbol("y")
-    slope = sp.diff(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
+    slope = derivative(_quadratic(y), y).subs(y, 2 - 2 * cos(angle))
     sine = sign_of(sin, angle)
     found = over(
         slope > 0, assume(growing().at({theta: angle})), positive(2 * sin(angle) > 0, [2, sine])
@@ -135,5 +136,5 @@ def _rises(angle: Symbol) -> Theorem:
 def _mean(one: Symbol, other: Symbol) -> Expr:
     """(q(y) - q(y'))/(y - y'), half the sum of both slopes."""
     y = Symbol("y")
-    slope = sp.diff(_quadratic(y), y)
+    slope = derivative(_quadratic(y), y)
     return sum(slope.subs(y, 2 - 2 * cos(angle)) for angle in (one, other)) / 2

@@ -9,10 +9,11 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Expr, Ne, cos, diff, pi, sin
+from sympy import Expr, Ne, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, bend, not_zero, sine, size, width
 from symhaptic.notation import N, phi, psi, x
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.familiar import sign_of
 from symhaptic.proof.theorems.kernel import (
@@ -78,7 +79,7 @@ def rises(side: int) -> Theorem:
     top = positive(slope > 0, [2, size(), size(), sine(x), sine(x), turned(side, x), bend(x)])
     bottom = positive(divisor(x) ** 2 > 0, [width(x), width(x)])
     curve = side * stiffness(x)
-    found = over(diff(curve, x) > 0, top, bottom)
+    found = over(derivative(curve, x) > 0, top, bottom)
     found = closed(found, not_zero(bottom), apart(x), not_zero(size()), not_zero(sine(x)))
     first = side == LOWER
     inside = [
@@ -112,7 +113,7 @@ def same_side(side: int, after: bool) -> Theorem:
     squared = 2 * sin(x) ** 2 * cos(N * x) ** 2
     bottom = positive(squared > 0, [2, sine(x), sine(x), turned(side, x), turned(side, x)])
     curve = way * border(stiff, x)
-    slope = over(diff(curve, x) > 0, top, bottom)
+    slope = over(derivative(curve, x) > 0, top, bottom)
     inside = [
         positive(x > 0, low > 0, x > low),
         positive(N * x < pi, N * high < pi, [size(), x < high]),

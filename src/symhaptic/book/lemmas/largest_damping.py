@@ -13,6 +13,7 @@ from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -91,7 +92,7 @@ def limit_points(claim: Any, frequencies: Any) -> Theorem:
             [HALF, bounded(cos, turn)],
         )
         need = met.body.of[1]
-        of = [need.right.diff(s) for s in (x, y)]
+        of = [derivative(need.right, s) for s in (x, y)]
         inside = (
             positive(angle > 0, [omega > 0, T > 0]),
             positive(angle < pi, [T > 0, omega < pi / T]),

@@ -91,6 +91,7 @@ def divided(value: Expr, by: Symbol, to: Expr) -> Expr:
             *(
                 c * Add(*(to**i * by ** (k - 1 - i) for i in range(k)))
                 for k, c in powers(value, by).items()
+                if k
             )
         )
     )

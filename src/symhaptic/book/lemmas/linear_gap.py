@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 
-from sympy import Ne, Rational, S, Symbol, diff, exp
+from sympy import Ne, Rational, S, Symbol, exp
 
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.notation import delta, gamma, u
 from symhaptic.notation.proposition import Implies, Relation, both
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.familiar import of_device, rising, square
 from symhaptic.proof.theorems.kernel import Theorem, assume, discharged, placed, unfolded, weakened
@@ -48,8 +49,8 @@ def _damped() -> Theorem:
     bent = (1 + way / 2) * exp(-way) - 1 + way / 2
     test = u * (1 - exp(-way)) + gamma * (1 - u) * bent / delta**2 - MOST * u**2
     first, second = delta + gamma / 2, delta - gamma / 2
-    slope = diff(test, u)
-    kernel = first + second * exp(-way) - diff(slope, u) - delta * slope - gamma * test
+    slope = derivative(test, u)
+    kernel = first + second * exp(-way) - derivative(slope, u) - delta * slope - gamma * test
     spring, rest = assume(gamma >= 0), positive(1 - u > 0, u < 1)
     size = closed(over(1 / delta > 0, one(), delta > 0))
     there = closed(placed(_bent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
@@ -72,9 +73,9 @@ def _bent() -> Theorem:
     """0 < q^3/4 - ((1 + q/2) exp(-q) - 1 + q/2) for 0 < q."""
     inner = 3 * u**2 / 4 - HALF + (1 + u) * exp(-u) / 2
     fall = closed(rising(exp, -u, S.Zero), positive(-u < 0, u > 0))
-    speed = positive(diff(inner, u) > 0, [HALF, u > 0, fall], [u > 0])
+    speed = positive(derivative(inner, u) > 0, [HALF, u > 0, fall], [u > 0])
     rise = grows(inner, u, S.Zero, _BEFORE, speed)
     outer = _BEFORE**3 / 4 - (1 + _BEFORE / 2) * exp(-_BEFORE) + 1 - _BEFORE / 2
-    slope = combined(Relation(S.Zero, "<", diff(outer, _BEFORE)), [rise])
+    slope = combined(Relation(S.Zero, "<", derivative(outer, _BEFORE)), [rise])
     found = grows(outer, _BEFORE, S.Zero, _PLACE, slope)
     return positive(outer.subs(_BEFORE, _PLACE) > 0, [found])

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Add, Expr, Rational, S, Symbol, diff, exp, symbols
+from sympy import Add, Expr, Rational, S, Symbol, exp, symbols
 
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
@@ -37,6 +37,7 @@ from symhaptic.notation.proposition import Implies, Relation, both, conjuncts
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
 from symhaptic.proof.theorems.familiar import ordered, rising
 from symhaptic.proof.theorems.kernel import (
@@ -91,7 +92,7 @@ def _tangent() -> Theorem:
     """0 < exp(-q) - 1 + q for 0 < q."""
     rest = exp(-_BEFORE) - 1 + _BEFORE
     fall = closed(rising(exp, -_BEFORE, S.Zero), positive(-_BEFORE < 0, _BEFORE > 0))
-    slope_ = positive(diff(rest, _BEFORE) > 0, [fall])
+    slope_ = positive(derivative(rest, _BEFORE) > 0, [fall])
     found = grows(rest, _BEFORE, S.Zero, _PLACE, slope_)
     return positive(rest.xreplace({_BEFORE: _PLACE}) > 0, [found])
 

@@ -40,6 +40,7 @@ from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import HEAVIER, START, WAY, reached
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof import box
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED
 from symhaptic.proof.theorems.analysis import in_the_limit
@@ -85,8 +86,8 @@ def minor_rises() -> Theorem:
     """The minor of a wall rises with the damper, on a box of arms and walls."""
     minor: Any = inequalities(0)[-1].conclusion.right  # type: ignore[attr-defined]
     by_balls = minor.subs(BALLS)
-    slope = sp.diff(by_balls, delta) + sum(
-        sp.diff(by_balls, x) * dx for x, dx in zip(SAMPLED, SLOPES, strict=True)
+    slope = derivative(by_balls, delta) + sum(
+        derivative(by_balls, x) * dx for x, dx in zip(SAMPLED, SLOPES, strict=True)
     )
     names = {s: s for s in (*SAMPLED, *SLOPES)}
     found = box.positive(sp.expand(slope), SIDES, named(names))

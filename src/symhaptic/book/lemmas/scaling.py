@@ -200,7 +200,7 @@ def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
     least = minor.conclusion.terms[1]
     turned = powers(-least.subs(free, (place - u.coeff(free, 0)) / slope), place)
     high, low, last = (turned.get(n, S.Zero) for n in (2, 1, 0))
-    r = Rational(int(1000 * sp.sqrt(last / high).n(30)), 1000)
+    r = Rational(int(1000 * sp.sqrt((last / high).n(30))), 1000)
     sizes = high, low + 2 * high * r, last - high * r**2
     signs = [number(Relation(S.Zero, "<", size)) for size in sizes]
     sums = [signs[0], square(u - r)], [signs[1], plane], [signs[2]]

@@ -11,6 +11,7 @@ from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
 from symhaptic.notation import alpha, beta, d, delta, epsilon, l, psi, theta, v, w, x, y
 from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import sign_of
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import number
@@ -56,7 +57,7 @@ def _needs() -> Block:
     between, steep = (1 - epsilon) * x + epsilon * y, (1 - epsilon) * v + epsilon * w
     names = (
         *defined(ENTIRE),
-        *((x, whole), (y, later), (v, whole.diff(psi)), (w, later.diff(psi))),
+        *((x, whole), (y, later), (v, derivative(whole, psi)), (w, derivative(later, psi))),
     )
     share = epsilon * (1 - epsilon)
     size = alpha**2 + 4 * beta * (alpha + beta) * sin(psi) ** 2

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from sympy import Expr, I, Ne, Rational, S, cos, diff, exp, sin, symbols, tan
+from sympy import Expr, I, Ne, Rational, S, cos, exp, sin, symbols, tan
 
 from symhaptic.book.lemmas.stable_boundary import (
     BOTTOM,
@@ -24,6 +24,7 @@ from symhaptic.forms import max_stiffness_slope
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, y, z
 from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import mirrored
 from symhaptic.proof.theorems.tactics import fact
@@ -40,7 +41,7 @@ k_4, k_3, k_2, k_1, k_0 = COEFFICIENTS = symbols("k_4 k_3 k_2 k_1 k_0")
 def derived(top: Expr, delay: Expr, shift: int) -> tuple[Named, Expr]:
     """Q and its slope by the angle, both with their conjugates; the slope of the stiffness."""
     needed, away = force(top, delay, shift), delay + shift
-    turn = away * BOTTOM * top + z * (diff(BOTTOM, z) * top - BOTTOM * diff(top, z))
+    turn = away * BOTTOM * top + z * (derivative(BOTTOM, z) * top - BOTTOM * derivative(top, z))
     slope = -I * exp(I * away * theta) * turned(turn) / turned(top) ** 2
     names = (
         *((X, needed), (c_1, mirror(needed)), (c_2, slope), (c_3, mirror(slope))),

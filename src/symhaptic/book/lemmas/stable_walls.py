@@ -20,12 +20,13 @@ from symhaptic.forms import stable, stiffest_passive
 from symhaptic.forms.entire import Chord, Sinc, Spread, written_out
 from symhaptic.notation import beta, d, delta, epsilon, l, theta, v, x, y
 from symhaptic.notation.proposition import Predicate, Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import divided, sign_of
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, one, positive, sine_of_half
 
-LINE = (x, kernel(d, theta)), (y, kernel(d, theta).diff(theta))
+LINE = (x, kernel(d, theta)), (y, derivative(kernel(d, theta), theta))
 """The line of an angle, delta = alpha x - beta cos((d + 1) theta), and how its x changes."""
 TURN, PUSH = 2 * (d + 1) * theta, 2 * (d + 1) * sin(theta)
 ENVELOPE = {Sinc(theta / 2): S_0, Spread(d, theta): Z_1, Chord(d, theta): Z_2}

@@ -20,6 +20,7 @@ from symhaptic.model import circle
 from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1
 from symhaptic.notation.proposition import Relation, conjuncts, whole
 from symhaptic.proof import box
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
 from symhaptic.proof.theorems.familiar import device_exists, loop_of_device, ordered, square
 from symhaptic.proof.theorems.kernel import (
@@ -133,7 +134,7 @@ def no_stiffer(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
     if delay == 0:
         falls = [[stiff, weight, towards(planes, minor, inside, wide)]]
     else:
-        slope = -sp.diff(value, alpha).xreplace({alpha: limit})
+        slope = -derivative(value, alpha).xreplace({alpha: limit})
         falls = [[stiff, on_box(slope, wide)], [stiff, stiff, weight, weight]]
     falling = combined(Relation(value, "<=", S.Zero), [fails(value, wall, wide)], *falls)
     contrary = absurd(minor, falling)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Eq, Expr, Ne, S, cos, diff, pi, sin, tan
+from sympy import Eq, Expr, Ne, S, cos, pi, sin, tan
 
 from symhaptic.book.lemmas.chords import HALF, PI, lowest_coefficients, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import (
@@ -23,6 +23,7 @@ from symhaptic.book.lemmas.envelope import (
 )
 from symhaptic.notation import N, phi, psi, x
 from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import above_its_start, increases
 from symhaptic.proof.theorems.familiar import decided, ordered, sign_of, strictly
 from symhaptic.proof.theorems.kernel import (
@@ -81,12 +82,12 @@ def tip_beside(side: int) -> Theorem:
     top = positive(divisor() * (STIFFEST - stiffness()) > 0, [width(), below_tip(side)])
     squared = 2 * sin(psi) ** 2 * cos(N * psi) ** 2
     bottom = positive(squared > 0, [2, sine(), sine(), turned(side), turned(side)])
-    slope = over(-diff(moved, psi) > 0, top, bottom)
+    slope = over(-derivative(moved, psi) > 0, top, bottom)
     divisors = [*divisors_at_tip(), *divisors_at(psi, side)]
     slope = closed(slope, not_zero(bottom), *divisors)
     inside = _beside_tip(side)
     curve = side * moved.xreplace({psi: there})
-    slope = positive(diff(curve, x) > 0, [placed(slope, {psi: there})])
+    slope = positive(derivative(curve, x) > 0, [placed(slope, {psi: there})])
     shown = [placed(t, {psi: there}) for t in divisors_at(psi, side)]
     # SymPy takes a sign out of sin(a - x), which may stand in a divisor with either
     shown += [positive(Ne(-t.conclusion.left, 0), [t]) for t in shown]  # type: ignore[attr-defined]

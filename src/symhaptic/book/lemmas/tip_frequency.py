@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from sympy import Eq, Expr, Ne, S, cos, diff, pi
+from sympy import Eq, Expr, Ne, S, cos, pi
 
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.stiffest_passive import TURN, divisors, waves
 from symhaptic.notation import K, T, b, d, omega, x
 from symhaptic.notation.proposition import Relation
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import sign_of
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -45,7 +46,7 @@ def first_without_damping(equation: Any, claim: Any) -> Theorem:
     first = for_all([x], first.body.of[0].of, closed(positive(goal, [wave]), *apart, _earlier(at)))
     stiffness = assume(touched.body.of[0].of[-1])
     need = touched.body.of[1]
-    met = combined(need, [stiffness, -diff(need.right, K)])
+    met = combined(need, [stiffness, -derivative(need.right, K)])
     met = for_all(touched.over, touched.body.of[0].of, weakened(met, b >= 0))
     everything = conjoined(above, below, nothing, first, met)
     turned = combined(Eq(at, omega), [assume(equation), -S.One])

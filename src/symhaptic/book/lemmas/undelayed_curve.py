@@ -23,6 +23,7 @@ from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1
 from symhaptic.notation.proposition import Relation, both
 from symhaptic.paper.propositions.plots import CURVE, undelayed
 from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.familiar import of_device, ordered
 from symhaptic.proof.theorems.kernel import (
     Theorem,
@@ -132,7 +133,7 @@ def enough() -> Theorem:
 
 def _share(expr: Expr) -> Expr:
     """How often 1 - a + e = gamma (n_1 + n_0) is in it."""
-    return sp.diff(sp.expand(expr), a)
+    return derivative(sp.expand(expr), a)
 
 
 def _room(inner: Theorem, near: Theorem, minor: Expr) -> Theorem:

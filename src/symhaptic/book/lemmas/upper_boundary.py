@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Eq, Expr, Ne, Rational, S, cos, diff, pi, sin
+from sympy import Eq, Expr, Ne, Rational, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import (
     HALF,
@@ -37,6 +37,7 @@ from symhaptic.book.lemmas.touching import touches
 from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, u, w
 from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.paper.propositions.passivity import ABOVE
+from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import crosses_zero
 from symhaptic.proof.theorems.familiar import both_ways, decided, sign_of, strictly
 from symhaptic.proof.theorems.kernel import (
@@ -149,7 +150,7 @@ def on_the_curve(wanted: Any) -> Theorem:
     turn = positive(pi - 2 * psi * (d + 1) >= 0, pi > TURN)
     last = over(2 * psi / T <= END, turn, positive(T * (d + 1) > 0, [period, shares()[0]]))
     shown_of = {t.conclusion: t for t in (low, over(2 * psi / T < pi / T, half, period), last)}
-    share_of = [-diff(line.right, b) for line in (stiffness, damping)]
+    share_of = [-derivative(line.right, b) for line in (stiffness, damping)]
     shown = [
         *(shown_of[p] for p in inside),
         combined(stiffness, [need, share_of[0]]),

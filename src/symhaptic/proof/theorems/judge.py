@@ -37,6 +37,7 @@ from symhaptic.proof.theorems.kernel import (
     anything,
     applied,
     assume,
+    covers,
     instance,
     part,
     witnessed,
@@ -54,8 +55,11 @@ class Case:
     def exists(self, symbols: Sequence[Symbol], given: Sequence[Proposition]) -> bool:
         """Whether the theorem shows that all of these hold at the point."""
         claim = And(tuple(given))
+        wanted = claim.at(self.values)
+        if not covers(self.theorem.conclusion, wanted):
+            return False
         try:
-            there = part(self.theorem, claim.at(self.values))
+            there = part(self.theorem, wanted)
             values = {s: v for s, v in self.values.items() if s in symbols}
             return not witnessed(there, Exists(tuple(values), claim), values).hypotheses
         except NotShown:

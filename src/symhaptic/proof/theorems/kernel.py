@@ -273,16 +273,17 @@ def applied(implication: Theorem, given: Theorem) -> Judgement:
     """p => q and p give q; so does p <=> q, in either direction."""
     claim = implication.conclusion
     hypotheses = implication.hypotheses | given.hypotheses
-    if isinstance(claim, Implies) and _covers(given.conclusion, claim.of[0]):
+    if isinstance(claim, Implies) and covers(given.conclusion, claim.of[0]):
         return hypotheses, claim.of[1]
     if isinstance(claim, Iff):
         for one, other in (claim.of, claim.of[::-1]):
-            if _covers(given.conclusion, one):
+            if covers(given.conclusion, one):
                 return hypotheses, other
     raise NotShown(f"{given.conclusion} is not what is implied from")
 
 
-def _covers(known: Proposition, wanted: Proposition) -> bool:
+def covers(known: Proposition, wanted: Proposition) -> bool:
+    """Whether each part of what is wanted is a part of what is known."""
     have = {known, *conjuncts(known)}
     return wanted in have or all(c in have for c in conjuncts(wanted))
 
@@ -301,7 +302,7 @@ def conjoined(*theorems: Theorem) -> Judgement:
 def part(theorem: Theorem, wanted: Any) -> Judgement:
     """p /\\ q gives p."""
     wanted = proposition(wanted)
-    if not _covers(theorem.conclusion, wanted):
+    if not covers(theorem.conclusion, wanted):
         raise NotShown(f"{wanted} is no part of {theorem.conclusion}")
     return theorem.hypotheses, wanted
 

@@ -32,7 +32,7 @@ from symhaptic.proof.normal import Field, is_zero
 from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHER, Named
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.series import limit, lowest_term
+from symhaptic.proof.series import limit, lowest_term, shortened
 from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, needed, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
@@ -311,7 +311,7 @@ def tends(expr: Any, variable: Symbol, at: Any, value: Any) -> Judgement:
         if not is_zero(found - value):
             raise NotShown(f"the limit is {found}")
         # what it has a value under is read from its lowest terms
-        found = sp.cancel(found) if conditions(found) else found
+        found = shortened(found) if conditions(found) else found
         near = set(conditions(found, value, at))
         for condition in conditions(expr):
             assert isinstance(condition, Relation)

@@ -98,16 +98,16 @@ def _moves(
         raise NotShown(f"the device changes with {time}")
     if not all(smooth(f, time) for f in forms):
         raise NotShown("a motion is not differentiable by its form")
-    law = Matrix([[0, 1], [-stiffness / mass, -damping / mass]])
-    start = {time: _ZERO}
-    wrong = [
-        *(phi.diff(time) - law * phi),
-        *(phi.xreplace(start) - sp.eye(2)),
-        *(held.diff(time) - law * held - Matrix([0, 1 / mass])),
-        *held.xreplace(start),
-    ]
-    if not all(is_zero(expr) for expr in wrong):
-        raise NotShown("the motion is another than that of the device")
+    columns = (phi[:, 0], (1, 0), 0), (phi[:, 1], (0, 1), 0), (held, (0, 0), 1)
+    for (place, speed), (x, v), force in columns:
+        wrong = [
+            sp.diff(place, time) - speed,
+            sp.diff(speed, time) - (force - damping * speed - stiffness * place) / mass,
+            place.xreplace({time: _ZERO}) - x,
+            speed.xreplace({time: _ZERO}) - v,
+        ]
+        if not all(is_zero(expr) for expr in wrong):
+            raise NotShown("the motion is another than that of the device")
     found = set(conditions(1 / mass, damping, stiffness, *forms))
     without([time], found)
     return frozenset(found)
