@@ -69,6 +69,7 @@ def test_inside_is_stable_where_the_device_is_damped_much(delta, delay):
     assert largest.max() < 1 + 1e-12
 
 
+@pytest.mark.ci
 def test_for_little_damping_it_is_passivity_with_more_damping_at_high_frequencies():
     """First order by hand: alpha D - beta cos (d+1) theta < delta (theta/2)^2/sin(theta/2)^2."""
     d, delta = 1, 1e-4
@@ -121,6 +122,7 @@ def test_a_finer_tolerance_moves_the_outline_by_less_than_the_stated_error():
     assert fine.springs[-1] == pytest.approx(np.pi**2 + 1e-4)
 
 
+@pytest.mark.ci
 def test_for_little_damping_the_paper_s_reading_of_half_a_period_agrees():
     """At the device's own angle a late force is exactly e^(-j theta/2) times an undelayed one."""
     exact, read = (region(1e-3, 0.5, sheet, 0.02) for sheet in ("exact", "principal"))
