@@ -2,8 +2,8 @@
 
 Rocq takes as long to list the axioms of one chapter as of twenty.  Asked together they rest on what
 is listed, which is more than each of them needs to; so only those are of which the record has the
-same predicates, rules of a prelude and axioms of the library.  Where Rocq lists anything else of
-these, each is asked alone.
+same rules of a prelude and axioms of the library.  A predicate is no axiom: it is laid to those
+whose lemmas name it.  One of which this gives anything else than the record has is asked alone.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.foreign import INTEGERS, REALS
-from symhaptic.rocq.assumptions import axioms, rule_of
+from symhaptic.rocq.assumptions import rule_of
 from symhaptic.rocq.compiled import NoRocq, Taken, listed
 from symhaptic.rocq.outcome import Outcome
 from symhaptic.rocq.preludes import known_there, meant
@@ -23,14 +23,14 @@ from symhaptic.rocq.preludes import known_there, meant
 def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
     """Chapters of whose statements a record says that they rest on the same, the others alone.
 
-    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2", "eq3")} | {"eq4": {"rests": []}}
+    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["stable"]}}
     >>> chapters = {"a": ["eq1"], "b": ["eq2", "eq4"], "c": ["eq3", "mine"]}
     >>> groups(chapters, {"statements": known})
     [['a', 'b'], ['c']]
     """
     found: dict[object, list[str]] = {}
     for name, ids in chapters.items():
-        found.setdefault(expected(ids, known) or name, []).append(name)
+        found.setdefault(expected(ids, known) - meant() or name, []).append(name)
     return [*found.values()]
 
 
@@ -71,13 +71,18 @@ def asked(
 
 
 def _asked(group: Sequence[Taken], folder: Path, known: Mapping[str, Any]) -> list[Outcome]:
-    """The same of one group; of each alone where they do not rest on what is recorded of them."""
+    """The same of one group; of each alone where Rocq does not list what it rests on."""
     if len(group) == 1:
         return [group[0].alone()]
     try:
         said = listed(folder, [one.module for one in group])
     except NoRocq:
         return [one.alone() for one in group]
-    if _common() & set(map(rule_of, axioms(said))) != expected(group[0].file.statements, known):
-        return [one.alone() for one in group]
-    return [one.rests_on(said, group) for one in group]
+    return [_as_recorded(one, one.rests_on(said, group), known) for one in group]
+
+
+def _as_recorded(one: Taken, found: Outcome, known: Mapping[str, Any]) -> Outcome:
+    """What was found with others, or alone where that is not what is recorded."""
+    rests = frozenset(rule_of(name) for names in found.rests.values() for name in names)
+    same = _common() & rests == expected(one.file.statements, known)
+    return found if same else one.alone()
