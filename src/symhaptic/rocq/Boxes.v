@@ -590,24 +590,6 @@ Qed.
 
 (* -- tactics ------------------------------------------------------------------------- *)
 
-(* A term, or a function of reals, as one over expressions: its operations are put in their place. *)
-Ltac expression t :=
-  let t := eval pattern R, Rplus, Rminus, Rmult, Rdiv, Ropp, Rinv, Rpow_def.pow, IZR, PI, sqrt, Rabs, cos, sin, tan,
-    atan, exp, ln in t in
-  lazymatch t with ?f _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ =>
-    constr:(f expr (Ebinary Tree.Add) (Ebinary Sub) (Ebinary Mul) (Ebinary Div) (Eunary Neg) (Eunary Inv)
-      (fun a n => Eunary (PowerInt (Z.of_nat n)) a) (fun n => Econst (Int n)) (Econst Tree.Pi)
-      (Eunary Sqrt) (Eunary Abs) (Eunary Cos) (Eunary Sin) (Eunary Tan) (Eunary Atan) (Eunary Exp) (Eunary Ln))
-  end.
-(* The same of a term in which terms have numbers: those that stand first are found first. *)
-Ltac numbered f n := lazymatch n with O => f | Datatypes.S ?n => numbered constr:(f (Evar n)) n end.
-Ltac expressed t vs :=
-  let rec of t ws :=
-    lazymatch ws with
-    | nil => let f := expression t in let n := eval cbv in (List.length vs) in numbered f n
-    | ?w :: ?ws => let t := eval pattern w in t in lazymatch t with ?f _ => of f ws end
-    end in
-  let e := of t vs in eval cbv in e.
 Ltac ends_expressed ends :=
   lazymatch ends with
   | nil => constr:(@nil (expr * expr))
