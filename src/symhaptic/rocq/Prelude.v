@@ -288,8 +288,7 @@ Ltac known_values :=
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
 Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
 Ltac same_field := first [reflexivity | polynomial | solve [undivided; first [solve [ring] | field; nz]]].
-Ltac quick_field :=
-  first [reflexivity | polynomial | solve [undivided; first [solve [ring] | field; nz_quick]]].
+Ltac quick_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz_quick]]].
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
@@ -324,7 +323,7 @@ Ltac special_values :=
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  first [ring | special_values; first [ring | rooted_field]].
+  first [polynomial | ring | special_values; first [ring | rooted_field]].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
@@ -1046,7 +1045,7 @@ Ltac atom :=
 (* One relation from just one other. *)
 Ltac direct H :=
   let sides := first
-    [ reflexivity | polynomial | ring | quick_field | solve [unified; quick_field]
+    [ reflexivity | polynomial | quick_field | solve [unified; quick_field]
     | solve [unified; reflected; valued; known_values; quick_field] ] in
   match type of H with
   | ?a < ?b => match goal with |- ?l < ?r => apply (less_alike a b l r H); sides end
