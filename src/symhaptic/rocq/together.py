@@ -17,7 +17,7 @@ from symhaptic.book.foreign import INTEGERS, REALS
 from symhaptic.rocq.assumptions import rule_of
 from symhaptic.rocq.compiled import NoRocq, Taken, listed
 from symhaptic.rocq.outcome import Outcome
-from symhaptic.rocq.preludes import known_there, meant
+from symhaptic.rocq.preludes import known_there
 
 
 def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
@@ -30,23 +30,20 @@ def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> l
     """
     found: dict[object, list[str]] = {}
     for name, ids in chapters.items():
-        found.setdefault(expected(ids, known) - meant() or name, []).append(name)
+        found.setdefault(_shared(ids, known) or name, []).append(name)
     return [*found.values()]
 
 
-def expected(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
-    """On what statements rest by a record, of what those of any chapter may rest on.
+def _shared(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
+    """The rules of a prelude and axioms of the library on which statements rest by a record.
 
     Nothing where the record does not have them all.
     """
     statements = [known["statements"].get(id) for id in ids]
     if None in statements:
         return frozenset()
-    return _common() & frozenset(name for said in statements for name in said["rests"])
-
-
-def _common() -> frozenset[str]:
-    return frozenset(map(rule_of, meant() | known_there())) | {REALS, INTEGERS}
+    common = {*map(rule_of, known_there()), REALS, INTEGERS}
+    return frozenset(name for said in statements for name in said["rests"] if name in common)
 
 
 def asked(
@@ -83,6 +80,5 @@ def _asked(group: Sequence[Taken], folder: Path, known: Mapping[str, Any]) -> li
 
 def _as_recorded(one: Taken, found: Outcome, known: Mapping[str, Any]) -> Outcome:
     """What was found with others, or alone where that is not what is recorded."""
-    rests = frozenset(rule_of(name) for names in found.rests.values() for name in names)
-    same = _common() & rests == expected(one.file.statements, known)
-    return found if same else one.alone()
+    recorded = {id: known["statements"][id]["rests"] for id in one.file.statements}
+    return found if {id: found.rules(id) for id in recorded} == recorded else one.alone()
