@@ -545,7 +545,7 @@ def test_the_checker_of_boxes_rests_on_the_library_alone(folder):
     """The axioms of the reals and primitive floats; of a device besides what the axiom says."""
     (folder / "asked.v").write_text(
         "From Symhaptic Require Import Boxes.\nPrint Assumptions boxed.\n"
-        "Definition both := (boxed, sampled).\nPrint Assumptions both.\n"
+        "Definition both := (boxed, boxed_numbers).\nPrint Assumptions both.\n"
     )
     done = compiled._compiled(folder, "asked")
     assert done.returncode == 0, done.stderr

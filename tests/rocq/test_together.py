@@ -79,6 +79,23 @@ def test_what_is_not_recorded_of_all_of_them_is_laid_to_none_that_does_not_use_i
     assert found["meant"].rules("meant-0") == ["stable", foreign.REALS]
 
 
+def test_a_predicate_is_laid_to_those_that_name_it_and_parts_nobody(folder, monkeypatch):
+    """Each alone where the record has it of one whose lemmas do not name it."""
+    one, other = taken(folder, "bare", ADDED), taken(folder, "named", MEANT)
+    asked, listed = [], together.listed
+    monkeypatch.setattr(together, "listed", lambda *a: asked.append(a[1]) or listed(*a))
+    known = {"statements": {"bare-0": recorded(), "named-0": recorded("stable")}}
+    found = together.asked([one, other], folder, known)
+    assert asked == [[one.module, other.module]]
+    assert found["bare"].rules("bare-0") == [foreign.REALS]
+    assert found["named"].rules("named-0") == ["stable", foreign.REALS]
+    alone = []
+    monkeypatch.setattr(compiled.Taken, "alone", lambda one: alone.append(one) or one.outcome)
+    known = {"statements": {id: recorded("stable") for id in ("bare-0", "named-0")}}
+    together.asked([one, other], folder, known)
+    assert alone == [one]
+
+
 def test_an_axiom_that_nobody_named_is_found_among_others_too(folder):
     """Of one that takes it from a file of which its index tells that it is a lemma."""
     known = {"statements": {"third-0": recorded(), "fourth-0": recorded()}}

@@ -312,7 +312,7 @@ End Slopes.
 Section Pieces.
 Variables (rests inner : list expr) (outer : expr).
 (* Of each variable a box's part; of what is left out of a series a bound; of what is named how it
-   is made of the variables and of that. *)
+   is made of the variables, of that, and of what is named before it. *)
 
 Definition around (X : ball) : ball := Ball.join (Ball.neg X) X.
 Definition whole_box (box : list ball) : list ball := box ++ map (fun e => around (value_of e box)) rests.
@@ -327,8 +327,7 @@ Definition above (X : ball) : bool := match Ball.sign_strict X with Xgt => true 
 Definition decided (box : list ball) : bool :=
   let all := whole_box box in
   let W := ways_of all in
-  let known := variables 0 all in
-  let env := map (fun e => node_of W e known) inner ++ known in
+  let env := fold_left (fun known e => node_of W e known :: known) inner (variables 0 all) in
   above (value_of outer (map values env)) || above (values (node_of W outer env)).
 
 Definition parts (n : nat) (box : list ball) : list ball * list ball :=
@@ -353,8 +352,9 @@ Fixpoint pieces (fuel : nat) (cuts : string) (box : list ball) : option string :
   end.
 
 Definition within_rests (x r : list R) : Prop := Forall2 (fun e y => Rabs y <= eval e x) rests r.
+Definition with_names (es : list expr) : list R -> list R := fold_left (fun x e => eval e x :: x) es.
 Definition holds (x : list R) : Prop :=
-  forall r, within_rests x r -> 0 < eval outer (map (fun e => eval e (x ++ r)) inner ++ x ++ r).
+  forall r, within_rests x r -> 0 < eval outer (with_names inner (x ++ r)).
 
 Lemma has_around : forall X x r, has X x -> Rabs r <= x -> has (around X) r.
 Proof.
@@ -406,12 +406,12 @@ Proof.
   set (w := map (fun p => fst p - middle (snd p)) (combine y all)).
   assert (V : forall n, good w (nth n (variables 0 all) nowhere) (nth n y 0) (nth n (map middle all) 0)).
   { intro n; apply good_variables; [exact G | reflexivity]. }
-  set (known := variables 0 all) in *; clearbody known.
-  set (N := map (fun e => node_of (ways_of all) e known) inner ++ known) in *.
-  set (c := map (fun e => eval e (map middle all)) inner ++ map middle all).
-  assert (U : forall n, good w (nth n N nowhere) (nth n (map (fun e => eval e y) inner ++ y) 0) (nth n c 0)).
-  { clear D; subst N c; induction inner as [| e more IH]; intro n; simpl; [apply V |].
-    destruct n as [| n]; [| apply IH]; apply good_node; [apply has_ways, G | exact V]. }
+  set (N := fold_left _ inner (variables 0 all)) in D.
+  set (c := fold_left (fun x e => eval e x :: x) inner (map middle all)).
+  assert (U : forall n, good w (nth n N nowhere) (nth n (with_names inner y) 0) (nth n c 0)).
+  { clear D F W; subst N c; unfold with_names; revert V; generalize (variables 0 all), y, (map middle all).
+    induction inner as [| e more IH]; intros N z c V; simpl; [exact V |].
+    apply IH; intros [| n]; [| apply V]; apply good_node; [apply has_ways, G | exact V]. }
   apply orb_prop in D; destruct D as [D | D].
   - refine (above_zero _ _ (has_value outer _ _ _) D); intro n.
     rewrite (map_nth values N nowhere n : nth n (map values N) Ball.nai = _); apply (U n).
@@ -449,7 +449,7 @@ Definition checked (ends : list (expr * expr)) (cuts : string) : bool :=
   match pieces (Datatypes.S (String.length cuts)) cuts (map side ends) with Some EmptyString => true | _ => false end.
 Theorem boxed : forall ends cuts x r, checked ends cuts = true ->
   Forall2 lies ends x -> Forall2 (fun e y => Rabs y <= eval e x) rests r ->
-  0 < eval outer (map (fun e => eval e (x ++ r)) inner ++ x ++ r).
+  0 < eval outer (with_names inner (x ++ r)).
 Proof.
   intros ends cuts x r E F; unfold checked in E.
   destruct (pieces (Datatypes.S (String.length cuts)) cuts (map side ends)) eqn:P; [| discriminate].
@@ -590,67 +590,110 @@ Qed.
 
 (* -- tactics ------------------------------------------------------------------------- *)
 
-Lemma named_number : forall x : R, exists v, v = x.
-Proof. intro x; exists x; reflexivity. Qed.
-Tactic Notation "named" ident(v) ident(Q) constr(m) := destruct (named_number m) as [v Q].
-(* The numbers of a device, written in gamma, delta and what is left out of their series. *)
-Ltac sampled :=
-  match goal with V : device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) |- _ =>
-    let N1 := fresh in let N0 := fresh in let E := fresh in let A := fresh in
-    destruct (sampled g d n1 n0 a e V) as (?r & ?r & ? & ? & N1 & N0 & E & A);
-    [apply Rabs_le; lra | apply Rabs_le; lra | clear V];
-    repeat match goal with Q : _ = ?m |- _ =>
-      lazymatch m with context [- a + e + 1] => rewrite A in Q end end;
-    let B := fresh in
-    assert (B : a = 1 + e - g * (n1 + n0)) by lra; clear A;
-    try rewrite B in *; try rewrite N1 in *; try rewrite N0 in *; try rewrite E in *; clear B N1 N0 E
-  end.
-Ltac reified l vs :=
-  lazymatch vs with
-  | nil => constr:(@nil expr)
-  | ?v :: ?vs => let e := reify v l in let es := reified l vs in constr:(e :: es)
-  end.
-Ltac meant vs :=
-  lazymatch vs with
-  | nil => constr:(@nil R)
-  | ?v :: ?vs => match goal with Q : v = ?m |- _ => let ms := meant vs in constr:(m :: ms) end
-  end.
-Ltac bounding rs :=
-  lazymatch rs with
-  | nil => constr:(@nil R)
-  | ?r :: ?rs => match goal with _ : Rabs r <= ?b |- _ =>
-      let b := eval unfold left_out in b in let bs := bounding rs in constr:(b :: bs) end
-  end.
-Ltac reified_ends ends :=
+Ltac ends_expressed ends :=
   lazymatch ends with
   | nil => constr:(@nil (expr * expr))
   | (?a, ?b) :: ?more =>
-      let x := reify a (@nil R) in let y := reify b (@nil R) in
-      let es := reified_ends more in constr:((x, y) :: es)
+      let x := expressed a (@nil R) in let y := expressed b (@nil R) in
+      let es := ends_expressed more in constr:((x, y) :: es)
   end.
-(* On a box of xs between their ends, by a certificate; vs are what numbers are called. *)
-Ltac in_pieces vs xs ends cuts :=
-  let rs := lazymatch goal with
-    | _ : Rabs ?r <= left_out _ _, _ : Rabs ?t <= left_out _ _ |- _ => constr:(r :: t :: nil)
-    | _ => constr:(@nil R)
-    end in
-  let bounds := bounding rs in
+
+(* -- a device's numbers on a box ------------------------------------------------------ *)
+
+Definition way_of : expr -> expr -> expr :=
+  ltac:(let f := eval cbv delta [way] in way in let e := expression f in exact e).
+Definition left_out_of : expr -> expr -> expr :=
+  ltac:(let f := eval cbv delta [left_out] in left_out in let e := expression f in exact e).
+(* n_1, e, n_0 and a, each of gamma, delta, others, what is left out of the series, and those before it. *)
+Definition numbers_of (others : nat) : list expr :=
+  Ebinary Tree.Add (way_of (Evar 0) (Evar 1)) (Evar (2 + others)) :: Eunary Exp (Eunary Neg (Evar 2)) ::
+  Ebinary Mul (Evar 0) (Ebinary Tree.Add (way_of (Evar 2) (Eunary Neg (Evar 3))) (Evar (5 + others))) ::
+  Ebinary Sub (Ebinary Tree.Add (Econst (Int 1)) (Evar 1)) (Ebinary Mul (Evar 3) (Ebinary Tree.Add (Evar 2) (Evar 0))) ::
+  nil.
+Definition rests_of : list expr :=
+  left_out_of (Evar 0) (Evar 1) :: left_out_of (Evar 0) (Eunary Neg (Evar 1)) :: nil.
+Definition small_side (ends : expr * expr) : bool :=
+  let one := Ball.fromZ prec 1 in
+  above (Ball.sub prec one (side ends)) && above (add one (side ends)).
+Lemma has_side : forall ends x, lies ends x -> has (side ends) x.
+Proof.
+  intros [a b] x L; apply (J.join_correct _ _ (eval a nil) (eval b nil));
+    [apply has_value; intros [|]; apply has_nai .. | exact L].
+Qed.
+Lemma small_side_holds : forall ends x, small_side ends = true -> lies ends x -> Rabs x <= 1.
+Proof.
+  intros ends x S L; apply andb_prop in S; destruct S as [S T]; apply has_side in L.
+  apply (above_zero _ (1 - x)) in S; [| apply J.sub_correct; [apply has_number | exact L]].
+  apply (above_zero _ (1 + x)) in T; [| apply has_add; [apply has_number | exact L]].
+  apply Rabs_le; lra.
+Qed.
+Definition checked_numbers (others : nat) (inner : list expr) (outer : expr) (ends : list (expr * expr)) (cuts : string) : bool :=
+  forallb small_side (firstn 2 ends) &&
+  checked rests_of (numbers_of others ++ inner) outer ends cuts.
+Theorem boxed_numbers : forall inner outer ends cuts g d others n1 n0 a e,
+  device (RtoC g) (RtoC d) (RtoC n1) (RtoC n0) (RtoC a) (RtoC e) ->
+  checked_numbers (List.length others) inner outer ends cuts = true -> Forall2 lies ends (g :: d :: others) ->
+  forall t, (forall r s, eval outer (with_names inner (a :: n0 :: e :: n1 :: (g :: d :: others) ++ r :: s :: nil)) = t) ->
+  0 < t.
+Proof.
+  intros inner outer ends cuts g d others n1 n0 a e V C F t T; unfold checked_numbers in C.
+  apply andb_prop in C; destruct C as [B C].
+  assert (G := F); inversion G as [| G1 ? ends' ? Lg F']; subst; inversion F' as [| G2 ? ends'' ? Ld F'']; subst.
+  simpl in B; apply andb_prop in B; destruct B as [Bg B]; apply andb_prop in B; destruct B as [Bd _].
+  destruct (sampled g d n1 n0 a e V (small_side_holds _ _ Bg Lg) (small_side_holds _ _ Bd Ld))
+    as (r & s & Pr & Ps & N1 & N0 & E & A).
+  rewrite <- (T r s); clear t T.
+  assert (P := boxed _ _ _ _ _ _ (r :: s :: nil) C F ltac:(repeat (apply Forall2_cons; [assumption |]); apply Forall2_nil)).
+  unfold with_names in P; rewrite fold_left_app in P; fold (with_names inner) in P.
+  match type of P with context [fold_left ?f (numbers_of ?k) ?l] =>
+    replace (fold_left f (numbers_of k) l) with (a :: n0 :: e :: n1 :: l) in P; [exact P | symmetry] end.
+  set (l := (g :: d :: others) ++ r :: s :: nil) in *.
+  assert (K : nth (List.length others) (others ++ r :: s :: nil) 0 = r) by
+    (rewrite app_nth2, Nat.sub_diag by lia; reflexivity).
+  assert (L : nth (Datatypes.S (List.length others)) (others ++ r :: s :: nil) 0 = s) by
+    (rewrite app_nth2 by lia; replace (Datatypes.S _ - _)%nat with 1%nat by lia; reflexivity).
+  unfold numbers_of; cbn [fold_left].
+  set (v1 := eval _ l); assert (M1 : v1 = n1).
+  { change (way g d + nth (List.length others) (others ++ r :: s :: nil) 0 = n1); rewrite K, N1; reflexivity. }
+  clearbody v1; subst v1; set (v2 := eval (Eunary Exp _) _).
+  assert (M2 : v2 = e) by (rewrite E; reflexivity); clearbody v2; subst v2; set (v3 := eval (Ebinary Mul _ _) _).
+  assert (M3 : v3 = n0).
+  { change (e * (way g (- d) + nth (Datatypes.S (List.length others)) (others ++ r :: s :: nil) 0) = n0).
+    rewrite L, N0, E; reflexivity. }
+  clearbody v3; subst v3; repeat f_equal; simpl; lra.
+Qed.
+Lemma positive_as : forall t s : R, t = s -> 0 < s -> 0 < t.
+Proof. intros t s E P; rewrite E; exact P. Qed.
+(* Expressions for terms, each of those in a list and of the terms before it, and the list with them. *)
+Ltac with_terms ts l :=
+  lazymatch ts with
+  | nil => constr:((@nil expr, l))
+  | ?t :: ?ts =>
+      let e := expressed t l in
+      let more := with_terms ts constr:(t :: l) in
+      lazymatch more with (?es, ?l) => constr:((e :: es, l)) end
+  end.
+(* On a box of xs between their ends, by a certificate. *)
+Ltac sided :=
+  repeat (apply Forall2_cons; [split; first [assumption | cbn; lra] |]); apply Forall2_nil.
+Ltac in_pieces xs ends cuts :=
+  let ends := ends_expressed ends in
   lazymatch goal with |- 0 < ?t =>
-    let variables := eval cbv [app] in (app xs rs) in
-    let named := eval cbv [app] in (app vs variables) in
-    let outer := reify t named in
-    let ms := meant vs in
-    let ms := eval unfold way in ms in
-    let inner := reified variables ms in
-    let rests := reified xs bounds in
-    let sides := reified_ends ends in
-    let P := fresh in
-    assert (P : checked rests inner outer sides cuts = true) by (vm_compute; reflexivity);
-    apply (boxed rests inner outer sides cuts xs rs) in P;
-    [| repeat (apply Forall2_cons; [split; cbn; lra |]); apply Forall2_nil
-     | repeat (apply Forall2_cons; [assumption |]); apply Forall2_nil];
-    repeat match goal with Q : ?v = _ |- _ => is_var v; rewrite Q; clear Q end;
-    exact P
+    let outer := expressed t xs in
+    exact (boxed nil nil outer ends cuts xs nil ltac:(vm_compute; reflexivity) ltac:(sided) (Forall2_nil _))
+  end.
+(* Of a device's numbers and of gamma, delta and others; vs are further terms that it names. *)
+Ltac of_device vs xs ends cuts :=
+  let ends := ends_expressed ends in
+  lazymatch goal with V : device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) |- 0 < ?t =>
+    lazymatch xs with _ :: _ :: ?others =>
+      let terms := with_terms vs constr:(a :: n0 :: e :: n1 :: xs) in
+      lazymatch terms with (?inner, ?l) =>
+        let outer := expressed t l in
+        exact (boxed_numbers inner outer ends cuts g d others n1 n0 a e V
+          ltac:(vm_compute; reflexivity) ltac:(sided) t (fun r s => eq_refl t))
+      end
+    end
   end.
 Open Scope string_scope.
 Open Scope R_scope.

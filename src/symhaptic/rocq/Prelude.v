@@ -4,6 +4,7 @@ From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
 From Coq Require QArith Qround Qreals Qreduction Ranalysis5.
 From Coquelicot Require Export Coquelicot.
 From Interval Require Export Tactic.
+From Interval Require Tree.
 Open Scope R_scope.
 
 Definition whole (x : R) : Prop := exists n : nat, x = INR n.
@@ -219,13 +220,74 @@ Ltac nz := nz_with nz_hard.
 
 Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]).
 
+(* -- terms as expressions ------------------------------------------------------------ *)
+
+(* A term, or a function of reals, as one of expressions: its operations are put in their place. *)
+Ltac expression t :=
+  let t := eval pattern R, Rplus, Rminus, Rmult, Rdiv, Ropp, Rinv, Rpow_def.pow, IZR, PI, sqrt, Rabs, cos, sin,
+    tan, atan, exp, ln in t in
+  lazymatch t with ?f _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ =>
+    constr:(f Tree.expr (Tree.Ebinary Tree.Add) (Tree.Ebinary Tree.Sub) (Tree.Ebinary Tree.Mul)
+      (Tree.Ebinary Tree.Div) (Tree.Eunary Tree.Neg) (Tree.Eunary Tree.Inv)
+      (fun a n => Tree.Eunary (Tree.PowerInt (Z.of_nat n)) a) (fun n => Tree.Econst (Tree.Int n))
+      (Tree.Econst Tree.Pi) (Tree.Eunary Tree.Sqrt) (Tree.Eunary Tree.Abs) (Tree.Eunary Tree.Cos)
+      (Tree.Eunary Tree.Sin) (Tree.Eunary Tree.Tan) (Tree.Eunary Tree.Atan) (Tree.Eunary Tree.Exp)
+      (Tree.Eunary Tree.Ln))
+  end.
+(* The same of a term in which terms have numbers: those that stand first are found first. *)
+Ltac numbered f n := lazymatch n with O => f | S ?n => numbered constr:(f (Tree.Evar n)) n end.
+Ltac expressed t vs :=
+  let rec of t ws :=
+    lazymatch ws with
+    | nil => let f := expression t in let n := eval cbv in (List.length vs) in numbered f n
+    | ?w :: ?ws => let t := eval pattern w in t in lazymatch t with ?f _ => of f ws end
+    end in
+  let e := of t vs in eval cbv in e.
+
+(* What is made of variables and of numbers, by which alone it is divided. *)
+Fixpoint polynomial_in (e : Tree.expr) : option (Ring_polynom.PExpr QArith_base.Q) :=
+  match e with
+  | Tree.Evar n => Some (Ring_polynom.PEX _ (Pos.of_succ_nat n))
+  | Tree.Econst (Tree.Int n) => Some (Ring_polynom.PEc (QArith_base.Qmake n 1))
+  | Tree.Eunary Tree.Neg a => option_map (@Ring_polynom.PEopp _) (polynomial_in a)
+  | Tree.Eunary (Tree.PowerInt (Zpos n)) a =>
+      option_map (fun p => Ring_polynom.PEpow p (Npos n)) (polynomial_in a)
+  | Tree.Eunary Tree.Inv (Tree.Econst (Tree.Int (Zpos n))) => Some (Ring_polynom.PEc (QArith_base.Qmake 1 n))
+  | Tree.Ebinary Tree.Div a (Tree.Econst (Tree.Int (Zpos n))) =>
+      option_map (fun p => Ring_polynom.PEmul p (Ring_polynom.PEc (QArith_base.Qmake 1 n))) (polynomial_in a)
+  | Tree.Ebinary o a b =>
+      match o, polynomial_in a, polynomial_in b with
+      | Tree.Add, Some p, Some q => Some (Ring_polynom.PEadd p q)
+      | Tree.Sub, Some p, Some q => Some (Ring_polynom.PEsub p q)
+      | Tree.Mul, Some p, Some q => Some (Ring_polynom.PEmul p q)
+      | _, _, _ => None
+      end
+  | _ => None
+  end.
+Ltac without f := repeat match goal with |- context [f ?a] => generalize (f a); intro end.
+Ltac variables_and xs :=
+  match goal with
+  | x : R |- _ => lazymatch xs with context [x] => fail | _ => variables_and constr:(x :: xs) end
+  | _ => xs
+  end.
+(* ring, in less time: functions and variables are its variables. *)
+Ltac polynomial :=
+  without cos; without sin; without exp; without sqrt; without ln; without tan; without atan; without Rabs;
+  let xs := variables_and constr:(PI :: nil) in
+  lazymatch goal with |- ?l = ?r :> R =>
+    let e := expressed l xs in let f := expressed r xs in
+    lazymatch eval vm_compute in (polynomial_in e, polynomial_in f) with (Some ?p, Some ?q) =>
+      exact (Rquotients_ring_lemma1 0 xs nil p q I ltac:(vm_compute; reflexivity))
+    end
+  end.
+
 (* -- identities --------------------------------------------------------------------- *)
 
 Ltac known_values :=
   rewrite ?Ropp_mult_distr_l_reverse, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI, ?cos_PI,
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
 Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
-Ltac same_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz]]].
+Ltac same_field := first [reflexivity | polynomial | solve [undivided; first [solve [ring] | field; nz]]].
 Ltac quick_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz_quick]]].
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
@@ -261,7 +323,7 @@ Ltac special_values :=
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  first [ring | special_values; first [ring | rooted_field]].
+  first [polynomial | ring | special_values; first [ring | rooted_field]].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 
@@ -929,11 +991,21 @@ Ltac head_of t := lazymatch t with ?f _ => head_of f | _ => t end.
 Ltac said_alike P Q := let p := head_of P in let q := head_of Q in constr_eq p q.
 
 (* A relation from one that is known, by a tactic for the equality of their sides. *)
+Lemma less_alike : forall a b l r : R, a < b -> l = a -> r = b -> l < r.
+Proof. intros; subst; assumption. Qed.
+Lemma less_eq_alike : forall a b l r : R, a <= b -> l = a -> r = b -> l <= r.
+Proof. intros; subst; assumption. Qed.
+Lemma apart_alike : forall a b l r : R, a <> b -> l = a -> r = b -> l <> r.
+Proof. intros; subst; assumption. Qed.
+Lemma equal_alike : forall a b l r : R, a = b -> l = a -> r = b -> l = r.
+Proof. intros; subst; reflexivity. Qed.
 Ltac from_known tac :=
   match goal with
-  | H : ?a < ?b |- ?l < ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
-  | H : ?a <= ?b |- ?l <= ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?a < ?b |- ?l < ?r => solve [apply (less_alike a b l r H); tac tt]
+  | H : ?a <= ?b |- ?l <= ?r => solve [apply (less_eq_alike a b l r H); tac tt]
+  | H : ?a = ?b :> R |- ?l = ?r => solve [apply (equal_alike a b l r H); tac tt]
   | H : ?a = ?b |- ?l = ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
+  | H : ?a <> ?b :> R |- ?l <> ?r => solve [apply (apart_alike a b l r H); tac tt]
   | H : ?a <> ?b |- ?l <> ?r => solve [replace l with a by tac tt; replace r with b by tac tt; exact H]
   | H : ?P |- ?Q =>
       said_alike P Q;
@@ -945,7 +1017,7 @@ Ltac from_known tac :=
 
 Ltac assumed := first [assumption | from_known ltac:(fun _ => same)].
 
-Ltac by_ring _ := first [reflexivity | ring].
+Ltac by_ring _ := first [reflexivity | polynomial | ring].
 Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
 Ltac by_same _ := same.
 
@@ -972,12 +1044,14 @@ Ltac atom :=
 
 (* One relation from just one other. *)
 Ltac direct H :=
-  let sides := first [ring | quick_field | solve [unified; quick_field] | solve [unified; reflected; valued; known_values; quick_field]] in
+  let sides := first
+    [ reflexivity | polynomial | quick_field | solve [unified; quick_field]
+    | solve [unified; reflected; valued; known_values; quick_field] ] in
   match type of H with
-  | ?a < ?b => match goal with |- ?l < ?r => replace l with a by sides; replace r with b by sides; exact H end
-  | ?a <= ?b => match goal with |- ?l <= ?r => replace l with a by sides; replace r with b by sides; exact H end
-  | @eq R ?a ?b => match goal with |- ?l = ?r => replace l with a by sides; replace r with b by sides; exact H end
-  | ?a <> ?b => match goal with |- ?l <> ?r => replace l with a by sides; replace r with b by sides; exact H end
+  | ?a < ?b => match goal with |- ?l < ?r => apply (less_alike a b l r H); sides end
+  | ?a <= ?b => match goal with |- ?l <= ?r => apply (less_eq_alike a b l r H); sides end
+  | @eq R ?a ?b => match goal with |- ?l = ?r => apply (equal_alike a b l r H); sides end
+  | ?a <> ?b :> R => match goal with |- ?l <> ?r => apply (apart_alike a b l r H); sides end
   end.
 
 (* A relation beside what it divides by, from one that is beside other things. *)
@@ -1202,7 +1276,8 @@ Qed.
 (* That what was derived is the slope that is wanted. *)
 Ltac derived :=
   first
-    [ solve [unfold Rminus; ring]
+    [ solve [unfold Rminus, Rdiv; polynomial]
+    | solve [unfold Rminus; ring]
     | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].

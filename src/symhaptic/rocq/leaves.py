@@ -252,23 +252,20 @@ def on_plants(proof: Proof, theorem: Theorem) -> None:
     (certificate,) = theorem.given
     given, used = certificate.given, certificate.expr.free_symbols
     named = {s: m for s, m in given.meanings.items() if s in used} if given else {}
-    meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in named.items()}
     names, claim = proof.names, _relation(theorem)
+    meanings = {s: term(m).xreplace(PLANT_NUMBERS) for s, m in named.items()}
+    meant = {s: f"({real_text(m, names)})" for s, m in meanings.items() if s != m}
     sides = [tuple(real_text(term(x), names) for x in pair) for pair in certificate.box.values()]
-    old, meant = real_text(claim.right, names), [real_text(m, names) for m in meanings.values()]
-    with names.introduced(*meanings) as new:
-        by = real_text(term(certificate.expr), names)
-    proof.say(
-        *(f"named {v} Q{i} ({m})." for i, (v, m) in enumerate(zip(new, meant, strict=True), 1))
-    )
-    if meanings:
-        shown = ", ".join(f"?Q{i}" for i in range(1, len(new) + 1))
-        proof.say(f"replace ({old}) with ({by}) by (rewrite {shown}; same_field).", "sampled.")
+    old = real_text(claim.right, names)
+    names.spelled |= meant
+    new = real_text(term(certificate.expr), names)
+    if new != old:
+        proof.say(f"apply (positive_as _ ({new})); [same_field |].")
     cuts = " ".join(textwrap.wrap(certificate.cuts, 60))
-    proof.say(
-        f"in_pieces {_list(new, 'R')} {_list([names[s] for s in certificate.box], 'R')} "
-        f'{_list([f"({x}, {y})" for x, y in sides], "(R * R)")} "{cuts}".'
-    )
+    over = _list([names[s] for s in certificate.box], "R")
+    ends = _list([f"({x}, {y})" for x, y in sides], "(R * R)")
+    way = f"of_device {_list([*meant.values()], 'R')}" if named else "in_pieces"
+    proof.say(f'{way} {over} {ends} "{cuts}".')
 
 
 LEAVES["on_box"] = on_plants

@@ -2,8 +2,8 @@
 
 Rocq takes as long to list the axioms of one chapter as of twenty.  Asked together they rest on what
 is listed, which is more than each of them needs to; so only those are of which the record has the
-same predicates, rules of a prelude and axioms of the library.  Where Rocq lists anything else of
-these, each is asked alone.
+same rules of a prelude and axioms of the library.  A predicate is no axiom: it is laid to those
+whose lemmas name it.  One of which this gives anything else than the record has is asked alone.
 """
 
 from __future__ import annotations
@@ -14,39 +14,36 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.foreign import INTEGERS, REALS
-from symhaptic.rocq.assumptions import axioms, rule_of
+from symhaptic.rocq.assumptions import rule_of
 from symhaptic.rocq.compiled import NoRocq, Taken, listed
 from symhaptic.rocq.outcome import Outcome
-from symhaptic.rocq.preludes import known_there, meant
+from symhaptic.rocq.preludes import known_there
 
 
 def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
     """Chapters of whose statements a record says that they rest on the same, the others alone.
 
-    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2", "eq3")} | {"eq4": {"rests": []}}
+    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["stable"]}}
     >>> chapters = {"a": ["eq1"], "b": ["eq2", "eq4"], "c": ["eq3", "mine"]}
     >>> groups(chapters, {"statements": known})
     [['a', 'b'], ['c']]
     """
     found: dict[object, list[str]] = {}
     for name, ids in chapters.items():
-        found.setdefault(expected(ids, known) or name, []).append(name)
+        found.setdefault(_shared(ids, known) or name, []).append(name)
     return [*found.values()]
 
 
-def expected(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
-    """On what statements rest by a record, of what those of any chapter may rest on.
+def _shared(ids: Iterable[str], known: Mapping[str, Any]) -> frozenset[str]:
+    """The rules of a prelude and axioms of the library on which statements rest by a record.
 
     Nothing where the record does not have them all.
     """
     statements = [known["statements"].get(id) for id in ids]
     if None in statements:
         return frozenset()
-    return _common() & frozenset(name for said in statements for name in said["rests"])
-
-
-def _common() -> frozenset[str]:
-    return frozenset(map(rule_of, meant() | known_there())) | {REALS, INTEGERS}
+    common = {*map(rule_of, known_there()), REALS, INTEGERS}
+    return frozenset(name for said in statements for name in said["rests"] if name in common)
 
 
 def asked(
@@ -71,13 +68,17 @@ def asked(
 
 
 def _asked(group: Sequence[Taken], folder: Path, known: Mapping[str, Any]) -> list[Outcome]:
-    """The same of one group; of each alone where they do not rest on what is recorded of them."""
+    """The same of one group; of each alone where Rocq does not list what it rests on."""
     if len(group) == 1:
         return [group[0].alone()]
     try:
         said = listed(folder, [one.module for one in group])
     except NoRocq:
         return [one.alone() for one in group]
-    if _common() & set(map(rule_of, axioms(said))) != expected(group[0].file.statements, known):
-        return [one.alone() for one in group]
-    return [one.rests_on(said, group) for one in group]
+    return [_as_recorded(one, one.rests_on(said, group), known) for one in group]
+
+
+def _as_recorded(one: Taken, found: Outcome, known: Mapping[str, Any]) -> Outcome:
+    """What was found with others, or alone where that is not what is recorded."""
+    recorded = {id: known["statements"][id]["rests"] for id in one.file.statements}
+    return found if {id: found.rules(id) for id in recorded} == recorded else one.alone()
