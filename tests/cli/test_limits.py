@@ -170,6 +170,7 @@ def test_what_a_wall_bears_more_of_delay_begins_at_its_own(tmp_path):
         ('"Phantom Premium 1.5"', '"Touch"', "device.toml: mass is missing, such as mass = "),
         ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: (2.0, 0.5) is not"),
         ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed; one"),
+        ('["0.5 kg", "2 kg"]', '["0 kg", "1e9 kg"]', "device.toml: arms: mass is up to 1e+09 kg"),
         ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; a number and"),
         ('damping = "6', 'dampng = "6', "device.toml:7: dampng is not known; did you mean 'damp"),
         ("delay_samples = 1.5", "delay_samples = 500", "device.toml: delay: nothing is shown for"),
