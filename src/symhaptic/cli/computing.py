@@ -9,7 +9,16 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, can_draw, folder_allowed, no_folder, progress, refuse, write
+from symhaptic.cli.shared import (
+    app,
+    can_draw,
+    folder_allowed,
+    no_folder,
+    only_listed,
+    progress,
+    refuse,
+    write,
+)
 
 
 class TraceFormat(StrEnum):
@@ -151,6 +160,7 @@ def export(
         parts = request.scene(",".join(scene or []))
         forms = request.chosen(formulas or [], parts, delay, by, whole_delays)
         if listing:
+            only_listed(output=output, target=target, precision=precision)
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)
                 typer.echo(f"{form.name}({args})\n    {form.title}")
