@@ -97,6 +97,9 @@ def test_words_and_a_picture(device, tmp_path):
         ('"0.005 Ns/m"', '"1e80 Ns/m"', "device.toml:2: damping: 1e+80 with mass=0.072 and sa"),
         ('delay = "1.5 ms"', "delay_samples = 1e16", "device.toml:4: delay_samples: 1e+16 with"),
         ('delay = "1.5 ms"', "delay_samples = 2e5", "device.toml: delay: 200000.0 is not allowed"),
+        ('"72 g"', 400 * "9", "device.toml:1: mass: inf is not allowed; finite numbers > 0 are"),
+        ('"72 g"', 9999 * "9", "device.toml: Exceeds the limit (4300 digits) for integer string"),
+        ('"72 g"', 3000 * "[" + 3000 * "]", "device.toml: is nested too deeply"),
         ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
         ("[arm]", "[[arm]]", "device.toml: arm is not allowed; a table [arm] is"),
     ],
@@ -276,6 +279,15 @@ def test_no_file_and_no_picture(device, tmp_path):
     run = symhaptic("limits", device, "-o", tmp_path / "walls.gif")
     assert run.returncode == 2
     assert "'.gif' is not allowed" in run.stderr
+
+
+def test_a_wall_that_pulls_has_no_margin_and_json_has_no_infinity(device):
+    device.write_text(device.read_text().replace("800 N/m", "-800 N/m"))
+    assert "-800 N/m" in device.read_text()
+    said = symhaptic("limits", device, "--format", "json").stdout
+    wall = json.loads(said, parse_constant=pytest.fail)["wall"]
+    assert (wall["passive"], wall["passivity_margin"]) == (False, None)
+    assert "  its margin     none, for it pulls\n" in symhaptic("limits", device).stdout
 
 
 def test_a_device_is_not_written_over(device):
