@@ -281,6 +281,19 @@ def test_no_file_and_no_picture(device, tmp_path):
     assert "'.gif' is not allowed" in run.stderr
 
 
+def test_a_wall_that_only_a_delay_makes_stable_bears_no_negative_delay(tmp_path):
+    """3 ms late by eigenvalues stable, without delay not: the margin from 0 on is 0."""
+    path = tmp_path / "device.toml"
+    path.write_text(
+        'mass = "0.1 kg"\ndamping = "0.05 Ns/m"\nstiffness = "64989.5 N/m"\n'
+        'sampling_period = "1 ms"\ndelay = "3 ms"\n[wall]\nK = "8779.6 N/m"\nB = "-12.466 Ns/m"\n'
+    )
+    wall = json.loads(symhaptic("limits", path, "--format", "json").stdout)["wall"]
+    told = {key: wall[key] for key in ("stable", "largest_delay_s", "more_delay_s")}
+    assert told == {"stable": True, "largest_delay_s": 0.0, "more_delay_s": None}
+    assert " to being passive; less delay is unstable\n" in symhaptic("limits", path).stdout
+
+
 def test_a_wall_that_pulls_has_no_margin_and_json_has_no_infinity(device):
     device.write_text(device.read_text().replace("800 N/m", "-800 N/m"))
     assert "-800 N/m" in device.read_text()
