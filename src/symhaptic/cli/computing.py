@@ -88,17 +88,18 @@ def trace(
         can_draw(f"--format {format}")
     plant = number("gamma", gamma), number("delta", delta)
     periods = number("delay", delay)
+    content: str | bytes
     try:
         region = stable_region(*plant, periods)
+        if drawn:
+            from symhaptic.book.figures.region import picture
+
+            content = picture(region, format)
+        else:  # what is asked of the region here may not be there, either
+            text = written.json_text if format is TraceFormat.json else written.csv_text
+            content = text(region)
     except ValueError as wrong:
         refuse(f"--{wrong}")
-    content: str | bytes
-    if drawn:
-        from symhaptic.book.figures.region import picture
-
-        content = picture(region, format)
-    else:
-        content = (written.json_text if format is TraceFormat.json else written.csv_text)(region)
     if output is None:
         typer.echo(content, nl=False)
     else:

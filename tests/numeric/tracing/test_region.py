@@ -233,6 +233,8 @@ def test_next_to_no_damping_is_as_good_as_none(damping, delay):
     ("device", "delay", "sheet", "wall"),
     [
         ((9.869604401089358, 1e-12), 0.5, "exact", None),  # half a swing in a period
+        ((9.8696, 0.0), 0.0, "exact", (-1.0, 0.1)),
+        ((9.8696044, 0.0), 1.0, "exact", None),
         ((1.9340278253360927, 2.78), 1 + 2**-30, "principal", None),
         ((6.82, 0.7), 2 + 1e-11, "principal", None),
         # not one piece is found, and nothing is loose
