@@ -294,10 +294,12 @@ def test_help_tells_units_and_ranges():
         ({"stiffness": 1e25}, r"^stiffness: 1e\+25 with mass=0\.1 and sampling_period=0\.001 is "),
         ({"damping": 1e80}, r"^damping: 1e\+80 with .* is not allowed; b T/m <= 1e\+70 is$"),
         ({"delay_samples": 2e16}, r"^delay_samples: 2e\+16 with .*; t_d/T <= 1e\+15 is$"),
+        ({"sampling_period": 1e-200}, r"^sampling_period: 1e-200 with mass=0\.1 .* N/m$"),
+        ({"sampling_period": 1e200}, r"^sampling_period: 1e\+200 with mass=0\.1 .* N/m$"),
     ],
 )
 def test_a_device_of_which_a_float_tells_nothing_is_told_by_what_was_given(more, told):
-    scene = Scene(mass=0.1, sampling_period=1e-3, **more)
+    scene = Scene(**{"mass": 0.1, "sampling_period": 1e-3, **more})
     asked = (scene.max_stable_stiffness, scene.max_passive_stiffness, scene.describe,
              scene.stable_region, scene.to_scipy, lambda: scene.is_stable(1.0, 1.0))  # fmt: skip
     for ask in asked:

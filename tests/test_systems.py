@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from oracle import sampled
-from scipy.signal import cont2discrete, dstep
+from scipy.signal import cont2discrete, dfreqresp, dstep
 from sympy.physics.control import TransferFunction
 
 from symhaptic import Scene
@@ -99,3 +99,15 @@ def test_decimals_stay_decimals_in_sympy():
     assert sp.expand(system.num - sp.Rational(1, 60000000) * (z + 1)) == 0
     assert sp.expand(system.den - z**3 * (z - 1) ** 2) == 0
     assert len(Scene(mass=0.3, sampling_period=1e-4, delay=3e-4).to_scipy().num) == 2
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_heavy_device_at_a_high_rate_keeps_all_coefficients_in_scipy():
+    """100 kg at 10 MHz: those of 1e-17 were left out, as of a numerator that begins later."""
+    scene = Scene(mass=100.0, damping=5.0, sampling_period=1e-7, delay_samples=1.5)
+    _, (late,) = dfreqresp(scene.to_scipy(), [1.0])
+    _, (early,) = dfreqresp(Scene(mass=100.0, sampling_period=1e-7).to_scipy(), [1.0])
+    z = np.exp(1j)
+    held = 1e-14 / 200 * (z + 1) / (z - 1) ** 2
+    assert early == pytest.approx(held, rel=1e-9)
+    assert late == pytest.approx(held * (z**2 + 6 * z + 1) / (4 * (z + 1) * z**2), rel=1e-6)

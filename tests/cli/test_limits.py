@@ -97,6 +97,9 @@ def test_words_and_a_picture(device, tmp_path):
         ('"0.005 Ns/m"', '"1e80 Ns/m"', "device.toml:2: damping: 1e+80 with mass=0.072 and sa"),
         ('delay = "1.5 ms"', "delay_samples = 1e16", "device.toml:4: delay_samples: 1e+16 with"),
         ('delay = "1.5 ms"', "delay_samples = 2e5", "device.toml: delay: 200000.0 is not allowed"),
+        ('"72 g"', 400 * "9", "device.toml:1: mass: inf is not allowed; finite numbers > 0 are"),
+        ('"72 g"', 9999 * "9", "device.toml: Exceeds the limit (4300 digits) for integer string"),
+        ('"72 g"', 3000 * "[" + 3000 * "]", "device.toml: is nested too deeply"),
         ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
         ("[arm]", "[[arm]]", "device.toml: arm is not allowed; a table [arm] is"),
     ],
@@ -170,6 +173,7 @@ def test_what_a_wall_bears_more_of_delay_begins_at_its_own(tmp_path):
         ('"Phantom Premium 1.5"', '"Touch"', "device.toml: mass is missing, such as mass = "),
         ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: (2.0, 0.5) is not"),
         ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed; one"),
+        ('["0.5 kg", "2 kg"]', '["0 kg", "1e9 kg"]', "device.toml: arms: mass is up to 1e+09 kg"),
         ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; a number and"),
         ('damping = "6', 'dampng = "6', "device.toml:7: dampng is not known; did you mean 'damp"),
         ("delay_samples = 1.5", "delay_samples = 500", "device.toml: delay: nothing is shown for"),
@@ -275,6 +279,28 @@ def test_no_file_and_no_picture(device, tmp_path):
     run = symhaptic("limits", device, "-o", tmp_path / "walls.gif")
     assert run.returncode == 2
     assert "'.gif' is not allowed" in run.stderr
+
+
+def test_a_wall_that_only_a_delay_makes_stable_bears_no_negative_delay(tmp_path):
+    """3 ms late by eigenvalues stable, without delay not: the margin from 0 on is 0."""
+    path = tmp_path / "device.toml"
+    path.write_text(
+        'mass = "0.1 kg"\ndamping = "0.05 Ns/m"\nstiffness = "64989.5 N/m"\n'
+        'sampling_period = "1 ms"\ndelay = "3 ms"\n[wall]\nK = "8779.6 N/m"\nB = "-12.466 Ns/m"\n'
+    )
+    wall = json.loads(symhaptic("limits", path, "--format", "json").stdout)["wall"]
+    told = {key: wall[key] for key in ("stable", "largest_delay_s", "more_delay_s")}
+    assert told == {"stable": True, "largest_delay_s": 0.0, "more_delay_s": None}
+    assert " to being passive; less delay is unstable\n" in symhaptic("limits", path).stdout
+
+
+def test_a_wall_that_pulls_has_no_margin_and_json_has_no_infinity(device):
+    device.write_text(device.read_text().replace("800 N/m", "-800 N/m"))
+    assert "-800 N/m" in device.read_text()
+    said = symhaptic("limits", device, "--format", "json").stdout
+    wall = json.loads(said, parse_constant=pytest.fail)["wall"]
+    assert (wall["passive"], wall["passivity_margin"]) == (False, None)
+    assert "  its margin     none, for it pulls\n" in symhaptic("limits", device).stdout
 
 
 def test_a_device_is_not_written_over(device):

@@ -40,6 +40,41 @@ def test_a_delay_may_be_a_fraction():
         assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; a number is\n"
 
 
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        ("export", ["-o", "place"]),
+        ("export", ["--target", "c"]),
+        ("export", ["--precision", "single"]),
+        ("check", ["-o", "place"]),
+        ("check", ["--formula", "eq11"]),
+        ("report", ["-o", "place"]),
+        ("report", ["-o", "reports"]),
+        ("report", ["--format", "tex"]),
+        ("report", ["--check"]),
+        ("report", ["--chapter", "s3d_figures"]),
+    ],
+)
+def test_what_has_no_effect_on_a_list_is_refused(command, option, tmp_path):
+    run = symhaptic(command, "--list", *option, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr == (
+        f"symhaptic: error: {' '.join(option)}: has no effect on what --list prints; "
+        "leave one of them out\n"
+    )
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("format", ["csv", "json"])
+def test_what_is_not_traced_is_told_in_one_line(format):
+    """Next to pi^2 the outline is there, and its farthest points are not."""
+    run = symhaptic("trace", "--gamma", "9.8696044", "--delta", "0", "--delay", "0",
+                    "--format", format)  # fmt: skip
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.startswith("symhaptic: error: --gamma: 9.8696044 with delta=0.0 behind ")
+    assert len(run.stderr.splitlines()) == 1
+
+
 LEFT = """
 import sys
 

@@ -108,14 +108,18 @@ int main(void) {
     haptic_si_max_passive_stiffness(none, &X, &Y, &Z);
     printf("%g %g %g ", X, Y, Z);
     printf("%d %d ", haptic_si_is_stable(1000, 1, some), haptic_si_is_stable(-1000, -1, none));
-    printf("%d\\n", haptic_si_is_stable(1000, 1, late));
+    printf("%d ", haptic_si_is_stable(1000, 1, late));
+    none.m = HUGE_VAL;
+    haptic_si_max_stable_stiffness(none, &X, &Y, &Z);
+    printf("%g %g %g\\n", X, Y, Z);
     return 0;
 }
 """
 
 
 def test_si_units(folders):
-    """As Scene says it, whole delays in decimals included; a mass below zero is no device."""
+    """As Scene says it, whole delays in decimals included; a mass below zero is no device, and of
+    an infinite one the limit is no infinite one."""
     needs("gcc")
     folder = folders["c"]
     (folder / "main.c").write_text(IN_SI)
@@ -126,7 +130,8 @@ def test_si_units(folders):
     expected = [x for w in (stable, passive) for x in (w.K, w.B, 2 * math.pi * w.frequency_hz)]
     assert found[:6] == pytest.approx(expected, rel=1e-13)
     assert words[7:10] == ["nan", "nan", "nan"] or words[7:10] == ["-nan"] * 3
-    assert words[10:] == ["1", "0", "0"]
+    assert words[10:13] == ["1", "0", "0"]
+    assert {word.lstrip("-") for word in words[13:]} == {"nan"}
 
 
 SCENES = ["no-stiffness", "no-damping", "no-virtual-damping", "no-delay",

@@ -78,6 +78,15 @@ def test_the_boundary_at_a_frequency_has_units():
     assert stiffness.data.to("N/mm").magnitude == pytest.approx([K / 1000])
 
 
+@pytest.mark.parametrize("name", ["rad/s", "rpm", "degree/s", "turn/s"])
+def test_a_frequency_with_an_angle_is_no_number_of_hertz(name):
+    """Pint takes 1 rad/s for 1 Hz."""
+    unit = library("pint").UnitRegistry()
+    for rate in (100 * unit(name), [100.0] * unit(name)):
+        with pytest.raises(ValueError, match=r"^frequency_hz: .* without an angle is, 2 pi rad/s"):
+            SCENE.stability_boundary(rate)
+
+
 def test_one_number_in_a_container_is_that_number():
     xarray = library("xarray")
     made = Scene(mass=xarray.DataArray(0.1), damping=0.5, sampling_period=1e-3)

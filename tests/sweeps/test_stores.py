@@ -136,10 +136,45 @@ def test_what_stands_beside_it_stays_and_nothing_is_left_beside_it(kind, tmp_pat
     sweep("is_stable", to=tmp_path / f"kept.{kind}", **arms([1, 2]))
     assert mine.read_text() == "mine"
     (tmp_path / f"link.{kind}").symlink_to("nowhere")
-    with pytest.raises(OSError, match="Not a directory"):
+    with pytest.raises(ValueError, match=r"^to: .+ is not allowed; it is there and holds no sweep"):
         sweep("is_stable", to=tmp_path / f"link.{kind}", **arms([1, 2]))
     names = {f"kept.{kind}", f"kept.{kind}.begun", f"link.{kind}"}
     assert set(os.listdir(tmp_path)) == names
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+@pytest.mark.parametrize(
+    ("place", "why"),
+    [("a_file/kept", "File exists"), ("a_file/b/kept", "Not a dir"), ("a" * 300, "File name too")],
+)
+def test_a_place_that_cannot_be_is_told_in_one_line(place, why, kind, tmp_path):
+    (tmp_path / "a_file").write_text("mine")
+    told = (
+        rf"^to: '.+{kind}' is not allowed; it cannot be made there \({why}.*\); a name in a .+ is$"
+    )
+    with pytest.raises(ValueError, match=told):
+        sweep("is_stable", to=tmp_path / f"{place}.{kind}", **arms([1, 2]))
+    assert os.listdir(tmp_path) == ["a_file"]
+
+
+@pytest.mark.parametrize("said", ['{"over":', "[]", "3", ""])
+@pytest.mark.parametrize(("kind", "file"), [("zarr", "zarr.json"), ("parquet", "_sym.+.json")])
+def test_a_plan_that_is_damaged_is_told_in_one_line(kind, file, said, tmp_path):
+    place = tmp_path / f"kept.{kind}"
+    if kind == "zarr":
+        zarr.open_group(place, mode="w").attrs["symhaptic_sweep"] = said
+    else:
+        place.mkdir()
+        (place / "_symhaptic_sweep.json").write_text(said)
+    told = (
+        rf"^to: '.+' is not allowed; its file {file}, which .+ is damaged; .+ when it is removed$"
+    )
+    with pytest.raises(ValueError, match=told):
+        sweep("is_stable", to=place, **arms([1, 2]))
+    if kind == "zarr":
+        (place / "zarr.json").write_text('{"attributes":')
+        with pytest.raises(ValueError, match=told):
+            sweep("is_stable", to=place, **arms([1, 2]))
 
 
 def test_a_table_has_a_row_a_point_and_units(tmp_path):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, refuse, writable, write
+from symhaptic.cli.shared import app, only_listed, refuse, writable, write
 
 if TYPE_CHECKING:
     from symhaptic.check.callers import Caller
@@ -81,6 +81,7 @@ def check(
 
     writable(output)
     if listing:
+        only_listed(output=output, formula=formula, python=python, library=library, command=command)
         for name, one in CHECKED.items():
             typer.echo(f"{name}({', '.join(one.ranges)}) -> {', '.join(one.results)}{_says(one)}")
         return

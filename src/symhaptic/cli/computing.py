@@ -9,7 +9,16 @@ from typing import Annotated
 
 import typer
 
-from symhaptic.cli.shared import app, can_draw, folder_allowed, no_folder, progress, refuse, write
+from symhaptic.cli.shared import (
+    app,
+    can_draw,
+    folder_allowed,
+    no_folder,
+    only_listed,
+    progress,
+    refuse,
+    write,
+)
 
 
 class TraceFormat(StrEnum):
@@ -79,17 +88,18 @@ def trace(
         can_draw(f"--format {format}")
     plant = number("gamma", gamma), number("delta", delta)
     periods = number("delay", delay)
+    content: str | bytes
     try:
         region = stable_region(*plant, periods)
+        if drawn:
+            from symhaptic.book.figures.region import picture
+
+            content = picture(region, format)
+        else:  # what is asked of the region here may not be there, either
+            text = written.json_text if format is TraceFormat.json else written.csv_text
+            content = text(region)
     except ValueError as wrong:
         refuse(f"--{wrong}")
-    content: str | bytes
-    if drawn:
-        from symhaptic.book.figures.region import picture
-
-        content = picture(region, format)
-    else:
-        content = (written.json_text if format is TraceFormat.json else written.csv_text)(region)
     if output is None:
         typer.echo(content, nl=False)
     else:
@@ -151,6 +161,7 @@ def export(
         parts = request.scene(",".join(scene or []))
         forms = request.chosen(formulas or [], parts, delay, by, whole_delays)
         if listing:
+            only_listed(output=output, target=target, precision=precision)
             for form in forms:
                 args = ", ".join(symbol.name for symbol in form.arguments)
                 typer.echo(f"{form.name}({args})\n    {form.title}")

@@ -141,6 +141,7 @@ def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str
     }
     if wall is not None:
         K, B = wall
+        margin = alone.passivity_margin(K=K, B=B)
         largest = held.delay_margin(K=K, B=B)
         later = largest - float(held.periods) * held.sampling_period
         data["wall"] = {
@@ -150,9 +151,9 @@ def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str
             "stable_up_to": limit(held.max_stable_stiffness(B)),
             "passive_up_to": limit(alone.max_passive_stiffness(B)) if alone.damping else None,
             "passive": bool(alone.is_passive(K=K, B=B)),
-            "passivity_margin": alone.passivity_margin(K=K, B=B),
+            "passivity_margin": margin if math.isfinite(margin) else None,
             "largest_delay_s": largest if math.isfinite(largest) else None,
-            "more_delay_s": later if math.isfinite(later) else None,
+            "more_delay_s": later if 0 <= later < math.inf else None,
         }
     return data
 
@@ -190,16 +191,21 @@ def text(data: dict[str, Any]) -> str:
         f"passive up to    {said(data['stiffest_passive'])}",
     ]
     if wall := data.get("wall"):
-        later = wall["more_delay_s"]
-        more = "any delay" if later is None else f"{1000 * later:.4g} ms more delay"
+        later, margin = wall["more_delay_s"], wall["passivity_margin"]
+        spare = "none, for it pulls" if margin is None else f"{margin:.4g} Ns/m to being passive"
+        if later is not None:
+            more = f"it bears {1000 * later:.4g} ms more delay"
+        elif wall["largest_delay_s"] is None:
+            more = "it bears any delay"
+        else:
+            more = "less delay is unstable"
         lines += [
             f"the wall         {wall['K']:g} N/m with {wall['B']:g} Ns/m is "
             f"{'stable' if wall['stable'] else 'NOT STABLE'} and "
             f"{'passive' if wall['passive'] else 'not passive'}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
             f"                 passive up to {said(wall['passive_up_to'])}",
-            f"  its margin     {wall['passivity_margin']:.4g} Ns/m to being passive"
-            + (f"; it bears {more}" if wall["stable"] else ""),
+            f"  its margin     {spare}" + (f"; {more}" if wall["stable"] else ""),
         ]
     if safe := data.get("safe"):
         (low, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]

@@ -11,7 +11,7 @@ import typer
 
 from symhaptic.cli.foreign import stale
 from symhaptic.cli.given import Derivations, SourceFolder, chapters_in, own_chapters
-from symhaptic.cli.shared import app, folder_allowed, progress, refuse
+from symhaptic.cli.shared import app, folder_allowed, only_listed, progress, refuse
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -37,9 +37,10 @@ def report(
             "what makes them is installed.",
         ),
     ] = None,
-    output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the report.")] = Path(
-        "reports"
-    ),
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", metavar="DIR", help="Folder of the report; reports if not given."),
+    ] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
     ] = False,
@@ -73,6 +74,15 @@ def report(
     from symhaptic.book.site import place as site
     from symhaptic.book.tex import build, place, tex
 
+    if listing:
+        only_listed(
+            output=output,
+            format=format,
+            check=check,
+            chapter=", ".join(chapter or []),
+            standalone=standalone,
+        )
+    output = output or Path("reports")
     paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
     if source is not None:
         if derivation:

@@ -60,6 +60,15 @@ def writable(output: Path | None) -> None:
         unwritable(output, reason)
 
 
+def only_listed(**given: object) -> None:
+    """Refuse what has no effect beside --list, by its option's name; what is empty is not given."""
+    for name, value in given.items():
+        if value:
+            option = "-o" if name == "output" else f"--{name}"
+            said = option if value is True else f"{option} {value}"
+            refuse(f"{said}: has no effect on what --list prints; leave one of them out")
+
+
 def unwritable(output: Path, reason: str | None) -> NoReturn:
     """End with one line that says why nothing can be written there."""
     refuse(f"-o {output}: cannot write there ({reason}); a file in a folder that exists is allowed")

@@ -71,6 +71,7 @@ def _header(
         "name": name, "guard": f"{name.upper()}_SI_H", "real": real, "f": _suffix(precision),
         "strict": STRICT, "members": "\n".join(lines), "functions": "\n".join(wrapped(functions)),
         "last": "DBL_EPSILON" if precision is DOUBLE else "FLT_EPSILON",
+        "most": "DBL_MAX" if precision is DOUBLE else "FLT_MAX",
     }  # fmt: skip
     words["delay"] = _DELAY % words if "t_d" in members else ""
     return _HEADER % words
@@ -117,10 +118,10 @@ typedef struct {
 %(members)s
 } %(name)s_device;
 
-/* Without a positive mass or sampling period there is no device: all is outside of the domain. */
+/* Without a positive finite mass or period there is no device: all is outside of the domain. */
 static inline %(name)s_device %(name)s_device_checked(%(name)s_device device) {
-    if (!(device.m > 0)) device.m = NAN;
-    if (!(device.T > 0)) device.T = NAN;
+    if (!(device.m > 0 && device.m <= %(most)s)) device.m = NAN;
+    if (!(device.T > 0 && device.T <= %(most)s)) device.T = NAN;
     return device;
 }
 

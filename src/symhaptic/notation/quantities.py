@@ -42,6 +42,11 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
     if not quantity.is_compatible_with(wanted):
         allowed = f"what converts to {unit} is" if unit else "a number without dimension is"
         raise ValueError(f"{name}: {shown(quantity)} is not allowed; {allowed}")
+    if unit == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
+        raise ValueError(  # Pint's radian is 1, so that it takes 1 rad/s for 1 Hz
+            f"{name}: {shown(quantity)} is not allowed; what converts to Hz without an angle is, "
+            "2 pi rad/s being 1 Hz"
+        )
     return quantity.to(wanted).magnitude
 
 

@@ -74,7 +74,9 @@ def read(path: Path) -> Device:
         data = tomllib.loads(text)
     except (OSError, UnicodeDecodeError) as wrong:
         raise BadDevice(f"{path}: cannot be read ({wrong})") from None
-    except tomllib.TOMLDecodeError as wrong:
+    except RecursionError:
+        raise BadDevice(f"{path}: is nested too deeply") from None
+    except ValueError as wrong:  # no TOML, or a whole number of more digits than Python reads
         raise BadDevice(f"{path}: {wrong}") from None
     tables = {"": {k: v for k, v in data.items() if not isinstance(v, dict)}}
     for name, table in data.items():
@@ -141,19 +143,19 @@ _EXAMPLES = {"mass": '"72 g"', "sampling_period": '"1 ms"'}
 def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     """A number in SI units, the decimal that it is written as."""
     known = SCHEMA[table]
-    if not table and key in SCHEMA:
+    if not table and key and key in SCHEMA:
         raise BadDevice(f"{_place(path, text, table, key)} is not allowed; a table [{key}] is")
     if key not in known:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
     unit = known[key]
     if isinstance(given, int | float) and not isinstance(given, bool):
-        return float(given)
-    allowed = ", ".join(UNITS[unit]) if unit else "a number without unit"
+        return float(str(given))  # a whole number that is no float is infinite, as in text
+    allowed = f"a number and one of {', '.join(UNITS[unit])}" if unit else "a number without unit"
     match = _NUMBER.fullmatch(given) if isinstance(given, str) else None
     if match is None or match[2] not in UNITS[unit]:
         place = _place(path, text, table, key)
-        raise BadDevice(f"{place} = {given!r} is not allowed; a number and one of {allowed} is")
+        raise BadDevice(f"{place} = {given!r} is not allowed; {allowed} is")
     size, factor = float(match[1]), UNITS[unit][match[2]]
     return nearest(decimal(size) * decimal(factor)) if math.isfinite(size) else size
 

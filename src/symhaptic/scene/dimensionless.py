@@ -26,6 +26,10 @@ class Dimensionless(NamedTuple):
     """t_d/T."""
 
 
+_WIDEST = 1e300
+"""The largest unit of stiffness, and its inverse the smallest: beyond, no float holds a wall."""
+
+
 def periods(scene: Scene) -> Fraction:
     """The delay in sampling periods, exactly; 0 if there is none."""
     if scene.delay_samples is not None:
@@ -40,6 +44,11 @@ def periods(scene: Scene) -> Fraction:
 def dimensionless(scene: Scene) -> Dimensionless:
     """gamma, delta and the delay in periods, as far as functions take them."""
     period, mass = decimal(scene.sampling_period), decimal(scene.mass)
+    if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
+        raise ValueError(
+            f"sampling_period: {scene.sampling_period!r} with mass={scene.mass!r} is not allowed; "
+            f"T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g} are, in s^2 and N/m"
+        )
     found = Dimensionless(
         gamma=nearest(decimal(scene.stiffness or 0) * period**2 / mass),
         delta=nearest(decimal(scene.damping or 0) * period / mass),

@@ -45,10 +45,17 @@ def control_system(scene: Scene) -> Any:
 
 
 def scipy_system(scene: Scene) -> Any:
-    """As a ``scipy.signal.dlti``."""
+    """As a ``scipy.signal.dlti``, which when it is made leaves out first coefficients below 1e-14.
+
+    The numerator, in m/N, is therefore set afterwards; what converts it leaves them out with a
+    warning.
+    """
     from scipy.signal import dlti
 
-    return dlti(*coefficients(scene), dt=scene.sampling_period)
+    top, bottom = coefficients(scene)
+    system = dlti([1.0], bottom, dt=scene.sampling_period)
+    system.num = top
+    return system
 
 
 def sympy_system(scene: Scene) -> Any:

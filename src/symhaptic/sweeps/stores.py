@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -64,23 +64,43 @@ def store(to: str | Path) -> Store:
     )
 
 
-def _begun(place: str, said: str | None, plan: Plan) -> None:
-    """Refuse what is there and is not this sweep."""
+def _begun(place: str, said: str | bytes | None, plan: Plan, where: str) -> None:
+    """Refuse what is there and is not this sweep; ``where`` is the file that says which it is."""
     if said is None:
         raise ValueError(f"to: {place!r} is not allowed; it is there and holds no sweep")
-    if said != plan.description():
-        was, now = json.loads(said), json.loads(plan.description())
+    try:
+        was = json.loads(said)
+    except ValueError:
+        was = None
+    if not isinstance(was, dict):
+        raise _damaged(place, where)
+    now = json.loads(plan.description())
+    if was != now:
         other = ", ".join(key for key in now if was.get(key) != now[key])
         raise ValueError(
             f"to: {place!r} is not allowed; it holds another sweep, which differs in {other}"
         )
 
 
+def _damaged(place: str, where: str) -> ValueError:
+    return ValueError(
+        f"to: {place!r} is not allowed; its file {where}, which says what it holds, is damaged; "
+        "another place is, or this one when it is removed"
+    )
+
+
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """Where it is made before it has its name, in a folder of its own that does not stay."""
-    place.parent.mkdir(parents=True, exist_ok=True)
-    draft = Path(tempfile.mkdtemp(prefix=f".{place.name}-", dir=place.parent))
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        draft = Path(tempfile.mkdtemp(prefix=f".{place.name}-", dir=place.parent))
+    except (OSError, ValueError) as wrong:
+        reason = wrong.strerror if isinstance(wrong, OSError) else wrong
+        raise ValueError(
+            f"to: {str(place)!r} is not allowed; it cannot be made there ({reason}); a name in a "
+            "folder that can be written is"
+        ) from None
     try:
         yield draft / "new"
     finally:
@@ -93,21 +113,25 @@ class Zarr:
 
     place: str
 
+    _ABOUT: ClassVar = "zarr.json"
+
     def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
         """Make the group whole at once, under another name first where names can be changed."""
         import zarr
 
-        try:
-            found = zarr.open_group(self.place, mode="r")
-        except FileNotFoundError:
-            pass
-        else:
-            said = found.attrs.get(PLAN)
-            _begun(self.place, said if isinstance(said, str) else None, plan)
-            return self._labelled(empty)
         local = "://" not in self.place
-        if local and Path(self.place).exists():
-            _begun(self.place, None, plan)
+        if not local or os.path.lexists(self.place):
+            try:
+                found = zarr.open_group(self.place, mode="r")
+            except FileNotFoundError:
+                if local:
+                    _begun(self.place, None, plan, self._ABOUT)
+            except (TypeError, ValueError):
+                raise _damaged(self.place, self._ABOUT) from None
+            else:
+                said = found.attrs.get(PLAN)
+                _begun(self.place, said if isinstance(said, str) else None, plan, self._ABOUT)
+                return self._labelled(empty)
         for name, coord in empty.coords.items():
             self._to_be_kept(str(name), coord)
         if not local:
@@ -199,9 +223,10 @@ class Parquet:
 
     def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
         """Make the folder, with the plan in a file that readers of Parquet pass over."""
-        if Path(self.place).exists():
+        if os.path.lexists(self.place):
             file = self._plan(self.place)
-            return _begun(self.place, file.read_text("utf-8") if file.is_file() else None, plan)
+            said = file.read_bytes() if file.is_file() else None
+            return _begun(self.place, said, plan, file.name)
         with _beside(Path(self.place)) as place:
             place.mkdir()
             self._plan(place).write_text(plan.description(), "utf-8")

@@ -122,11 +122,25 @@ def test_the_stiffest_wall_beside_next_to_no_damping(delta, delay):
 
 def test_a_loop_that_is_not_traced_leaves_the_others_their_limits():
     """Next to half a swing in a period and undamped: refused alone, NaN among others."""
-    missed = 9.869603449477363
-    with pytest.raises(ValueError, match=r"gamma: 9.869603449477363 .* is not traced"):
-        max_stable_stiffness(missed, 0.0, 0.0)
-    with pytest.warns(RuntimeWarning, match=r"gamma: 9.869603449477363 .* it is NaN here"):
-        among = max_stable_stiffness([0.1, missed, 0.5], 0.0, 0.0)
+    missed = 9.8696044
+    with pytest.raises(ValueError, match=r"gamma: 9.8696044 .* is not traced"):
+        max_stable_stiffness(missed, 0.0, 1.0)
+    with pytest.warns(RuntimeWarning, match=r"gamma: 9.8696044 .* it is NaN here"):
+        among = max_stable_stiffness([0.1, missed, 0.5], 0.0, 1.0)
     assert np.isnan([v[1] for v in among]).all()
     for at, gamma in ((0, 0.1), (2, 0.5)):
-        assert [v[at] for v in among] == pytest.approx(max_stable_stiffness(gamma, 0.0, 0.0))
+        assert [v[at] for v in among] == pytest.approx(max_stable_stiffness(gamma, 0.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("gamma", "delay", "largest"),
+    [(9.869604184849056, 75.0, 0.102668), (88.82643974056, 1.0, 44.386), (9.8696, 1.0, 4.9333)],
+)
+def test_without_any_damping_the_limit_next_to_half_swings_is_there(gamma, delay, largest):
+    """It was NaN, which says that no stiffness is stable."""
+    assert stiffest_at(0.0, gamma, 0.0, delay).alpha == pytest.approx(largest, rel=1e-3)
+
+
+def test_where_the_limit_at_a_damping_is_missed_it_is_not_said_that_there_is_none():
+    with pytest.raises(ValueError, match=r"^gamma: 9.869604469157307 .* is not traced"):
+        stiffest_at(0.0, 9.869604469157307, 0.0, 0.8537173244680607)

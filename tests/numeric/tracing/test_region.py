@@ -232,7 +232,9 @@ def test_next_to_no_damping_is_as_good_as_none(damping, delay):
 @pytest.mark.parametrize(
     ("device", "delay", "sheet", "wall"),
     [
-        ((9.869604401089358, 1e-12), 0.5, "exact", None),  # half a swing in a period
+        ((9.8696, 0.0), 0.3, "exact", None),  # half a swing in a period
+        ((9.8696044, 0.0), 0.0, "exact", None),
+        ((9.8696044, 0.0), 1.0, "exact", None),
         ((1.9340278253360927, 2.78), 1 + 2**-30, "principal", None),
         ((6.82, 0.7), 2 + 1e-11, "principal", None),
         # not one piece is found, and nothing is loose
@@ -246,3 +248,17 @@ def test_pieces_that_do_not_meet_are_no_empty_region(device, delay, sheet, wall)
         assert radius(*wall, *device, delay) < 1
     with pytest.raises(ValueError, match=r"^gamma: .* the pieces of its boundary do not meet"):
         stable_region(*device, delay, sheet)
+
+
+@pytest.mark.parametrize(
+    ("device", "delay", "area"),
+    [
+        ((9.8696, 0.0), 0.0, 97.409),
+        ((np.pi**2 * (1 + 1e-7), 0.0), 1.0, 32.4696),
+        ((9 * np.pi**2 * (1 - 1e-7), 0.0), 0.0, 7890.13),
+        ((9.869604401089358, 1e-12), 0.5, 170.4035),
+    ],
+)
+def test_next_to_half_swings_the_region_is_that_a_little_farther(device, delay, area):
+    """All of it was lost within 4e-6 of gamma = pi^2, where the boundary turns within that."""
+    assert stable_region(*device, delay).area == pytest.approx(area, rel=1e-5)

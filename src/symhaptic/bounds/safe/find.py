@@ -28,6 +28,9 @@ _TOO_LONG = 60
 _TOO_STRONG = 4
 """The largest gamma and delta; stronger springs and dampers have no bounded series."""
 
+_SLOWEST = 2.0 ** (9 - prove.BITS)
+"""The smallest theta^2 of a softest wall that balls tell from 0; heavier arms are not searched."""
+
 
 class NothingSafe(ValueError):
     """No wall is shown to be stable for all arms; the message is one line that says why."""
@@ -103,7 +106,14 @@ def certified(loops: Loops, columns: int = 96) -> check.Certificate:
         raise NothingSafe(
             f"arms: k T^2/m or b T/m is up to {strongest:.3g}; nothing is shown above {_TOO_STRONG}"
         )
-    found = prove.shown(loops, guessed(loops, columns))
+    begun = guessed(loops, columns)
+    heaviest = begun.low * float(loops.period) ** 2 / (4 * _SLOWEST) - float(loops.mass)
+    if loops.hands[0][1] > heaviest:
+        raise NothingSafe(
+            f"arms: mass is up to {float(loops.hands[0][1]):.3g} kg; with this device nothing is "
+            f"shown above {heaviest:.2g} kg"
+        )
+    found = prove.shown(loops, begun)
     kept = found.columns
     tops, stable = list(kept.tops), []
     with ctx.workprec(check.BITS):

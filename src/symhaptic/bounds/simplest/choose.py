@@ -61,10 +61,21 @@ class Simplest:
         return "\n".join(lines)
 
 
+_LEADING = 8
+"""Bounds of more places behind the point are written with a power of ten."""
+
+
 def _up(bound: float) -> str:
-    """A bound in per cent of three digits, rounded up."""
+    """A bound in per cent of three digits, rounded up.
+
+    >>> _up(0.00041651), _up(5e-324)
+    ('0.0417 %', '4.95e-322 %')
+    """
     places = max(0, 2 - math.floor(math.log10(100 * bound)))
-    return f"{math.ceil(100 * bound * 10**places) / 10**places:.{places}f} %"
+    digits = math.ceil(100 * Fraction(bound) * 10**places)
+    if places > _LEADING:
+        return f"{digits / 100:.2f}e-{places - 2} %"
+    return f"{digits / 10**places:.{places}f} %"
 
 
 def simplest(loop: Loop, rtol: float, over: Mapping[str, Range | None]) -> Simplest:

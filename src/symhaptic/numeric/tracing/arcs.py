@@ -28,8 +28,9 @@ _PER_TURN = 96
 _LONGEST = 1e5
 """Periods of delay whose pieces are traced."""
 
-_CLOSEST = 1e-6
-"""Samples crowd at 0, at pi and at the plant's own frequency down to this distance."""
+_CLOSEST = 1e-6, 1e-9
+"""Samples crowd at 0, at pi and at the plant's own frequency down to the first distance; where the
+latter two are next to each other down to a hundredth of theirs, but not below the second."""
 
 _REMOTE = 1e20
 """Walls that move the device so far in a period are too large to be stable: see
@@ -159,8 +160,9 @@ class Loop:
     def samples(self) -> Array:
         """Angles that meet every piece of the boundary worth drawing."""
         count = int(_PER_TURN * (self.delay + 2))
-        own = np.sqrt(max(self.gamma - self.delta**2 / 4, 0.0))
-        away = np.geomspace(_CLOSEST, np.pi, 256)
+        own = abs(math.remainder(math.sqrt(max(self.gamma - self.delta**2 / 4, 0.0)), math.tau))
+        closest, least = _CLOSEST
+        away = np.geomspace(np.clip((math.pi - own) / 100, least, closest), np.pi, 256)
         angles = [np.linspace(0, np.pi, count + 1), away, np.pi - away, own + away, own - away]
         if self.bent:
             angles.append(np.pi - np.geomspace(self.bent / 100, np.pi, 256))

@@ -38,6 +38,10 @@ _FARTHEST = 1e60
 """Where no force reaches the device, the boundary is at infinity."""
 
 
+_TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
+"""Stiffnesses that are tried where none is found, in parts of gamma or 1."""
+
+
 @at_once("max_stable_stiffness", into=Extremum, finite=True)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 def max_stable_stiffness(
@@ -145,7 +149,8 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
 
     At one damping the count of unstable roots can change only where the explicit boundary or a
     line of a real root has this damping; between neighbours of these it is told in the middle.
-    NaN where no stiffness makes it stable.
+    NaN where no stiffness makes it stable.  Raises :class:`ValueError` where one of those tried
+    does and pieces of the boundary are missed.
     """
     nothing = Extremum(*np.array([np.nan, beta, np.nan]))
     if stuck(np.asarray(gamma), np.asarray(delta)):
@@ -162,6 +167,8 @@ def stiffest_at(beta: float, gamma: float, delta: float, delay: float) -> Extrem
     middle = (walls[1:] + walls[:-1]) / 2
     good = stability.is_stable(middle, beta, gamma, delta, delay) & (walls[1:] > walls[:-1])
     if not np.any(good):
+        if np.any(stability.is_stable(_TRIED * max(gamma, 1.0), beta, gamma, delta, delay)):
+            raise NotTraced(loop)
         return nothing
     last = int(np.flatnonzero(good)[-1]) + 1
     return Extremum(walls[last], np.asarray(beta), angles[last])

@@ -87,6 +87,11 @@ class Region(Shape):
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
 
+_AROUND = np.arange(16) * np.pi / 8
+
+_NEXT_TO_NONE = 2.0**-100
+
+
 @numbers_only
 def stable_region(
     gamma: float, delta: float, delay: float, sheet: str = "exact", tolerance: float = 1e-6
@@ -133,9 +138,15 @@ def stable_region(
 
 
 def _hardly_held(loop: Loop) -> bool:
-    """Whether a wall far below the passive ones, alpha = delta/(4 + 8 d), is stable."""
-    wall = loop.delta / (4 + 8 * loop.delay), 0.0
-    return bool(is_stable(*wall, loop.gamma, loop.delta, loop.delay, loop.sheet))
+    """Whether a wall far below the passive ones, alpha = delta/(4 + 8 d), is stable.
+
+    Where no damper makes any passive, one of those around no wall at all: the roots of a spring
+    that swings go inside for half of them.
+    """
+    alpha, beta = np.array(loop.delta / (4 + 8 * loop.delay)), np.array(0.0)
+    if loop.delta == 0:
+        alpha, beta = _NEXT_TO_NONE * np.array([np.cos(_AROUND), np.sin(_AROUND)])
+    return bool(np.any(is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)))
 
 
 class NotTraced(ValueError):
