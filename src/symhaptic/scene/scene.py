@@ -332,7 +332,8 @@ class Scene:
         wall of this damping stable.  It is a supremum, found among the crossings of the explicit
         boundary; K may also have a lower limit.
 
-        Raises :class:`ValueError` for a ``B`` that is no finite number.
+        Raises :class:`ValueError` for a ``B`` that is no finite number, and where pieces of the
+        boundary are missed, see :func:`symhaptic.stable_region`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(scene.limit_at(B=0.0).K, 1)
