@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from sympy import cos, pi, symbols, tan
+from sympy import Rational, cos, exp, pi, symbols, tan
 
 from symhaptic import formula, prove
 
@@ -29,6 +29,16 @@ def test_symbols_units_and_domain():
     assert eq5.units == ("Ns/m",)
     assert eq5.domain == r"0 < \omega < \omega_N"
     assert all(entry.meaning for entry in eq5.symbols.values())
+
+
+def test_the_form_for_computing_is_dimensionless():
+    # by hand: (25) with alpha = K T^2/m, beta = B T/m, delta = b T/m; a free mass keeps e^-delta
+    beta, delta = symbols("beta delta")
+    (limit,) = formula("eq25").stable
+    assert prove(limit, (beta + delta) / (d + Rational(1, 2)))
+    *_, kept = formula("eq14").stable
+    assert prove(kept, exp(-delta))
+    assert formula("eq18").stable == ()
 
 
 def test_units_say_where_a_misprint_is():

@@ -11,6 +11,8 @@ import sympy as sp
 from symhaptic.book.chapters import run, shipped
 from symhaptic.book.listing import needed
 from symhaptic.book.sources import STATEMENTS
+from symhaptic.forms.stable import FOR_ONE_DELAY, form
+from symhaptic.forms.stable import STATEMENTS as FORMS_OF
 from symhaptic.notation import SYMBOLS, Notation
 from symhaptic.notation.latex import latex
 from symhaptic.notation.suggest import suggested
@@ -53,6 +55,17 @@ class Formula:
             except UnitError as wrong:
                 units.append(str(wrong))
         return tuple(units)
+
+    @property
+    def stable(self) -> tuple[sp.Expr, ...]:
+        """The form that keeps its digits, of dimensionless arguments; empty where there is none.
+
+        Entire functions of the package stand in it, :func:`symhaptic.forms.entire.written_out`
+        writes them out.  A polynomial, such as (18), has one for each whole delay, and none here.
+        """
+        named = (name for name, ids in FORMS_OF.items() if self.id in ids)
+        every = (name for name in named if name not in FOR_ONE_DELAY)
+        return tuple(part for name in every for part in form(name).expressions)
 
     def _repr_latex_(self) -> str:
         lines = r" \\ ".join(latex(part) for part in self.derived)
