@@ -328,3 +328,30 @@ def test_a_chapter_does_not_say_what_its_source_claims(tmp_path):
     assert run.returncode == 1
     assert run.stdout.splitlines()[0].split()[:2] == ["odd:words", "undecided"]
     assert "DIFFERS  odd:words: the theorem says" in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("statement", "told"),
+    [
+        (
+            'Statement("drift:way", "p. 1", "", ["x = v t"])',
+            "latex: ['x = v t'] is not allowed; a tup",
+        ),
+        (
+            'Statement("drift:way", "p. 1", "", "x = v t")',
+            "latex: 'x = v t' is not allowed; a tuple ",
+        ),
+        ('Statement("drift:way", 1, "it drifts")', "location: 1 is not allowed; text is"),
+        ('Statement("drift:way", "p. 1", None)', "says: None is not allowed; text is"),
+    ],
+)
+def test_what_is_no_text_is_told_in_one_line(notes, statement, told):
+    (notes / "source.py").write_text(
+        "from symhaptic.book.sources import Source, Statement\n"
+        f'SOURCE = Source("drift", "Notes")\nSTATEMENTS = ({statement},)\n',
+        encoding="utf-8",
+    )
+    run = symhaptic("verify", "--source", notes)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert f": drift:way: {told}" in run.stderr
+    assert run.stderr.count("\n") == 1

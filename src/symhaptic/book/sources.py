@@ -74,6 +74,8 @@ def add(
     if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
         raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
     for statement in statements:
+        if wrong := _not_text(statement):
+            raise ValueError(wrong)
         if not is_id(statement.id.removeprefix(f"{source.key}:")):
             raise ValueError(NO_ID.format(statement.id))
         if not statement.id.startswith(f"{source.key}:") or statement.id in found:
@@ -94,6 +96,19 @@ def add(
     for id, claim in claims.items():
         CLAIMED.setdefault(id, partial(_of_its_print, claim, found[id].printed))
     return source
+
+
+def _not_text(statement: Statement) -> str | None:
+    """What a statement has in place of text, or of several texts, if it has anything else."""
+    for name in ("id", "location", "says", "domain"):
+        if not isinstance(found := getattr(statement, name), str):
+            return f"{statement.id}: {name}: {found!r} is not allowed; text is"
+    for name in ("latex", "reading"):
+        found = getattr(statement, name)
+        several = isinstance(found, tuple) and all(isinstance(line, str) for line in found)
+        if not (several or (name == "reading" and found is None)):
+            return f"{statement.id}: {name}: {found!r} is not allowed; a tuple of texts is"
+    return None
 
 
 def of_source(source: Source) -> dict[str, Statement]:
