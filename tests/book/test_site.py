@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import pytest
 from chapters import chapter
 
+import symhaptic
 from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import in_parts
 from symhaptic.book.site.build import write
@@ -331,6 +332,17 @@ def test_public_docstrings_can_be_set():
         settings = {"warning_stream": said, "report_level": 1, "halt_level": 6}
         publish_doctree(plain, settings_overrides=settings)
         assert said.getvalue() == "", text
+
+
+def test_what_public_docstrings_name_has_a_place():
+    """Sphinx stops at a name that the reference has not, and with it the report."""
+    from symhaptic.book.site.reference import PUBLIC, docstrings
+
+    for text in docstrings():
+        for name in re.findall(r":(?:class|func|meth):`~?symhaptic\.([\w.]+)`", text):
+            first, *rest = name.split(".")
+            assert first in PUBLIC, text
+            assert all(part in vars(getattr(symhaptic, first)) for part in rest), text
 
 
 @browser_needed

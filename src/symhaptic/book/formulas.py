@@ -60,8 +60,8 @@ class Formula:
     def stable(self) -> tuple[sp.Expr, ...]:
         """The form that keeps its digits, of dimensionless arguments; empty where there is none.
 
-        Entire functions of the package stand in it, :func:`symhaptic.forms.entire.written_out`
-        writes them out.  A polynomial, such as (18), has one for each whole delay, and none here.
+        Entire functions of the package stand in it; ``symhaptic.forms.entire.written_out`` writes
+        them out.  A polynomial, such as (18), has one for each whole delay, and none here.
         """
         named = (name for name, ids in FORMS_OF.items() if self.id in ids)
         every = (name for name in named if name not in FOR_ONE_DELAY)
