@@ -54,7 +54,7 @@ def robust_region(
     its extent; where every insertion moves it by about a quarter of the one before, the rest is
     less than the last move.  No proof stands behind the springs between those tried: keep away from
     the outline by ``error``, which is an estimate, or take the walls that
-    :meth:`symhaptic.Scene.safe_walls` proves for a range of arms.
+    ``Scene.safe_walls`` proves for a range of arms.
 
     Without damping there is no such wall (proved for whole and half delays in chapter s5c_robust,
     no other was found), and the polygon is empty.
