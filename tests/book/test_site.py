@@ -10,7 +10,6 @@ from xml.etree import ElementTree
 import pytest
 from chapters import chapter
 
-import symhaptic
 from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import in_parts
 from symhaptic.book.site.build import write
@@ -340,9 +339,7 @@ def test_what_public_docstrings_name_has_a_place():
 
     for text in docstrings():
         for name in re.findall(r":(?:class|func|meth):`~?symhaptic\.([\w.]+)`", text):
-            first, *rest = name.split(".")
-            assert first in PUBLIC, text
-            assert all(part in vars(getattr(symhaptic, first)) for part in rest), text
+            assert name in PUBLIC, text
 
 
 @browser_needed

@@ -88,8 +88,10 @@ class Region(Shape):
 
 
 _AROUND = np.arange(16) * np.pi / 8
+"""Directions in which walls are tried around no wall at all."""
 
 _NEXT_TO_NONE = 2.0**-100
+"""How large these walls are."""
 
 
 @numbers_only

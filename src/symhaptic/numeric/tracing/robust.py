@@ -53,8 +53,8 @@ def robust_region(
     the angle sqrt(gamma - delta^2/4), until this moves the outline by less than ``tolerance`` of
     its extent; where every insertion moves it by about a quarter of the one before, the rest is
     less than the last move.  No proof stands behind the springs between those tried: keep away from
-    the outline by ``error``, which is an estimate, or take the walls that
-    ``Scene.safe_walls`` proves for a range of arms.
+    the outline by ``error``, which is an estimate, or take the walls that ``Scene.safe_walls``
+    proves for a range of arms.
 
     Without damping there is no such wall (proved for whole and half delays in chapter s5c_robust,
     no other was found), and the polygon is empty.
