@@ -268,6 +268,15 @@ def test_a_chapter_may_not_take_the_name_of_another_file(name, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("name", ["1 drift.py", "drift%.py", "über.py"])
+def test_a_chapter_has_a_name_that_latex_can_read(name, tmp_path):
+    path = chapter(tmp_path, GOOD, name)
+    run = symhaptic("report", "--format", "tex", "-o", tmp_path / "out", "--derivation", path)
+    assert (run.returncode, run.stderr.count("\n")) == (2, 1)
+    assert "is no name for LaTeX" in run.stderr
+    assert not (tmp_path / "out").exists()
+
+
 ONE_CHAPTER = """
 import sys
 from pathlib import Path

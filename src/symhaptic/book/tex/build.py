@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -58,9 +59,14 @@ PACKAGE = "symhaptic.sty"
 
 
 def check(paths: list[Path]) -> None:
-    """Say before the work is done that a chapter's name is taken."""
+    r"""Say before the work is done that a chapter's name is taken, or none for ``\input``."""
     names = [path.stem for path in paths]
     for path in reversed(paths):
+        if not re.fullmatch(r"[\w.-]+", path.stem, re.ASCII):
+            raise ReportError(
+                f"--derivation {path}: {path.stem!r} is no name for LaTeX; letters, digits, '-', "
+                "'_' and '.' are allowed; rename the file"
+            )
         if names.count(path.stem) > 1 or path.stem in RESERVED:
             raise ReportError(
                 f"--derivation {path}: the name {path.stem!r} is taken; rename the file"

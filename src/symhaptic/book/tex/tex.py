@@ -69,10 +69,10 @@ def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> Non
     log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
     if run.returncode != 0:
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
-        files = re.findall(r"\(\./(\w+)\.tex", log)
+        files = re.findall(r"\(\./([\w.-]+)\.tex", log)
         raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")
     bad = re.findall(BAD, log, re.MULTILINE)
     if bad:
-        opened = re.findall(r"\(\./(\w+)\.tex", log[: log.index(bad[0])])
+        opened = re.findall(r"\(\./([\w.-]+)\.tex", log[: log.index(bad[0])])
         where = f"{opened[-1] if opened else name}.tex"
         raise ReportError(f"{len(bad)} bad lines in the report, the first in {where}: {bad[0]}")
