@@ -1,0 +1,55 @@
+"""What the README counts is what the committed reports have."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+REPORTS = ROOT / "reports"
+pytestmark = pytest.mark.skipif(not REPORTS.is_dir(), reason="the reports are not beside the tests")
+WORDS = {"Five": 5, "thirteen": 13}
+
+
+@pytest.fixture(scope="module")
+def counted():
+    """The figures of the README, by the words behind them."""
+    text = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    shapes = {
+        "statements": r"Of the paper's (\w+) statements",
+        "theorems": r"statements (\w+) rest on a theorem",
+        "rocq": r"has checked (\w+) of them from end to end",
+        "others": r"(\w+) are definitions or rest on data outside",
+        "rules": r"(\w+) rules of thumb",
+        "own": r"and (\w+) statements of our own",
+        "computed": r"(\w+) of which say that what the functions",
+        "argued": r"(\w+) of our own are \*argued\*",
+        "refused": r"([\d ]+) changed prints, numbers and claims were refused",
+    }
+    found = {name: re.search(shape, text)[1].strip() for name, shape in shapes.items()}
+    return {name: WORDS.get(n) or int(n.replace(" ", "")) for name, n in found.items()}
+
+
+def test_the_statements_are_those_of_the_ledger(counted):
+    entries = json.loads((REPORTS / "ledger.json").read_text(encoding="utf-8"))["statements"]
+    rules = [e for e in entries if e["id"].startswith("rules:")]
+    own = [e for e in entries if e["source"] is None]
+    paper = [e for e in entries if e not in rules and e not in own]
+    assert counted["statements"] == len(paper)
+    assert counted["theorems"] == sum(bool(e["rests"]) for e in paper)
+    assert counted["others"] == sum(e["verdict"] in ("definition", "external") for e in paper)
+    assert counted["rules"] == len(rules)
+    assert counted["own"] == len(own)
+    assert counted["computed"] == sum(e["id"].startswith("computed-") for e in own)
+    assert counted["argued"] == sum(e["verdict"] == "argued" for e in own)
+
+    checked = json.loads((REPORTS / "rocq.json").read_text(encoding="utf-8"))["statements"]
+    assert counted["rocq"] == sum(checked[e["id"]]["checked"] == "whole" for e in paper)
+
+
+def test_so_many_changes_were_refused_to_a_thousand(counted):
+    chapters = json.loads((REPORTS / "mutants.json").read_text(encoding="utf-8"))["chapters"]
+    counts = (c for one in chapters.values() for c in (*one["statements"].values(), one["steps"]))
+    refused = sum(sum(count.values()) for count in counts)
+    assert counted["refused"] == refused // 1000 * 1000
