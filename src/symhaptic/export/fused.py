@@ -41,6 +41,12 @@ class LateFirst(sp.Function):  # type: ignore[misc]
     nargs = 3
 
 
+class LateKick(sp.Function):  # type: ignore[misc]
+    """What an impulse moves it in the rest of the period."""
+
+    nargs = 3
+
+
 class LateLast(sp.Function):  # type: ignore[misc]
     """m0 of it."""
 
@@ -56,7 +62,7 @@ class LateApart(sp.Function):  # type: ignore[misc]
 MERGED = (
     NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
     Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
-    CosNext, SinNext, Ahead, InPhase, LateFirst, LateLast, LateApart,
+    CosNext, SinNext, Ahead, InPhase, LateFirst, LateKick, LateLast, LateApart,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
 
@@ -65,9 +71,9 @@ _PLANT = {gamma, delta}
 
 _TOGETHER: dict[tuple[str, ...], str] = {
     ("CosNext", "SinNext"): "NextWave",
-    ("LateApart", "LateFirst", "LateLast"): "LateDevice",
+    ("LateApart", "LateFirst", "LateKick", "LateLast"): "LateDevice",
 }
-"""Routines that find several results of their own."""
+"""Routines that find several results of their own; not all of them are asked for everywhere."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
@@ -128,9 +134,11 @@ def merged(user: Routine) -> Routine:
         if len(together) < 2:
             done.append((symbol, expr))
         elif symbol == next(iter(together.values())):
-            several = sorted(together)
-            joint = sp.Function(_TOGETHER.get(tuple(several)) or "_".join(several))(*expr.args)
-            done.append(Several(tuple(together[name] for name in several), joint))
+            own = next((own for own in _TOGETHER if together.keys() <= set(own)), None)
+            several = own or tuple(sorted(together))
+            joint = sp.Function(_TOGETHER[own] if own else "_".join(several))(*expr.args)
+            several_names = (together.get(name) or fresh(code_name(name), taken) for name in several)
+            done.append(Several(tuple(several_names), joint))
     done.sort(key=lambda step: not isinstance(step, Several) or not step.free_symbols <= _PLANT)
     return replace(user, steps=tuple(done), results=results)
 

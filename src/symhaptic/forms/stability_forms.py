@@ -9,7 +9,15 @@ import sympy as sp
 from sympy import Expr, cos, sin
 
 from symhaptic.forms import fractional_delay, max_stiffness_slope
-from symhaptic.forms.device_forms import ANY, Device, device_of, fractional_of, made_of, same_device
+from symhaptic.forms.device_forms import (
+    ANY,
+    Device,
+    across_of,
+    device_of,
+    fractional_of,
+    made_of,
+    same_device,
+)
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.forms.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
 from symhaptic.forms.implicit import WholePart
@@ -47,11 +55,10 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     across = device.together + device.apart
     wall, smooth = _boundary(device, across, delay)
     if parts.delay:
-        first, last = fractional_delay.ends(parts)
-        late = fractional_of(parts)
+        late, late_across = fractional_of(parts), across_of(parts)
         found = replace(device, apart=either(device.apart, late.apart))
-        wall, _ = _boundary(found, either(across, 2 * (first - last)), WholePart(d))
-        _, slopes = _boundary(late, 2 * (first - last), l)
+        wall, _ = _boundary(found, either(across, late_across), WholePart(d))
+        _, slopes = _boundary(late, late_across, l)
         smooth = tuple(either(*both) for both in zip(smooth, slopes, strict=True))
 
     def equal() -> Pairs:
