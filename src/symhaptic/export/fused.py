@@ -137,8 +137,8 @@ def merged(user: Routine) -> Routine:
             own = next((own for own in _TOGETHER if together.keys() <= set(own)), None)
             several = own or tuple(sorted(together))
             joint = sp.Function(_TOGETHER[own] if own else "_".join(several))(*expr.args)
-            several_names = (together.get(name) or fresh(code_name(name), taken) for name in several)
-            done.append(Several(tuple(several_names), joint))
+            made = (together.get(n) or fresh(f"{code_name(n)}_of", taken) for n in several)
+            done.append(Several(tuple(made), joint))
     done.sort(key=lambda step: not isinstance(step, Several) or not step.free_symbols <= _PLANT)
     return replace(user, steps=tuple(done), results=results)
 

@@ -98,9 +98,7 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     return FractionalNumeratorGap(epsilon, *kicks, first.apart, last.apart, turned)
 
 
-def across(
-    parts: Parts, rest: Brief, together: Expr, apart: Expr, loss: Expr, kick: Expr
-) -> Expr:
+def across(parts: Parts, rest: Brief, together: Expr, apart: Expr, loss: Expr, kick: Expr) -> Expr:
     """2 (m_2 - m_0), made of the period's rest and of what belongs to the whole period.
 
     Next to whole turns m_2 and m_0 are alike, and M is as small as their difference where motions

@@ -174,10 +174,10 @@ static Entry entries[] = {
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
-    ENTRY(late_device, 3, 3, 0,
-    "apart, m2, m0 of (gamma, delta, part)\n"
+    ENTRY(late_device, 3, 4, 0,
+    "apart, m2, kick, m0 of (gamma, delta, part)\n"
     "\n"
-    "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period.\n"),
+    "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse in its rest.\n"),
 };
 
 static int filled(PyObject *module) {
@@ -203,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "5685e95ac003ba10")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "3882a25c0ca139c9")) return -1;
     return filled(module);
 }
 

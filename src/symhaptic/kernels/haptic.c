@@ -31,10 +31,10 @@ typedef struct { double together, trace; } Device2;
 typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { double halves, rest; } Angle;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
-typedef struct { double apart, m2, m0; } Delayed;
+typedef struct { double apart, m2, kick, m0; } Delayed;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
-typedef struct { double at_minus_one, together, n_gap; } Device5;
+typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
 typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
@@ -661,17 +661,18 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
         plant_n1_creep(&motion, &creeping, decayed)};
 }
 
-// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
+// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse in its
+// rest
 static inline Delayed late_device(double gamma, double delta, double part) {
     const double t0 = 1.0 - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
-    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
-    const double t4 = part*part, t5 = gamma*t4, t6 = delta*part;
-    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
-    const double t8 = device.n0*t4;
-    return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
-        (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
-        (device.kick.hi*t6 + device.n1*t5) + device2.n1*device.n1*t2*t4 - t3*t8*decay(t3)),
-        device2.n1*t1, t8*exp(-t3)};
+    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
+    const double t5 = part*part, t6 = gamma*t5, t7 = delta*part;
+    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
+    const double t9 = device2.n0*t5;
+    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
+        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+        (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
+        device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
 }
 
 // 1 where the loop is stable, else 0
@@ -771,17 +772,21 @@ static inline Response ahead_in_phase(double psi, double at_one, double at_minus
     return (Response){found2/size, found3/size};
 }
 
-// at_minus_one, together and n_gap of the device
-static inline Device5 device_at_minus_one_together_n_gap(double gamma, double delta) {
+// at_minus_one, kick, together and n_gap of the device
+static inline Device5 device_at_minus_one_kick_together_n_gap(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
-        return (Device5){denominator_at_minus_one_swing(&motion, &swinging),
+        const Pair prod = wide_prod(swinging.envelope, swinging.wave);
+        const Pair total = fast_two_sum(prod.hi, prod.lo);
+        return (Device5){denominator_at_minus_one_swing(&motion, &swinging), total.hi,
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    return (Device5){denominator_at_minus_one_creep(&creeping),
+    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
+    const Pair total2 = fast_two_sum(prod2.hi, prod2.lo);
+    return (Device5){denominator_at_minus_one_creep(&creeping), total2.hi,
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
@@ -1287,23 +1292,25 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
         (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
+    const Device5 device = device_at_minus_one_kick_together_n_gap(gamma, delta);
     const double whole = floor(d);
     const CosSin cossin = next_wave(whole, theta);
-    const double part = d - whole, t2 = 0.5*theta;
-    double t10, t11;
+    const double part = d - whole, t2 = 0.5*theta, t4 = gamma*device.together;
+    const double t6 = delta*decay(delta), t7 = delta*device.n_gap;
+    double t10, t12;
     if (part == 0.0) {
-        const double t7 = delta*device.n_gap;
-        t10 = t7; t11 = device.together + t7;
+        t10 = t7; t12 = device.together + t7;
     } else {
         const Delayed delayed = late_device(gamma, delta, part);
-        t10 = delayed.apart; t11 = 2.0*delayed.m2 - 2.0*delayed.m0;
+        t10 = delayed.apart;
+        t12 = device.kick*(delta*delayed.m2 + 2.0*delayed.kick) + delayed.m2*(t4 + t6) -
+            device.together + t7;
     }
-    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
-        decay(delta), device.together, t10, t11);
-    const double t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tan(t2);
-    *beta_out = -t15/sin(theta);
+    const Response response = ahead_in_phase(t2, t4, device.at_minus_one, t6, device.together, t10,
+        t12);
+    const double t16 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t16*tan(t2);
+    *beta_out = -t16/sin(theta);
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,

@@ -1306,20 +1306,22 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
 
 
 def late_device(xp, gamma, delta, part):
-    """m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period"""
+    """m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse
+    in its rest
+    """
     t0 = 1.0 - part
     t1 = (t0*t0)
     t2 = gamma*t1
     t3 = delta*t0
-    kick_of2, kick_low_of, n_gap, n0_2, n1 = device_kick_kick_low_n_gap_n0_n1(xp, t2, t3)
-    t4 = (part*part)
-    t5 = gamma*t4
-    t6 = delta*part
-    kick_of, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t5, t6)
-    t8 = n0*t4
-    return fractional_numerator_gap(xp, part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
-        t2*t4 - t3*t8*decay(xp, t3)), n1*t1, t8*xp.exp(-t3)
+    kick_of, kick_low_of, n_gap, n0_2, n1 = device_kick_kick_low_n_gap_n0_n1(xp, t2, t3)
+    t5 = (part*part)
+    t6 = gamma*t5
+    t7 = delta*part
+    kick_of2, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t6, t7)
+    t9 = n0*t5
+    return fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2, kick_low_of2, delta*
+        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of2*t7 + n1_2*t6) + n1*n1_2*
+        t2*t5 - t3*t9*decay(xp, t3)), n1*t1, kick_of*t0, t9*xp.exp(-t3)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
@@ -1477,27 +1479,29 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     return found/size, found3/size
 
 
-def device_at_minus_one_together_n_gap(xp, gamma, delta):
-    """at_minus_one, together and n_gap of the device"""
+def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
+    """at_minus_one, kick, together and n_gap of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
         envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
             swinging_device(xp, gamma, half, w, w_low, root)
         )
+        total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
-            numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
-            gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
-            delta)
+            total, numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near,
+            moved, gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low,
+            gamma, delta)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
             creeping_device(xp, gamma, half, w, w_low, root)
         )
+        total2, total_low2 = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, even2, even_low2))
         return (
-            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low), total2,
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
             mean_low, ratio, even2, even_low2, delta)
@@ -2236,7 +2240,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
                 n_gap)
 
         def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
             return fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
                 apart)
 
@@ -2263,30 +2267,33 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap = device_at_minus_one_together_n_gap(xp, gamma, delta)
-        return at_minus_one, together, gamma*together, delta*decay(xp, delta), delta*n_gap
+        at_minus_one, kick_of, together, n_gap = (
+            device_at_minus_one_kick_together_n_gap(xp, gamma, delta)
+        )
+        return at_minus_one, kick_of, together, gamma*together, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 5, math.nan, gamma,
-        delta)
+    at_minus_one, kick_of, together, t4, t6, t7 = (
+        guarded(xp, plant, "gamma delta", 6, math.nan, gamma, delta)
+    )
 
-    def work(theta, gamma, delta, d, at_minus_one, together, t4, t6, t7):
+    def work(theta, gamma, delta, d, at_minus_one, kick_of, together, t4, t6, t7):
         whole = xp.floor(d)
         cosine, sine = next_wave(xp, whole, theta)
         part = d - whole
         t2 = 0.5*theta
 
-        def no(delta, gamma, part):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
-            return apart, 2.0*m2 - 2.0*m0
+        def no(delta, gamma, kick_of, together, part, t4, t6, t7):
+            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
+            return apart, kick_of*(delta*m2 + 2.0*kick_) + m2*(t4 + t6) - together + t7
 
-        t10, t11 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
-            (together, t7), no, (delta, gamma, part))
-        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t11)
-        t15 = ahead_of*cosine + in_phase_of*sine
-        return ahead_of*sine - cosine*in_phase_of + t15*xp.tan(t2), -t15/xp.sin(theta)
+        t10, t12 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
+            (together, t7), no, (delta, gamma, kick_of, together, part, t4, t6, t7))
+        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t12)
+        t16 = ahead_of*cosine + in_phase_of*sine
+        return ahead_of*sine - cosine*in_phase_of + t16*xp.tan(t2), -t16/xp.sin(theta)
 
     return guarded(xp, work, "theta gamma delta d", 2, math.nan, theta, gamma, delta, d,
-        at_minus_one, together, t4, t6, t7)
+        at_minus_one, kick_of, together, t4, t6, t7)
 
 
 @by_value
@@ -2341,7 +2348,7 @@ def max_stable_stiffness(gamma, delta, d):
             return sine*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
         def no(d, delta, at_minus_one, gamma, together, part, t1, t16, t3, whole):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
             t27 = max_stiffness_angle(xp, gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
                 t3, together, apart)
             cosine_2, sine_2 = next_wave(xp, whole, t27)

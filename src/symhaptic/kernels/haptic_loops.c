@@ -266,9 +266,9 @@ void haptic_linear_limit_loop(
 
 void haptic_late_device_loop(
     char **at, npy_intp const *sizes, npy_intp const *steps, void *data) {
-    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5];
+    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5], *y3 = at[6];
     const npy_intp s0 = steps[0], s1 = steps[1], s2 = steps[2], s3 = steps[3], s4 = steps[4], s5 =
-        steps[5];
+        steps[5], s6 = steps[6];
     npy_intp left;
     int within = 1;
     (void)data;
@@ -277,8 +277,9 @@ void haptic_late_device_loop(
         const double delta = *(double const *)x1;
         const double part = *(double const *)x2;
         const Delayed found = late_device(gamma, delta, part);
-        *(double *)y0 = found.apart; *(double *)y1 = found.m2; *(double *)y2 = found.m0;
-        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
+        *(double *)y0 = found.apart; *(double *)y1 = found.m2; *(double *)y2 =
+            found.kick; *(double *)y3 = found.m0;
+        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6;
     }
     if (!within) strayed = 1;
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */
