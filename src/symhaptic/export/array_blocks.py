@@ -31,6 +31,18 @@ def product(known: Products, one: Expr, two: Expr) -> Symbol | None:
     return known.get(one**2 if one == two else frozenset((one, two)))
 
 
+def factors(block: Block) -> Counter[Expr]:
+    """How often each is a factor of a product of which something is missed."""
+    shown = (expr for statement in block for expr in expressions(statement))
+    return Counter(
+        factor
+        for expr in shown
+        for part in sp.preorder_traversal(expr)
+        if isinstance(part, TwoProdError)
+        for factor in part.args
+    )
+
+
 def last_uses(block: Block, known: Products, handed: Mapping[int, int]) -> dict[int, list[Symbol]]:
     """For each statement, the variables of the block that are used there for the last time.
 

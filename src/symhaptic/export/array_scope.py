@@ -9,6 +9,7 @@ from sympy import Expr, Piecewise, Symbol
 
 from symhaptic.export.array_blocks import (
     ends_with_search,
+    factors,
     handed_on,
     last_uses,
     lone_expression,
@@ -35,6 +36,8 @@ class Scope:
         """Names that are those of another variable, which is done with."""
         self.split: dict[Expr, str] = {}
         """Factors whose halves are there, and the name of these."""
+        self.factors = factors(block)
+        """How often the halves of each are asked for."""
         self.products = products(block)
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
@@ -217,13 +220,16 @@ class Scope:
         for part in sp.postorder_traversal(expr):
             if isinstance(part, TwoProdError):
                 for factor, other in (part.args, part.args[::-1]):
-                    if factor not in self.split:
-                        whole = name = self.printer.doprint(factor)
-                        if factor.is_number:
-                            name = f"number{len(self.split)}"
-                            whole = f"xp.full_like({self.name(other)}, {whole})"
+                    if factor in self.split:
+                        continue
+                    whole = name = self.printer.doprint(factor)
+                    if factor.is_number:
+                        name = f"number{len(self.split)}"
+                        whole = f"xp.full_like({self.name(other)}, {whole})"
+                    self.split[factor] = f"halves(xp, {whole})"
+                    if self.factors[factor] > 1:
+                        lines.append(f"{name}_halves = {self.split[factor]}")
                         self.split[factor] = f"{name}_halves"
-                        lines.append(f"{name}_halves = halves(xp, {whole})")
             elif isinstance(part, Piecewise):
                 for _, condition in part.args[:-1]:
                     if condition in often and condition not in self.cases:

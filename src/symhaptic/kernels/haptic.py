@@ -428,9 +428,7 @@ def two_prod_error(product, one, two):
 
 def wide_prod(xp, x, y, y_low):
     """x y of a float and a pair"""
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    return x*y, x*y_low + two_prod_error(x*y, x_halves, y_halves)
+    return x*y, x*y_low + two_prod_error(x*y, halves(xp, x), halves(xp, y))
 
 
 def pair_prod(xp, x, x_low, y, y_low):
@@ -453,9 +451,7 @@ def pair_quot(xp, x, x_low, y, y_low):
     """x/y of pairs"""
     total = x/y
     left = x - total*y
-    total_halves = halves(xp, total)
-    y_halves = halves(xp, y)
-    left = left - two_prod_error(total*y, total_halves, y_halves)
+    left = left - two_prod_error(total*y, halves(xp, total), halves(xp, y))
     rest = x_low - total*y_low
     left = left + rest
     return total, left/y
@@ -514,9 +510,7 @@ def two_diff(xp, x, y):
 
 def two_prod(xp, x, y):
     """x y and what it misses"""
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    return x*y, two_prod_error(x*y, x_halves, y_halves)
+    return x*y, two_prod_error(x*y, halves(xp, x), halves(xp, y))
 
 
 def device_motion(xp, gamma, delta):
@@ -1457,14 +1451,12 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     t_halves = halves(xp, t)
     low = two_prod_error(square, t_halves, t_halves)
     diff, diff_low = two_diff(xp, at_one, at_minus_one*square)
-    at_minus_one_halves = halves(xp, at_minus_one)
     square_halves = halves(xp, square)
-    missed = at_minus_one*low + two_prod_error(at_minus_one*square, at_minus_one_halves,
+    missed = at_minus_one*low + two_prod_error(at_minus_one*square, halves(xp, at_minus_one),
         square_halves)
     total, total_low = fast_two_sum(xp, diff, diff_low - missed)
     diff, diff_low = two_diff(xp, together, apart*square)
-    apart_halves = halves(xp, apart)
-    missed = apart*low + two_prod_error(apart*square, apart_halves, square_halves)
+    missed = apart*low + two_prod_error(apart*square, halves(xp, apart), square_halves)
     total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
@@ -1518,21 +1510,19 @@ def next_wave_single(xp, k, x):
     missed = k - before
     quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
     quarters_halves = halves(xp, quarters)
-    number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
     diff, diff_low = two_diff(xp, angle - 1.5707963705062866*quarters,
-        two_prod_error(quarters*1.5707963705062866, quarters_halves, number1_halves))
+        two_prod_error(quarters*1.5707963705062866, quarters_halves,
+        halves(xp, xp.full_like(quarters, 1.5707963705062866))))
     diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
-    count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, count_halves, x_halves))
+    diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, halves(xp, count), x_halves))
     diff, diff_low4 = two_diff(xp, diff, -missed*x)
-    number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
     low = (
         diff_low + diff_low2 + diff_low3 + diff_low4 + 1.7151245100058819e-15*quarters -
-        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves,
+        halves(xp, xp.full_like(quarters, -4.371138828673793e-08)))
     )
-    missed_halves = halves(xp, missed)
-    low = low + two_prod_error(missed*x, missed_halves, x_halves)
+    low = low + two_prod_error(missed*x, halves(xp, missed), x_halves)
     wave = xp.sin(diff)
     still = xp.cos(diff)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
@@ -1555,9 +1545,7 @@ def next_wave(xp, k, x):
     before = count - 1.0
     angle = count*x
     missed = k - before
-    count_halves = halves(xp, count)
-    x_halves = halves(xp, x)
-    off = missed*x + two_prod_error(angle, count_halves, x_halves)
+    off = missed*x + two_prod_error(angle, halves(xp, count), halves(xp, x))
     sine = xp.sin(angle)
     cosine = xp.cos(angle)
 
