@@ -795,9 +795,8 @@ def device_n0_n1_trace(xp, gamma, delta):
     decayed, decayed_low = slow_fade(xp, reach, half)
 
     def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return (
             plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
@@ -883,9 +882,8 @@ def device_together_trace(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
             gamma), 2.0*rounded_of
@@ -908,9 +906,8 @@ def plant_n0(xp, gamma, delta):
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-                swinging_device(xp, gamma, half, w, w_low, root)
-            )
+            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(
+                xp, gamma, half, w, w_low, root)
             return plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near,
                 sunk, decayed, decayed_low, gamma)
 
@@ -939,9 +936,8 @@ def plant_n1(xp, gamma, delta):
 
     def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-                swinging_device(xp, gamma, half, w, w_low, root)
-            )
+            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(
+                xp, gamma, half, w, w_low, root)
             return plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
                 near, risen, decayed, decayed_low, gamma)
 
@@ -1038,9 +1034,8 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
@@ -1271,9 +1266,8 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
@@ -1476,9 +1470,8 @@ def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
@@ -2210,14 +2203,12 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = (
-            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
-        )
+        at_minus_one, together, n_gap, n0, n1 = device_at_minus_one_together_n_gap_n0_n1(xp, gamma,
+            delta)
         return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
 
-    at_minus_one, together, n_gap, n0, n1, t1, t3 = (
-        guarded(xp, plant, "gamma delta", 7, math.nan, gamma, delta)
-    )
+    at_minus_one, together, n_gap, n0, n1, t1, t3 = guarded(xp, plant, "gamma delta", 7, math.nan,
+        gamma, delta)
 
     def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
         whole = xp.floor(d)
@@ -2255,14 +2246,12 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, kick_of, together, n_gap = (
-            device_at_minus_one_kick_together_n_gap(xp, gamma, delta)
-        )
+        at_minus_one, kick_of, together, n_gap = device_at_minus_one_kick_together_n_gap(xp, gamma,
+            delta)
         return at_minus_one, kick_of, together, gamma*together, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, kick_of, together, t4, t6, t7 = (
-        guarded(xp, plant, "gamma delta", 6, math.nan, gamma, delta)
-    )
+    at_minus_one, kick_of, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 6, math.nan,
+        gamma, delta)
 
     def work(theta, gamma, delta, d, at_minus_one, kick_of, together, t4, t6, t7):
         whole = xp.floor(d)
@@ -2301,16 +2290,14 @@ def max_stable_stiffness(gamma, delta, d):
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = (
-            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
-        )
+        at_minus_one, together, n_gap, n0, n1 = device_at_minus_one_together_n_gap_n0_n1(xp, gamma,
+            delta)
         t3 = delta*decay(xp, delta)
         t4 = delta*n_gap
         return at_minus_one, together, n0, n1, gamma*together, t3, t4, together + t4, 2.0*t3
 
-    at_minus_one, together, n0, n1, t1, t3, t4, t10, t16 = (
-        guarded(xp, plant, "gamma delta", 9, math.nan, gamma, delta)
-    )
+    at_minus_one, together, n0, n1, t1, t3, t4, t10, t16 = guarded(xp, plant, "gamma delta", 9,
+        math.nan, gamma, delta)
 
     def work(gamma, delta, d, at_minus_one, together, n0, n1, t1, t3, t4, t10, t16):
         whole = xp.floor(d)
