@@ -8,6 +8,8 @@ import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 
 from symhaptic.export.array_blocks import (
+    alone_of_their_kind,
+    base,
     ends_with_search,
     factors,
     handed_on,
@@ -32,8 +34,10 @@ class Scope:
         self.target, self.block = target, block
         self.printer = target.printing()
         self.printer.scope = self
-        self.names: dict[Symbol, str] = {}
-        """Names that are those of another variable, which is done with."""
+        self.names: dict[Symbol, str] = {
+            s: self.target.rename(base(s)) for s in alone_of_their_kind(block)
+        }
+        """Names without a number that only another function needs, or of what is done with."""
         self.split: dict[Expr, str] = {}
         """Factors whose halves are there, and the name of these."""
         self.factors = factors(block)
@@ -107,11 +111,11 @@ class Scope:
     def _retired(self, symbols: Iterable[Symbol], idle: dict[str, list[str]]) -> None:
         """Their names are free from here on."""
         for symbol in symbols:
-            idle.setdefault(_base(symbol), []).append(self.name(symbol))
+            idle.setdefault(base(symbol), []).append(self.name(symbol))
 
     def _renamed(self, symbol: Symbol, idle: dict[str, list[str]]) -> None:
         """It takes a free name of its kind, if there is one."""
-        if free := idle.get(_base(symbol)):
+        if free := idle.get(base(symbol)):
             self.names[symbol] = free.pop()
 
     def _choice(self, choice: Choice, depth: int) -> list[str]:
@@ -310,7 +314,3 @@ def _first(condition: Expr) -> list[Symbol]:
 
 def _listed(names: list[str]) -> str:
     return f"({', '.join(names)}{',' * (len(names) == 1)})"
-
-
-def _base(symbol: Symbol) -> str:
-    return str(symbol.name).rstrip("0123456789")

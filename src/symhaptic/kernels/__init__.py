@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "3882a25c0ca139c9"
+STAMP = "f4ba930adfc8b439"
 """Of the sources in C, as the module that is compiled of them has it."""

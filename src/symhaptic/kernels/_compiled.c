@@ -203,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "3882a25c0ca139c9")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "f4ba930adfc8b439")) return -1;
     return filled(module);
 }
 

@@ -21,7 +21,7 @@ static const double inverse_factorial[] =
 typedef struct { double hi, lo; } Pair; // and what its float misses
 typedef struct { Pair fall, mean; } Fading;
 typedef struct { Pair p, q; } Poles;
-typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { Pair p, slow, mean, ratio, far; } Creeping;
 typedef struct { double half; Pair w; double root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { double near, risen, sunk, moved; } Turns;
@@ -196,7 +196,7 @@ static inline double plant_n0_creep(const Motion *motion, const Creeping *creepi
     double gamma, double delta) {
     if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
     return rounded(pair_prod(creeping->slow,
-        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        pair_quot(pair_diff(creeping->far, pair_prod(creeping->ratio, creeping->mean)),
         creeping->p)));
 }
 
@@ -232,7 +232,7 @@ static inline double plant_n1_creep(const Motion *motion, const Creeping *creepi
     if (motion->reach < 0.5625) {
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
-    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->far)),
         creeping->p));
 }
 
@@ -478,7 +478,7 @@ static inline double numerator_gap_creep(const Motion *motion, const Creeping *c
         return scaled_sum((Pair){exp(-motion->half), 0.0},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
-    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->far));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
@@ -654,7 +654,7 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
@@ -784,7 +784,7 @@ static inline Device5 device_at_minus_one_kick_together_n_gap(double gamma, doub
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far);
     const Pair total2 = fast_two_sum(prod2.hi, prod2.lo);
     return (Device5){denominator_at_minus_one_creep(&creeping), total2.hi,
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};

@@ -582,17 +582,17 @@ def plant_n0_near(xp, decayed, decayed_low, gamma, delta):
         plant_n0_series(xp, gamma, delta), 0.5)
 
 
-def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even,
-    even_low, decayed, decayed_low, gamma, delta):
+def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far,
+    far_low, decayed, decayed_low, gamma, delta):
     """n0 of a creeping device"""
-    def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
+    def no(far, far_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         return rounded(xp, *pair_prod(xp, slow, slow_low,
-            *pair_quot(xp, *pair_diff(xp, even, even_low,
+            *pair_quot(xp, *pair_diff(xp, far, far_low,
             *pair_prod(xp, ratio, ratio_low, mean, mean_low)), p, p_low)))
 
     return select(xp, reach < 0.5625, lambda *v: plant_n0_near(xp, *v),
         (decayed, decayed_low, gamma, delta), no,
-        (even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
+        (far, far_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
 
 
 def pair_sum(xp, x, x_low, y, y_low):
@@ -635,18 +635,18 @@ def plant_n1_series(xp, h, w):
     return h*total + two*w
 
 
-def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even, even_low,
+def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far, far_low,
     decayed, decayed_low):
     """n1 of a creeping device"""
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
-    def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
+    def no(far, far_low, mean, mean_low, p, p_low, slow, slow_low):
         return rounded(xp, *pair_quot(xp, *pair_diff(xp, mean, mean_low,
-            *pair_prod(xp, slow, slow_low, even, even_low)), p, p_low))
+            *pair_prod(xp, slow, slow_low, far, far_low)), p, p_low))
 
     return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
-        (even, even_low, mean, mean_low, p, p_low, slow, slow_low))
+        (far, far_low, mean, mean_low, p, p_low, slow, slow_low))
 
 
 def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near, risen,
@@ -761,17 +761,17 @@ def whole_turns(xp, half, square, square_low, root, stiff):
                 missed)
             diff8, diff_low8 = pair_diff(xp, total, lift_low,
                 *wide_prod(xp, half, *pair_diff(xp, mean, mean_low, quot2, quot_low2)))
-            whole2 = xp.where(stiff == 0.0, 1.0, stiff)
+            whole = xp.where(stiff == 0.0, 1.0, stiff)
             return (
                 1.0, rounded(xp, *pair_quot(xp, *pair_sum(xp,
                 *wide_prod(xp, half, *pair_diff(xp, mean, mean_low,
-                *pair_prod(xp, fall, fall_low, quot2, quot_low2))), prod5, prod_low5), whole2,
+                *pair_prod(xp, fall, fall_low, quot2, quot_low2))), prod5, prod_low5), whole,
                 xp.full_like(fall, 0.0))), rounded(xp,
                 *pair_quot(xp, *pair_prod(xp, fall, fall_low,
-                *two_diff(xp, diff8, -diff_low8)), whole2, xp.full_like(diff8, 0.0))),
+                *two_diff(xp, diff8, -diff_low8)), whole, xp.full_like(diff8, 0.0))),
                 rounded(xp, *pair_quot(xp, *pair_sum(xp,
                 *pair_square(xp, *fast_two_sum(xp, *one_minus(xp, fall, fall_low))), 2.0*prod5,
-                2.0*prod_low5), whole2, xp.full_like(fall, 0.0)))
+                2.0*prod_low5), whole, xp.full_like(fall, 0.0)))
             )
 
         return select(xp, (count > 0.0) & (far < 1.5), yes,
@@ -805,15 +805,14 @@ def device_n0_n1_trace(xp, gamma, delta):
         )
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         return (
             plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low,
-            even2, even_low2, decayed, decayed_low, gamma, delta),
-            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
-            even_low2, decayed, decayed_low),
-            rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
+            far, far_low, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far,
+            far_low, decayed, decayed_low), rounded(xp,
+            *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
         )
 
     return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low), no,
@@ -889,9 +888,8 @@ def device_together_trace(xp, gamma, delta):
             gamma), 2.0*rounded_of
 
     def no(gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
             ratio, ratio_low), rounded(xp, *pair_prod(xp, slow, slow_low,
             *one_plus(xp, ratio, ratio_low)))
@@ -912,11 +910,11 @@ def plant_n0(xp, gamma, delta):
                 sunk, decayed, decayed_low, gamma)
 
         def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
-            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = (
                 creeping_device(xp, gamma, half, w, w_low, root)
             )
             return plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
-                ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta)
+                ratio_low, far, far_low, decayed, decayed_low, gamma, delta)
 
         return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
             no, (decayed, decayed_low, delta, gamma, half, reach, root, w, w_low))
@@ -942,11 +940,11 @@ def plant_n1(xp, gamma, delta):
                 near, risen, decayed, decayed_low, gamma)
 
         def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = (
                 creeping_device(xp, gamma, half, w, w_low, root)
             )
             return plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-                even2, even_low2, decayed, decayed_low)
+                far, far_low, decayed, decayed_low)
 
         return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
             no)
@@ -997,14 +995,14 @@ def numerator_gap_series(xp, h, w):
     return inner*w + total*y + number2
 
 
-def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even, even_low, delta):
+def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, far, far_low, delta):
     """(n1 - n0)/delta of a creeping device"""
     def yes(half, w):
         return scaled_sum(xp, xp.exp(-half), 0.0, numerator_gap_series(xp, half, w),
             0.16666666666666666)
 
-    def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
-        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, 2.0*slow, even, even_low))
+    def no(delta, far, far_low, mean, mean_low, p, ratio, slow):
+        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, 2.0*slow, far, far_low))
         prod, prod_low = wide_prod(xp, ratio*slow, mean, mean_low)
         top = diff + prod
         low = diff_low + prod_low
@@ -1012,7 +1010,7 @@ def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even
         return (low + top)/whole
 
     return select(xp, reach < 1.0, yes, (half, w), no,
-        (delta, even, even_low, mean, mean_low, p, ratio, slow))
+        (delta, far, far_low, mean, mean_low, p, ratio, slow))
 
 
 def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
@@ -1048,19 +1046,18 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
-            mean_low, ratio, even2, even_low2, delta),
+            mean_low, ratio, far, far_low, delta),
             plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
-            ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta),
-            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
-            even_low2, decayed, decayed_low)
+            ratio_low, far, far_low, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far,
+            far_low, decayed, decayed_low)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
@@ -1279,16 +1276,17 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
-        total2, total_low2 = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, even2, even_low2))
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
+        total, total_low = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
         decayed, decayed_low = slow_fade(xp, reach, half)
-        return total2, total_low2, numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low,
-            ratio, even2, even_low2, delta), plant_n0_creep(xp, reach, p, p_low, slow, slow_low,
-            mean, mean_low, ratio, ratio_low, even2, even_low2, decayed, decayed_low, gamma,
-            delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-            even2, even_low2, decayed, decayed_low)
+        return (
+            total, total_low, numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low,
+            ratio, far, far_low, delta), plant_n0_creep(xp, reach, p, p_low, slow, slow_low,
+            mean, mean_low, ratio, ratio_low, far, far_low, decayed, decayed_low, gamma,
+            delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
+            mean_low, far, far_low, decayed, decayed_low)
+        )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
@@ -1427,9 +1425,9 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         total = select(xp, disc4 >= 0.0, yes,
             (alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
             own1, own2, slope, square, together, wall_far), lambda disc4: 0.0, (disc4,))
-        total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+        total = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
             (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-        return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+        return total - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
             (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
     return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
@@ -1481,15 +1479,14 @@ def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
-        total2, total_low2 = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, even2, even_low2))
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
+        total, total_low = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
         return (
-            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low), total2,
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low), total,
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
-            mean_low, ratio, even2, even_low2, delta)
+            mean_low, ratio, far, far_low, delta)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
@@ -2326,7 +2323,7 @@ def max_stable_stiffness(gamma, delta, d):
             apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
             t27 = max_stiffness_angle(xp, gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
                 t3, together, apart)
-            cosine_2, sine_2 = next_wave(xp, whole, t27)
+            cosine, sine = next_wave(xp, whole, t27)
             t28 = 0.5*t27
             t29 = xp.sin(t28)
             t28 = xp.cos(t28)
@@ -2339,9 +2336,9 @@ def max_stable_stiffness(gamma, delta, d):
             t32 = t1*t32 - at_minus_one*t33
             t39 = t16*t34 - t35*t32
             t32 = t16*t35*t36 + t34*t32
-            t36 = cosine_2*t37
-            t35 = -sine_2*t37*t32/xp.sin(t27) - 0.5*t39*t36
-            return sine_2*t29*t28*t37*t39 - 2.0*t33*t35 - t32*t36, t35, t27
+            t36 = cosine*t37
+            t35 = -sine*t37*t32/xp.sin(t27) - 0.5*t39*t36
+            return sine*t29*t28*t37*t39 - 2.0*t33*t35 - t32*t36, t35, t27
 
         return select(xp, part == 0.0, yes, (d, delta, at_minus_one, gamma, together, n0, n1, t1,
             t10, t16, t3, t4), no, (d, delta, at_minus_one, gamma, together, part, t1, t16, t3,
@@ -2411,7 +2408,7 @@ def passivity_boundary(theta, delta, d):
     def work(theta, delta, d):
         whole = xp.floor(d)
         part = d - whole
-        t2 = 0.5*theta
+        t = 0.5*theta
 
         def yes(d, delta, t2, theta):
             t0 = lead(xp, theta, d, xp.full_like(d, 0.0))
@@ -2437,8 +2434,8 @@ def passivity_boundary(theta, delta, d):
                 (4.0*(t8*t8)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + t13*t13))
             return rated(xp, t6, t10*t17), rated(xp, t6, t12*t17)
 
-        return select(xp, part == 0.0, yes, (d, delta, t2, theta), no,
-            (delta, part, t2, theta, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t, theta), no,
+            (delta, part, t, theta, whole))
 
     return guarded(xp, work, "theta delta d", 2, math.nan, theta, delta, d)
 
@@ -2457,7 +2454,7 @@ def max_passive_stiffness(delta, d):
     def work(delta, d):
         whole = xp.floor(d)
         part = d - whole
-        t3 = 2.0*delta
+        t = 2.0*delta
 
         def yes(d, delta, t3):
             t0 = d + 1.0
@@ -2486,7 +2483,7 @@ def max_passive_stiffness(delta, d):
             t9 = 2.0*part
             return t10*t3, delta*(t13 - t10*(t14*(t15 + t9) + 1.0))/(t14*(t16 + t9)), t7
 
-        return select(xp, part == 0.0, yes, (d, delta, t3), no, (delta, part, t3, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t), no, (delta, part, t, whole))
 
     return guarded(xp, work, "delta d", 3, math.nan, delta, d)
 

@@ -18,7 +18,7 @@ static const float inverse_factorial[] =
 typedef struct { float hi, lo; } Pair; // and what its float misses
 typedef struct { Pair fall, mean; } Fading;
 typedef struct { Pair p, q; } Poles;
-typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { Pair p, slow, mean, ratio, far; } Creeping;
 typedef struct { float half; Pair w; float root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { float near, risen, sunk, moved; } Turns;
@@ -191,7 +191,7 @@ static inline float plant_n0_creep(const Motion *motion, const Creeping *creepin
     float gamma, float delta) {
     if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
     return rounded(pair_prod(creeping->slow,
-        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        pair_quot(pair_diff(creeping->far, pair_prod(creeping->ratio, creeping->mean)),
         creeping->p)));
 }
 
@@ -227,7 +227,7 @@ static inline float plant_n1_creep(const Motion *motion, const Creeping *creepin
     if (motion->reach < 0.5625f) {
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
-    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->far)),
         creeping->p));
 }
 
@@ -471,7 +471,7 @@ static inline float numerator_gap_creep(const Motion *motion, const Creeping *cr
         return scaled_sum((Pair){expf(-motion->half), 0.0f},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
-    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->far));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
@@ -650,7 +650,7 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta)
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
@@ -780,7 +780,7 @@ static inline Device5 device_at_minus_one_kick_together_n_gap(float gamma, float
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far);
     const Pair total2 = fast_two_sum(prod2.hi, prod2.lo);
     return (Device5){denominator_at_minus_one_creep(&creeping), total2.hi,
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
