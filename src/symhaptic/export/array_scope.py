@@ -93,9 +93,10 @@ class Scope:
                 if self.block[i + 1 :] == (Return(statement.names),):
                     lines.append(f"{pad}return {name}(xp, {args})")
                     break
-                for symbol in statement.names:
+                used = set(inputs(self.block[i + 1 :]))
+                for symbol in used.intersection(statement.names):
                     self._renamed(symbol, idle)
-                names = self.named(statement.names)
+                names = [self.name(s) if s in used else "_" for s in statement.names]
                 lines.append(pad + self.target.unpacked(names, name, args))
             elif isinstance(statement, Join) and self.block[i + 1 :] == (Return(statement.names),):
                 lines += self._selected(statement, depth, f"{pad}return")

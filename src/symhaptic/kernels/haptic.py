@@ -672,7 +672,7 @@ def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
 def slow_fade(xp, reach, half):
     """exp(-half) of a device with slow poles, and what it misses"""
     def yes(half):
-        fall, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
+        fall, fall_low, _, _ = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
         return pair_square(xp, fall, fall_low)
 
     return select(xp, reach < 0.5625, yes, (half,), lambda reach: (0.0, 0.0), (reach,))
@@ -795,8 +795,8 @@ def device_n0_n1_trace(xp, gamma, delta):
     decayed, decayed_low = slow_fade(xp, reach, half)
 
     def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
-            gamma, half, w, w_low, root)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, _ = swinging_device(xp, gamma,
+            half, w, w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return (
             plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
@@ -881,15 +881,15 @@ def device_together_trace(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
-            gamma, half, w, w_low, root)
+        envelope, even, even_low, _, _, near, _, _, moved = swinging_device(xp, gamma, half, w,
+            w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
             gamma), 2.0*rounded_of
 
     def no(gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
-            xp, gamma, half, w, w_low, root)
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, _, _ = creeping_device(xp,
+            gamma, half, w, w_low, root)
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
             ratio, ratio_low), rounded(xp, *pair_prod(xp, slow, slow_low,
             *one_plus(xp, ratio, ratio_low)))
@@ -904,8 +904,8 @@ def plant_n0(xp, gamma, delta):
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(
-                xp, gamma, half, w, w_low, root)
+            envelope, even, even_low, wave, wave_low, near, _, sunk, _ = swinging_device(xp, gamma,
+                half, w, w_low, root)
             return plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near,
                 sunk, decayed, decayed_low, gamma)
 
@@ -934,15 +934,14 @@ def plant_n1(xp, gamma, delta):
 
     def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(
-                xp, gamma, half, w, w_low, root)
+            envelope, even, even_low, wave, wave_low, near, risen, _, _ = swinging_device(xp,
+                gamma, half, w, w_low, root)
             return plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
                 near, risen, decayed, decayed_low, gamma)
 
         def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = (
-                creeping_device(xp, gamma, half, w, w_low, root)
-            )
+            p, p_low, slow, slow_low, mean, mean_low, _, _, far, far_low = creeping_device(xp,
+                gamma, half, w, w_low, root)
             return plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
                 far, far_low, decayed, decayed_low)
 
@@ -1263,8 +1262,8 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
-            gamma, half, w, w_low, root)
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, _ = swinging_device(xp, gamma,
+            half, w, w_low, root)
         total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
@@ -1468,9 +1467,9 @@ def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
-            gamma, half, w, w_low, root)
-        total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
+        envelope, even, even_low, wave, wave_low, near, _, _, moved = swinging_device(xp, gamma,
+            half, w, w_low, root)
+        total, _ = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
             total, numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near,
@@ -1481,7 +1480,7 @@ def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
     def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
             xp, gamma, half, w, w_low, root)
-        total, total_low = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
+        total, _ = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
         return (
             denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low), total,
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
@@ -1548,7 +1547,7 @@ def next_wave(xp, k, x):
 
 def cos_next(xp, k, x):
     """cos((k + 1) x)"""
-    cosine, sine = next_wave(xp, k, x)
+    cosine, _ = next_wave(xp, k, x)
     return cosine
 
 
@@ -1711,7 +1710,7 @@ def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
 
 def sin_next(xp, k, x):
     """sin((k + 1) x)"""
-    cosine, sine = next_wave(xp, k, x)
+    _, sine = next_wave(xp, k, x)
     return sine
 
 
@@ -2216,7 +2215,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
                 n_gap)
 
         def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
-            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, _, m0 = late_device(xp, gamma, delta, part)
             return fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
                 apart)
 
@@ -2257,7 +2256,7 @@ def stability_boundary(theta, gamma, delta, d):
         t2 = 0.5*theta
 
         def no(delta, gamma, kick_of, together, part, t4, t6, t7):
-            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, kick_, _ = late_device(xp, gamma, delta, part)
             return apart, kick_of*(delta*m2 + 2.0*kick_) + m2*(t4 + t6) - together + t7
 
         t10, t12 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
@@ -2320,7 +2319,7 @@ def max_stable_stiffness(gamma, delta, d):
             return sine*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
         def no(d, delta, at_minus_one, gamma, together, part, t1, t16, t3, whole):
-            apart, m2, kick_, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, _, m0 = late_device(xp, gamma, delta, part)
             t27 = max_stiffness_angle(xp, gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
                 t3, together, apart)
             cosine, sine = next_wave(xp, whole, t27)
