@@ -41,14 +41,12 @@ typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center,
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
     const double square = x*x;
-    return square*(square*(square*(square*(square*
-        (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
-        7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
-        2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(square*(square*
-        (square*(1.5619206968586225e-16*square + 4.779477332387385e-14) + 1.1470745597729725e-11) +
-        2.08767569878681e-09) + 2.755731922398589e-07) + 2.48015873015873e-05) +
-        0.001388888888888889) + 0.041666666666666664) + 0.16666666666666666;
+    double one = 0.0, two = 0.0;
+    for (int n = 19; n >= 4; n -= 1) {
+        const double number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return square*two - one*x + 0.16666666666666666;
 }
 
 // x + y and what it misses, for |x| >= |y|

@@ -355,34 +355,15 @@ def series(xp, add, count, brief, first, few, last, step, given):
     return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
 
 
-def decay_series_single(xp, x):
-    """The same in single precision."""
-    square = (x*x)
-    return (
-        square*(square*(square*(2.505210838544172e-08*square + 2.7557319223985893e-06) +
-        0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(2.08767569878681e-09*square + 2.755731922398589e-07) +
-        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
-        0.16666666666666666
-    )
-
-
 def decay_series(xp, x):
     """((1 - exp(-x))/x - 1 + x/2)/x^2"""
-    if x.dtype == xp.float32:
-        return decay_series_single(xp, x)
+    begin = 12 if x.dtype == xp.float32 else 19
     square = (x*x)
-    return (
-        square*(square*(square*(square*(square*
-        (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
-        7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
-        2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(square*(square*
-        (square*(1.5619206968586225e-16*square + 4.779477332387385e-14) +
-        1.1470745597729725e-11) + 2.08767569878681e-09) + 2.755731922398589e-07) +
-        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
-        0.16666666666666666
-    )
+    one, two = 0.0, 0.0
+    for number in INVERSE_FACTORIAL[begin:3:-1]:
+        both = number + square*two
+        one, two = both, one
+    return square*two - one*x + 0.16666666666666666
 
 
 def fast_two_sum(xp, x, y):

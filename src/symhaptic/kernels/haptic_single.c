@@ -38,9 +38,12 @@ typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
     const float square = x*x;
-    return square*(square*(square*(2.5052108e-08f*square + 2.7557319e-06f) + 0.0001984127f) +
-        0.008333334f) - x*(square*(square*(square*(2.0876756e-09f*square + 2.755732e-07f) +
-        2.4801588e-05f) + 0.0013888889f) + 0.041666668f) + 0.16666667f;
+    float one = 0.0f, two = 0.0f;
+    for (int n = 12; n >= 4; n -= 1) {
+        const float number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return square*two - one*x + 0.16666667f;
 }
 
 // x + y and what it misses, for |x| >= |y|
