@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -196,13 +196,23 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     used = Counter(s for made in order for e in computed(made) for s in e.free_symbols)
     last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
     results = tuple((name, last.get(s, s)) for name, s in results)
-    order = [made for made in order if last.keys().isdisjoint(names(made))]
+    asked = used.keys() | {s for _, value in results for s in value.free_symbols}
+    order = [_rounded(made, asked) for made in order if last.keys().isdisjoint(names(made))]
     about = _together([routines[part].about for part in parts])
     if set(arguments) == _PLANT:
         *some, last_ = (name for name, _ in results)
         about = f"{', '.join(some)} and {last_} of the device"
     record = "Response" if "Ahead" in parts else ""
     return Routine("_".join(parts), about, arguments, tuple(order), results, record=record)
+
+
+def _rounded(step: Step, asked: Collection[Symbol]) -> Step:
+    """The float of a sum alone, where nobody asks what it misses."""
+    if isinstance(step, Several) and step.call.func.__name__ == "FastTwoSum":
+        total, low = step.names
+        if low not in asked:
+            return total, sp.Function("Rounded")(*step.call.args)
+    return step
 
 
 def _of_many(result: Expr) -> Expr:

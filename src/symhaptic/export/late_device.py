@@ -40,10 +40,7 @@ def late_device() -> Routine:
     """In the order of their names in ``fused``."""
     names = "apart", "m2", "kick", "m0"
     results = tuple(zip(names, _numbers(_PART), strict=True))
-    about = (
-        "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse "
-        "in its rest"
-    )
+    about = "m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest"
     found = merged(routine(Form("late_device", about, (gamma, delta), results, tuple, ())))
     arguments = gamma, delta, _PART
     return replace(found, name="LateDevice", arguments=arguments, within=(), record="Delayed")

@@ -77,7 +77,8 @@ def in_brackets(line: str) -> list[str]:
 def _valued(pad: str, start: str, value: str) -> list[str]:
     """A value behind the start of its statement; a call goes on inside its own brackets."""
     parts = _parts(pad + start + value, "", WIDTH, inside=_is_call(value))
-    if len(parts) > 1 and all(depth("".join(parts[:i])) > depth(start) for i in range(1, len(parts))):
+    inside = (depth("".join(parts[:i])) > depth(start) for i in range(1, len(parts)))
+    if parts[1:] and all(inside):
         return parts
     first, *others = wrapped([f"{pad}    {value}"])
     inner = [first, *(other.removeprefix("    ") for other in others)]

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "a22d53d3d20f3c35"
+STAMP = "637086506cad1264"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -177,7 +177,7 @@ static Entry entries[] = {
     ENTRY(late_device, 3, 4, 0,
     "apart, m2, kick, m0 of (gamma, delta, part)\n"
     "\n"
-    "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse in its rest.\n"),
+    "m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest.\n"),
 };
 
 static int filled(PyObject *module) {
@@ -203,7 +203,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "a22d53d3d20f3c35")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "637086506cad1264")) return -1;
     return filled(module);
 }
 
@@ -266,7 +266,7 @@ static PyObject *one_discretize(
     const double gamma = x[0], delta = x[1];
     double y[4];
     haptic_discretize(gamma, delta, &y[0], &y[1], &y[2], &y[3]);
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 4);
 }
 
@@ -278,8 +278,8 @@ static PyObject *one_discretize_fractional(
     const double gamma = x[0], delta = x[1], epsilon = x[2];
     double y[5];
     haptic_discretize_fractional(gamma, delta, epsilon, &y[0], &y[1], &y[2], &y[3], &y[4]);
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(delta >= 0.0 && delta <= 1e+70 && epsilon >= 0.0 && epsilon < 1.0 && gamma >= 0.0 &&
+        gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 5);
 }
 
@@ -290,9 +290,8 @@ static PyObject *one_is_stable(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const int y = haptic_is_stable(alpha, beta, gamma, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return truth(y);
 }
 
@@ -303,9 +302,8 @@ static PyObject *one_unstable_roots(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const double y = haptic_unstable_roots(alpha, beta, gamma, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -317,8 +315,8 @@ static PyObject *one_stability_boundary(
     const double theta = x[0], gamma = x[1], delta = x[2], d = x[3];
     double y[2];
     haptic_stability_boundary(theta, gamma, delta, d, &y[0], &y[1]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15 && theta > 0.0 && theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(y, 2);
 }
 
@@ -330,8 +328,8 @@ static PyObject *one_max_stable_stiffness(
     const double gamma = x[0], delta = x[1], d = x[2];
     double y[3];
     haptic_max_stable_stiffness(gamma, delta, d, &y[0], &y[1], &y[2]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 3);
 }
 
@@ -342,9 +340,8 @@ static PyObject *one_passivity_margin_at(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double theta = x[0], alpha = x[1], beta = x[2], delta = x[3], d = x[4];
     const double y = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-        (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -355,8 +352,8 @@ static PyObject *one_passivity_margin(
     if (count != 4 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], delta = x[2], d = x[3];
     const double y = haptic_passivity_margin(alpha, beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -368,8 +365,8 @@ static PyObject *one_passivity_boundary(
     const double theta = x[0], delta = x[1], d = x[2];
     double y[2];
     haptic_passivity_boundary(theta, delta, d, &y[0], &y[1]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && theta > 0.0 &&
+        theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(y, 2);
 }
 
@@ -381,7 +378,7 @@ static PyObject *one_max_passive_stiffness(
     const double delta = x[0], d = x[1];
     double y[3];
     haptic_max_passive_stiffness(delta, d, &y[0], &y[1], &y[2]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70)) Py_RETURN_NONE;
     return numbers(y, 3);
 }
 
@@ -392,8 +389,8 @@ static PyObject *one_linear_limit(
     if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
     const double beta = x[0], delta = x[1], d = x[2];
     const double y = haptic_linear_limit(beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+        fabs(beta) <= 1e+70)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 

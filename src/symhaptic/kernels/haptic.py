@@ -759,7 +759,7 @@ def whole_turns(xp, half, square, square_low, root, stiff):
             (half, missed, quot, quot_low, root, stiff), lambda count: (0.0, 0.0, 0.0, 0.0),
             (count,))
 
-    return select(xp, (half < 0.75) & (root < number6) & (root > 3.0), yes,
+    return select(xp, (half < 0.75) & (root > 3.0) & (root < number6), yes,
         (half, root, square, square_low, stiff), lambda half: (0.0, 0.0, 0.0, 0.0), (half,))
 
 
@@ -1122,7 +1122,7 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together, x, y, zone), lambda rest: 0.0, (rest,))
 
-    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
+    return select(xp, (((at_high >= 0.0) & (at_low < 0.0)) | ((at_high < 0.0) & (at_low >= 0.0))) &
         (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
         k2, k3, loss, low, n1, slope, together, zone), lambda at_high: 0.0, (at_high,))
 
@@ -1135,13 +1135,13 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     q = -k2 - xp.where(k2 < 0.0, -root, root)
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = -k2/some
-    cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
+    cut = xp.where((at > low) & (at < high) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
     some = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = q/some
-    cut2 = xp.where((at < high) & (at > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
+    cut2 = xp.where((at > low) & (at < high) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
     some = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
     at = k1/some
-    cut3 = xp.where((at < high) & (at > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
+    cut3 = xp.where((at > low) & (at < high) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
     less = xp.where(cut2 < cut3, cut2, cut3)
     more = xp.where(cut2 > cut3, cut2, cut3)
     first = xp.where(cut < less, cut, less)
@@ -1272,9 +1272,7 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
 
 
 def late_device(xp, gamma, delta, part):
-    """m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period; kick by an impulse
-    in its rest
-    """
+    """m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest"""
     t0 = 1.0 - part
     t1 = (t0*t0)
     t2 = gamma*t1
@@ -1450,20 +1448,20 @@ def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
     def yes(delta, gamma, half, reach, root, w, w_low):
         envelope, even, even_low, wave, wave_low, near, _, _, moved = swinging_device(xp, gamma,
             half, w, w_low, root)
-        total, _ = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
-            total, numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near,
-            moved, gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low,
-            gamma, delta)
+            rounded(xp, *wide_prod(xp, envelope, wave, wave_low)),
+            numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
+            gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
+            delta)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
         p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
             xp, gamma, half, w, w_low, root)
-        total, _ = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
         return (
-            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low), total,
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            rounded(xp, *pair_prod(xp, slow, slow_low, far, far_low)),
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
             mean_low, ratio, far, far_low, delta)
@@ -1502,7 +1500,7 @@ def next_wave_single(xp, k, x):
     value_ = xp.where(case1, sine, cosine)
     value2 = xp.where(case1, cosine, sine)
     return (
-        xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value_, value_),
+        xp.where((turn_ >= 1.0) & (turn_ <= 2.0), -value_, value_),
         xp.where(turn_ >= 2.0, -value2, value2)
     )
 
@@ -1570,7 +1568,7 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
     place = (a - b)/whole
     whole = xp.where(rise == 0.0, 1.0, rise)
     height = (fa - fb)/whole
-    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > height*height),
+    safe = xp.where((place > height*height) & (place < 1.0 - ((1.0 - height)*(1.0 - height))),
         xp.full_like(height, 1.0), 0.0)
     width = b - a
     whole = xp.where(width == 0.0, 1.0, width)
@@ -2079,13 +2077,13 @@ def passive_angle(xp, l, epsilon):
 
 
 INSIDE = {
-    "gamma": lambda xp, most, gamma: (gamma <= most.stiffness) & (gamma >= 0.0),
-    "delta": lambda xp, most, delta: (delta <= most.size) & (delta >= 0.0),
-    "epsilon": lambda xp, most, epsilon: (epsilon < 1.0) & (epsilon >= 0.0),
+    "gamma": lambda xp, most, gamma: (gamma >= 0.0) & (gamma <= most.stiffness),
+    "delta": lambda xp, most, delta: (delta >= 0.0) & (delta <= most.size),
+    "epsilon": lambda xp, most, epsilon: (epsilon >= 0.0) & (epsilon < 1.0),
     "alpha": lambda xp, most, alpha: xp.abs(alpha) <= most.size,
     "beta": lambda xp, most, beta: xp.abs(beta) <= most.size,
-    "d": lambda xp, most, d: (d <= most.periods) & (d >= 0.0),
-    "theta": lambda xp, most, theta: (theta <= most.angle) & (theta > 0.0),
+    "d": lambda xp, most, d: (d >= 0.0) & (d <= most.periods),
+    "theta": lambda xp, most, theta: (theta > 0.0) & (theta <= most.angle),
 }
 """What is true of each argument inside its domain alone."""
 

@@ -33,7 +33,7 @@ void haptic_discretize_loop(
         const double delta = *(double const *)x1;
         haptic_discretize(gamma, delta, (double *)y0, (double *)y1, (double *)y2, (double *)y3);
         if (*(double *)y0 != *(double *)y0 &&
-            !((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -56,8 +56,8 @@ void haptic_discretize_fractional_loop(
         haptic_discretize_fractional(gamma, delta, epsilon, (double *)y0, (double *)y1,
             (double *)y2, (double *)y3, (double *)y4);
         if (*(double *)y0 != *(double *)y0 &&
-            !((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(delta >= 0.0 && delta <= 1e+70 && epsilon >= 0.0 && epsilon < 1.0 && gamma >= 0.0 &&
+            gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -79,8 +79,8 @@ void haptic_is_stable_loop(
         const double delta = *(double const *)x3;
         const double d = *(double const *)x4;
         *(npy_bool *)y0 = haptic_is_stable(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
+        within &= d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(alpha) <= 1e+70 && fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -102,8 +102,8 @@ void haptic_unstable_roots_loop(
         const double delta = *(double const *)x3;
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_unstable_roots(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
+        within &= d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(alpha) <= 1e+70 && fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -125,9 +125,8 @@ void haptic_stability_boundary_loop(
         const double d = *(double const *)x3;
         haptic_stability_boundary(theta, gamma, delta, d, (double *)y0, (double *)y1);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0) && (theta <= 3.141592653589793) &&
-            (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+            gamma <= 1e+15 && theta > 0.0 && theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
     if (!within) strayed = 1;
@@ -148,8 +147,8 @@ void haptic_max_stable_stiffness_loop(
         const double d = *(double const *)x2;
         haptic_max_stable_stiffness(gamma, delta, d, (double *)y0, (double *)y1, (double *)y2);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+            gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;
@@ -172,9 +171,8 @@ void haptic_passivity_margin_at_loop(
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-            (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+            fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -195,8 +193,8 @@ void haptic_passivity_margin_loop(
         const double d = *(double const *)x3;
         *(double *)y0 = haptic_passivity_margin(alpha, beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+            fabs(beta) <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4;
     }
     if (!within) strayed = 1;
@@ -216,8 +214,8 @@ void haptic_passivity_boundary_loop(
         const double d = *(double const *)x2;
         haptic_passivity_boundary(theta, delta, d, (double *)y0, (double *)y1);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (theta <= 3.141592653589793) && (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && theta > 0.0 &&
+            theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4;
     }
     if (!within) strayed = 1;
@@ -236,7 +234,7 @@ void haptic_max_passive_stiffness_loop(
         const double d = *(double const *)x1;
         haptic_max_passive_stiffness(delta, d, (double *)y0, (double *)y1, (double *)y2);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4;
     }
     if (!within) strayed = 1;
@@ -256,8 +254,8 @@ void haptic_linear_limit_loop(
         const double d = *(double const *)x2;
         *(double *)y0 = haptic_linear_limit(beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(beta) <= 1e+70))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(beta) <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3;
     }
     if (!within) strayed = 1;

@@ -32,8 +32,8 @@ void haptic_single_discretize_loop(
         const float gamma = *(float const *)x0;
         const float delta = *(float const *)x1;
         haptic_single_discretize(gamma, delta, (float *)y0, (float *)y1, (float *)y2, (float *)y3);
-        if (*(float *)y0 != *(float *)y0 && !((delta <= 1e+08f) && (delta >= 0.0f) &&
-            (gamma <= 1e+08f) && (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(delta >= 0.0f && delta <= 1e+08f && gamma >= 0.0f &&
+            gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -55,9 +55,8 @@ void haptic_single_discretize_fractional_loop(
         const float epsilon = *(float const *)x2;
         haptic_single_discretize_fractional(gamma, delta, epsilon, (float *)y0, (float *)y1,
             (float *)y2, (float *)y3, (float *)y4);
-        if (*(float *)y0 != *(float *)y0 && !((delta <= 1e+08f) && (delta >= 0.0f) &&
-            (epsilon < 1.0f) && (epsilon >= 0.0f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(delta >= 0.0f && delta <= 1e+08f &&
+            epsilon >= 0.0f && epsilon < 1.0f && gamma >= 0.0f && gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -79,9 +78,8 @@ void haptic_single_is_stable_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(npy_bool *)y0 = haptic_single_is_stable(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-            (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f);
+        within &= d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f &&
+            fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -103,9 +101,8 @@ void haptic_single_unstable_roots_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(float *)y0 = haptic_single_unstable_roots(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-            (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f);
+        within &= d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f &&
+            fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -126,9 +123,9 @@ void haptic_single_stability_boundary_loop(
         const float delta = *(float const *)x2;
         const float d = *(float const *)x3;
         haptic_single_stability_boundary(theta, gamma, delta, d, (float *)y0, (float *)y1);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) &&
-            (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f && theta > 0.0f &&
+            theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
     if (!within) strayed = 1;
@@ -148,8 +145,8 @@ void haptic_single_max_stable_stiffness_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         haptic_single_max_stable_stiffness(gamma, delta, d, (float *)y0, (float *)y1, (float *)y2);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;
@@ -171,9 +168,9 @@ void haptic_single_passivity_margin_at_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(float *)y0 = haptic_single_passivity_margin_at(theta, alpha, beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) &&
-            (theta <= 3.1415925f) && (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && theta > 0.0f &&
+            theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -193,8 +190,8 @@ void haptic_single_passivity_margin_loop(
         const float delta = *(float const *)x2;
         const float d = *(float const *)x3;
         *(float *)y0 = haptic_single_passivity_margin(alpha, beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4;
     }
     if (!within) strayed = 1;
@@ -213,8 +210,8 @@ void haptic_single_passivity_boundary_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         haptic_single_passivity_boundary(theta, delta, d, (float *)y0, (float *)y1);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4;
     }
     if (!within) strayed = 1;
@@ -232,8 +229,8 @@ void haptic_single_max_passive_stiffness_loop(
         const float delta = *(float const *)x0;
         const float d = *(float const *)x1;
         haptic_single_max_passive_stiffness(delta, d, (float *)y0, (float *)y1, (float *)y2);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4;
     }
     if (!within) strayed = 1;
@@ -252,8 +249,8 @@ void haptic_single_linear_limit_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         *(float *)y0 = haptic_single_linear_limit(beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(beta) <= 1e+08f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(beta) <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3;
     }
     if (!within) strayed = 1;
