@@ -236,9 +236,9 @@ DERIVATIVES: Mapping[Precision, Mapping[str, Worst]] = {
             5.74, "m1_by_gamma", (0.0, 4.42549577368435e-05, 0.8752492116968561)
         ),
         "characteristic_polynomial": Worst(
-            7.04,
+            6.78,
             "p0_by_gamma",
-            (-3.826474579035701e-05, -0.016396028962266596, 1.9934589632843513, 3.477711654629371),
+            (1.83368981270156, 1.1149537645461917e-05, 5.638904250123087, 4.9358669197294605),
         ),
         "stability_boundary": Worst(
             8.3,
@@ -277,16 +277,16 @@ DERIVATIVES: Mapping[Precision, Mapping[str, Worst]] = {
         ),
     },
     SINGLE: {
-        "discretize": Worst(6.61, "n0_by_gamma", (1.2709025144577026, 3.0227859020233154)),
+        "discretize": Worst(5.21, "n1_by_gamma", (1.6330372095108032, 5.597702980041504)),
         "discretize_fractional": Worst(
             6.14,
             "m1_by_gamma",
             (0.000664557155687362, 0.008879425935447216, 0.08418747782707214),
         ),
         "characteristic_polynomial": Worst(
-            6.92,
-            "p1_by_gamma",
-            (0.0393073670566082, 2.2828171253204346, 4.184351444244385, 5.221000671386719),
+            4.99,
+            "p2_by_gamma",
+            (-11.078564643859863, -3.739474058151245, 1.6330372095108032, 5.597702980041504),
         ),
         "passivity_margin_at": Worst(
             8.78,
