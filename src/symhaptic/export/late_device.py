@@ -38,9 +38,11 @@ def _numbers(part: Expr) -> tuple[Expr, ...]:
 
 def late_device() -> Routine:
     """In the order of their names in ``fused``."""
-    names = "apart", "m2", "kick", "m0"
+    names = "apart", "m2", "kicked", "m0"
     results = tuple(zip(names, _numbers(_PART), strict=True))
-    about = "m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest"
+    about = (
+        "m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"
+    )
     found = merged(routine(Form("late_device", about, (gamma, delta), results, tuple, ())))
     arguments = gamma, delta, _PART
     return replace(found, name="LateDevice", arguments=arguments, within=(), record="Delayed")

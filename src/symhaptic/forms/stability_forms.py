@@ -154,7 +154,10 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
             symbols,
             *(("gamma <= 9.8",) * parts.stiffness),
             *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
-            *((f"no 0 < delta < 5 ulp(1) if {far} > pi",) * (parts.stiffness and parts.damping)),
+            *(
+                (f"delta = 0 or delta >= 5 ulp(1) if {far} > pi",)
+                * (parts.stiffness and parts.damping)
+            ),
             "NaN elsewhere, and where no wall is stable or none that is a little softer",
         ),
         held=("alpha",),
@@ -216,7 +219,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
 
     sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
     seen = f"no wall with {sizes} < 2^-400 (single: 2^-40)"
-    hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
+    hidden = ["delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi"]
     return Form(
         name,
         title,

@@ -75,6 +75,7 @@ static Entry entries[] = {
     "the sampled device, P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m.\n"
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
+    "Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n"
     "Domain: gamma >= 0, delta >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(discretize_fractional, 3, 5, 0,
@@ -84,6 +85,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "epsilon: rest of a delay, a fraction of a period [1]\n"
+    "Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n"
     "Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(is_stable, 5, 1, 1,
@@ -95,7 +97,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
@@ -106,7 +108,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
@@ -116,6 +118,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n"
     "Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(max_stable_stiffness, 3, 3, 0,
@@ -125,7 +128,8 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
@@ -155,6 +159,7 @@ static Entry entries[] = {
     "theta: angle on the unit circle, omega T [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n"
     "Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays, for d <= 2/9 the curve goes on to pi.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(max_passive_stiffness, 2, 3, 0,
@@ -163,6 +168,7 @@ static Entry entries[] = {
     "the passive wall of largest stiffness, and its worst angle theta = omega T.\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n"
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(linear_limit, 3, 1, 0,
@@ -175,9 +181,9 @@ static Entry entries[] = {
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(late_device, 3, 4, 0,
-    "apart, m2, kick, m0 of (gamma, delta, part)\n"
+    "apart, m2, kicked, m0 of (gamma, delta, part)\n"
     "\n"
-    "m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest.\n"),
+    "m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it.\n"),
 };
 
 static int filled(PyObject *module) {
@@ -203,7 +209,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "637086506cad1264")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "e4cdb70f667542d8")) return -1;
     return filled(module);
 }
 

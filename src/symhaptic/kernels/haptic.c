@@ -31,7 +31,7 @@ typedef struct { double together, trace; } Device2;
 typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { double halves, rest; } Angle;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
-typedef struct { double apart, m2, kick, m0; } Delayed;
+typedef struct { double apart, m2, kicked, m0; } Delayed;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
 typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
@@ -658,7 +658,7 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
         plant_n1_creep(&motion, &creeping, decayed)};
 }
 
-// m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest
+// m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it
 static inline Delayed late_device(double gamma, double delta, double part) {
     const double t0 = 1.0 - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
     const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
@@ -1292,7 +1292,7 @@ void haptic_stability_boundary(double theta, double gamma, double delta, double 
     } else {
         const Delayed delayed = late_device(gamma, delta, part);
         t10 = delayed.apart;
-        t12 = device.kick*(delta*delayed.m2 + 2.0*delayed.kick) + delayed.m2*(t4 + t6) -
+        t12 = device.kick*(delta*delayed.m2 + 2.0*delayed.kicked) + delayed.m2*(t4 + t6) -
             device.together + t7;
     }
     const Response response = ahead_in_phase(t2, t4, device.at_minus_one, t6, device.together, t10,

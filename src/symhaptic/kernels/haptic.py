@@ -1272,7 +1272,7 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
 
 
 def late_device(xp, gamma, delta, part):
-    """m2 - m1 + m0, m2 and m0 behind a fraction of a period; kick by an impulse in its rest"""
+    """m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"""
     t0 = 1.0 - part
     t1 = (t0*t0)
     t2 = gamma*t1
@@ -2094,6 +2094,7 @@ def discretize(gamma, delta):
 
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
+    Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].
     Domain: gamma >= 0, delta >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
@@ -2109,11 +2110,13 @@ def discretize(gamma, delta):
 @by_value
 def discretize_fractional(gamma, delta, epsilon):
     """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
-
     - a z + e)) in units of T^2/m.
+
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     epsilon: rest of a delay, a fraction of a period [1]
+    Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant
+    [1].
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
@@ -2148,8 +2151,8 @@ def is_stable(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
@@ -2171,8 +2174,8 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
@@ -2214,6 +2217,7 @@ def stability_boundary(theta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
@@ -2235,8 +2239,8 @@ def stability_boundary(theta, gamma, delta, d):
         t2 = 0.5*theta
 
         def no(delta, gamma, kick_of, together, part, t4, t6, t7):
-            apart, m2, kick_, _ = late_device(xp, gamma, delta, part)
-            return apart, kick_of*(delta*m2 + 2.0*kick_) + m2*(t4 + t6) - together + t7
+            apart, m2, kicked, _ = late_device(xp, gamma, delta, part)
+            return apart, kick_of*(delta*m2 + 2.0*kicked) + m2*(t4 + t6) - together + t7
 
         t10, t12 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
             (together, t7), no, (delta, gamma, kick_of, together, part, t4, t6, t7))
@@ -2251,14 +2255,16 @@ def stability_boundary(theta, gamma, delta, d):
 @by_value
 def max_stable_stiffness(gamma, delta, d):
     """the wall of largest stable stiffness, a limit that is not stable itself, and the angle
-
     theta = omega T of its roots on the unit circle.
+
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
+    angle on the unit circle, omega T [1].
     Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
-    no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is
-    stable or none that is a little softer.
+    delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall
+    is stable or none that is a little softer.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
@@ -2329,8 +2335,8 @@ def max_stable_stiffness(gamma, delta, d):
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at the angle theta = omega T; the
-
     wall is passive where it is positive at every angle.
+
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
@@ -2353,8 +2359,8 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
 @by_value
 def passivity_margin(alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at its worst angle; the wall is
-
     passive where it is not negative.
+
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
@@ -2377,6 +2383,7 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d +
     1) for whole delays, for d <= 2/9 the curve goes on to pi.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
@@ -2424,6 +2431,8 @@ def max_passive_stiffness(delta, d):
 
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
+    angle on the unit circle, omega T [1].
     Domain: delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """

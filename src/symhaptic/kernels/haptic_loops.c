@@ -276,7 +276,7 @@ void haptic_late_device_loop(
         const double part = *(double const *)x2;
         const Delayed found = late_device(gamma, delta, part);
         *(double *)y0 = found.apart; *(double *)y1 = found.m2; *(double *)y2 =
-            found.kick; *(double *)y3 = found.m0;
+            found.kicked; *(double *)y3 = found.m0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6;
     }
     if (!within) strayed = 1;

@@ -271,7 +271,7 @@ void haptic_single_late_device_loop(
         const float part = *(float const *)x2;
         const Delayed found = late_device(gamma, delta, part);
         *(float *)y0 = found.apart; *(float *)y1 = found.m2; *(float *)y2 =
-            found.kick; *(float *)y3 = found.m0;
+            found.kicked; *(float *)y3 = found.m0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6;
     }
     if (!within) strayed = 1;
