@@ -54,12 +54,27 @@ def derive(page):
         page.same("gap", gap.left, gap.right),
         because="where $M$ nearly vanishes at $-1$, each of these terms is small",
     )
+    page.say(
+        "The boundary asks for the difference of $m_2$ and $m_0$, too, on which slow motions hang "
+        "where the device has nearly swung whole turns in a period; there both are alike. With "
+        "$k$ for the way by an impulse in the whole period it is made of numbers that are as small "
+        "as it is there:"
+    )
+    across = LATE.block.written_out()[5]
+    page.show(
+        "The two ends of the numerator are apart by what a whole period does",
+        "2(m_2-m_0)",
+        r"k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0",
+        page.same("across", across.left, across.right),
+        because="with $L=1-e$, where $k$, $1-a+e$ and $n_0$ vanish with whole turns and $L$ with "
+        "the damping",
+    )
     settle(
         page,
         "discretize_fractional",
         (ALL, LATE),
         "the computed numbers of the device, its values at $z=1$ and $z=-1$ and, behind a fraction "
-        "of a period, $m_2$, $m_1$, $m_0$ and $m_2-m_1+m_0$ are the derived ones, "
+        "of a period, $m_2$, $m_1$, $m_0$, $m_2-m_1+m_0$ and $2(m_2-m_0)$ are the derived ones, "
         f"{UNDEFINED}",
     )
     page.say(

@@ -192,3 +192,29 @@ def test_lambdify_gives_them_behind_the_results():
 def test_lambdify_refuses_what_has_none(options, named):
     with pytest.raises(ValueError, match=named):
         lambdify(**options)
+
+
+@pytest.mark.parametrize("delay", [0, 1, 7, 1000])
+def test_the_stiffest_passive_wall_behind_whole_delays_and_its_slope(delay):
+    """Both are proportional to the damping; the angle is not moved by it: (11) in 40 digits."""
+    run = lambdify("max_passive_stiffness", derivatives=["delta"])
+    with mpmath.workdps(40):
+        angle = mpmath.pi / (2 * (delay + 1))
+        stiffness = 2 * mpmath.tan(angle / 2)
+        damping = 1 / ((delay + 1) * mpmath.sin(angle)) - mpmath.tan(angle / 2)
+        expected = 0.3 * stiffness, 0.3 * damping, angle, stiffness, damping, 0
+    assert list(run(0.3, delay)) == pytest.approx([*map(float, expected)], rel=1e-15, abs=2e-16)
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.25, 3.0, 17.6, 1e4 + 0.3])
+def test_the_stiffest_passive_spring_and_its_slopes(delay):
+    """2 delta/(o + sqrt(o^2 + p (1 - p))), o = d + 1/2: by d inside a period, else to the right."""
+    springs = {"scene": "no-virtual-damping", "derivatives": ["delta", "d"]}
+    run = lambdify("max_passive_stiffness", **springs)
+    with mpmath.workdps(40):
+        order, part = mpmath.mpf(delay) + 0.5, mpmath.mpf(delay) % 1
+        root = mpmath.sqrt(order**2 + part * (1 - part))
+        alpha = mpmath.mpf(0.3) * 2 / (order + root)
+        slope = -alpha / (order + root) * (1 + (2 * order + 1 - 2 * part) / (2 * root))
+        expected = [alpha, 2 / (order + root), slope]
+    assert list(run(0.3, delay)) == pytest.approx([*map(float, expected)], rel=1e-15)

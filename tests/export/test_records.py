@@ -100,5 +100,5 @@ def test_what_people_read_may_only_become_shorter():
     """
     assert source().count("\n") <= 880
     scene = request.scene("no-stiffness")
-    assert source(parts=scene, whole_delays=True).count("\n") <= 206
-    assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2527
+    assert source(parts=scene, whole_delays=True).count("\n") <= 149
+    assert (kernels.FOLDER / "haptic.py").read_text(encoding="utf-8").count("\n") <= 2493

@@ -126,3 +126,45 @@ def test_a_readme_says_where_that_ends(precision):
     assert "Next to gamma = (2 pi k)^2" in text
     # in double precision the domain ends before, at 1e15 < 2^52
     assert ("gamma up to 2^24" in text) == (precision is SINGLE)
+
+
+def late_wall(theta, gamma, delta, part):
+    """alpha and beta behind less than a period, from what the force before and the new one move."""
+    t, g, d, ep = map(mpf, (theta, gamma, delta, part))
+    root, z = mpmath.sqrt(d * d / 4 - g), mpmath.expj(t)
+
+    def moved(time):
+        """The way under a unit force that is held, and the speed that is left of a unit speed."""
+        fall, even = mpmath.exp(-d * time / 2), mpmath.cosh(root * time)
+        odd = d / 2 * mpmath.sinh(root * time) / root
+        return (1 - fall * (even + odd)) / g, fall * (even - odd)
+
+    (whole, speed), (new, _), (_, slow) = map(moved, (mpf(1), 1 - ep, ep))
+    lost = mpmath.exp(-d)
+    old = (lost - mpmath.exp(-d * (1 - ep)) * slow) / g
+    middle = whole + (lost - speed) / g - new - old
+    trace = 1 - g * whole + speed
+    force = -z * (z * z - trace * z + lost) / (new * z * z + middle * z + old)
+    beta = mpmath.im(force) / mpmath.sin(t)
+    return mpmath.re(mpmath.re(force) - beta * (1 - mpmath.cos(t))), mpmath.re(beta)
+
+
+@pytest.mark.parametrize("delta", [1e-300, 1e-12, 1e-6, 1e-3])
+@pytest.mark.parametrize("far", [-1e-6, 1e-9, -1e-12, 1e-15])
+def test_the_boundary_behind_a_fraction_keeps_its_digits_there(delta, far):
+    """m2 and m0 are alike: beta was off by up to 0.87 of itself, its slope by the delay by 8e-6."""
+    slopes = symhaptic.lambdify("stability_boundary", derivatives=["gamma", "d"])
+    for theta, k, part in ((4e-5, 1, 0.21), (2e-4, 1, 0.79), (3e-3, 2, 0.34)):
+        point = theta, (2 * np.pi * k) ** 2 * (1 + far), delta, part
+        with mpmath.workdps(60):
+            exact = late_wall(*point)
+            by = [
+                mpmath.diff(lambda *p, j=j: late_wall(*p)[j], point, n=order)
+                for order in ((0, 1, 0, 0), (0, 0, 0, 1))
+                for j in (0, 1)
+            ]
+        expected = [*map(float, (*exact, *by))]
+        assert list(slopes(*point)) == pytest.approx(expected, rel=2e-11, abs=0), point
+        assert symhaptic.stability_boundary(*point) == pytest.approx(
+            expected[:2], rel=1e-13, abs=0
+        ), point

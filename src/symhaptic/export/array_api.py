@@ -237,12 +237,13 @@ def _narrow(lines: Iterable[str]) -> list[str]:
 
 def _documented(about: list[str]) -> list[str]:
     """A docstring: its first line, and the others below."""
-    given = f'"""{about[0]}', *about[1:]
-    first, *others = (f"    {part}" for line in given for part in textwrap.wrap(line, 92))
-    if not others:
-        return [f'{first}"""']
-    text = [first, *others]
-    return [*text, '    """'] if len(about) == 1 else [text[0], "", *text[1:], '    """']
+    head, *text = (
+        [f"    {part}" for part in textwrap.wrap(line, 92)]
+        for line in (f'"""{about[0]}', *about[1:])
+    )
+    if not text:
+        return [*head, '    """'] if head[1:] else [f'{head[0]}"""']
+    return [*head, "", *(line for lines in text for line in lines), '    """']
 
 
 def _without_numbers(routine: Routine) -> Routine:

@@ -31,6 +31,31 @@ def product(known: Products, one: Expr, two: Expr) -> Symbol | None:
     return known.get(one**2 if one == two else frozenset((one, two)))
 
 
+def base(symbol: Symbol) -> str:
+    """Its name without a number at the end."""
+    return str(symbol.name).rstrip("0123456789")
+
+
+def alone_of_their_kind(block: Block) -> list[Symbol]:
+    """Variables that are numbered, but not to tell them from others of the block."""
+    own = {s.name for s in block if isinstance(s, Assign)}
+    own |= {name for s in block if isinstance(s, Several) for name in s.names}
+    kinds = Counter(map(base, own | set(inputs(block))))
+    return [s for s in own if s.name[len(base(s)) :] not in ("", "0", "1") and kinds[base(s)] == 1]
+
+
+def factors(block: Block) -> Counter[Expr]:
+    """How often each is a factor of a product of which something is missed."""
+    shown = (expr for statement in block for expr in expressions(statement))
+    return Counter(
+        factor
+        for expr in shown
+        for part in sp.preorder_traversal(expr)
+        if isinstance(part, TwoProdError)
+        for factor in part.args
+    )
+
+
 def last_uses(block: Block, known: Products, handed: Mapping[int, int]) -> dict[int, list[Symbol]]:
     """For each statement, the variables of the block that are used there for the last time.
 

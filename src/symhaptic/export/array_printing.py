@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 from sympy import Expr, Symbol
+from sympy.logic.boolalg import Boolean
 from sympy.printing.pycode import PythonCodePrinter
 
 from symhaptic.export.printing import Printing
@@ -33,6 +34,10 @@ class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
 
     def _print_TwoProdError(self, expr: Expr) -> str:
         return self.scope.two_prod_error(*expr.args)
+
+    def _part(self, condition: Boolean) -> str:
+        """In brackets: of arrays `&` and `|` are done first."""
+        return f"({self._print(condition)})"
 
     def _print_Piecewise(self, expr: Expr) -> str:
         *choices, (last, always) = expr.args

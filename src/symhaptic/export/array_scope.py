@@ -8,7 +8,10 @@ import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 
 from symhaptic.export.array_blocks import (
+    alone_of_their_kind,
+    base,
     ends_with_search,
+    factors,
     handed_on,
     last_uses,
     lone_expression,
@@ -31,10 +34,14 @@ class Scope:
         self.target, self.block = target, block
         self.printer = target.printing()
         self.printer.scope = self
-        self.names: dict[Symbol, str] = {}
-        """Names that are those of another variable, which is done with."""
+        self.names: dict[Symbol, str] = {
+            s: self.target.rename(base(s)) for s in alone_of_their_kind(block)
+        }
+        """Names without a number that only another function needs, or of what is done with."""
         self.split: dict[Expr, str] = {}
         """Factors whose halves are there, and the name of these."""
+        self.factors = factors(block)
+        """How often the halves of each are asked for."""
         self.products = products(block)
         self.cases: dict[Expr, str] = {}
         """Conditions that have a name."""
@@ -86,9 +93,10 @@ class Scope:
                 if self.block[i + 1 :] == (Return(statement.names),):
                     lines.append(f"{pad}return {name}(xp, {args})")
                     break
-                for symbol in statement.names:
+                used = set(inputs(self.block[i + 1 :]))
+                for symbol in used.intersection(statement.names):
                     self._renamed(symbol, idle)
-                names = self.named(statement.names)
+                names = [self.name(s) if s in used else "_" for s in statement.names]
                 lines.append(pad + self.target.unpacked(names, name, args))
             elif isinstance(statement, Join) and self.block[i + 1 :] == (Return(statement.names),):
                 lines += self._selected(statement, depth, f"{pad}return")
@@ -104,11 +112,11 @@ class Scope:
     def _retired(self, symbols: Iterable[Symbol], idle: dict[str, list[str]]) -> None:
         """Their names are free from here on."""
         for symbol in symbols:
-            idle.setdefault(_base(symbol), []).append(self.name(symbol))
+            idle.setdefault(base(symbol), []).append(self.name(symbol))
 
     def _renamed(self, symbol: Symbol, idle: dict[str, list[str]]) -> None:
         """It takes a free name of its kind, if there is one."""
-        if free := idle.get(_base(symbol)):
+        if free := idle.get(base(symbol)):
             self.names[symbol] = free.pop()
 
     def _choice(self, choice: Choice, depth: int) -> list[str]:
@@ -217,13 +225,16 @@ class Scope:
         for part in sp.postorder_traversal(expr):
             if isinstance(part, TwoProdError):
                 for factor, other in (part.args, part.args[::-1]):
-                    if factor not in self.split:
-                        whole = name = self.printer.doprint(factor)
-                        if factor.is_number:
-                            name = f"number{len(self.split)}"
-                            whole = f"xp.full_like({self.name(other)}, {whole})"
+                    if factor in self.split:
+                        continue
+                    whole = name = self.printer.doprint(factor)
+                    if factor.is_number:
+                        name = f"number{len(self.split)}"
+                        whole = f"xp.full_like({self.name(other)}, {whole})"
+                    self.split[factor] = f"halves(xp, {whole})"
+                    if self.factors[factor] > 1:
+                        lines.append(f"{name}_halves = {self.split[factor]}")
                         self.split[factor] = f"{name}_halves"
-                        lines.append(f"{name}_halves = halves(xp, {whole})")
             elif isinstance(part, Piecewise):
                 for _, condition in part.args[:-1]:
                     if condition in often and condition not in self.cases:
@@ -304,7 +315,3 @@ def _first(condition: Expr) -> list[Symbol]:
 
 def _listed(names: list[str]) -> str:
     return f"({', '.join(names)}{',' * (len(names) == 1)})"
-
-
-def _base(symbol: Symbol) -> str:
-    return str(symbol.name).rstrip("0123456789")

@@ -10,7 +10,7 @@ _BRIEF = {
     "denominator_at_minus_one": "at_minus_one", "numerator_at_one": "together",
     "numerator_gap": "n_gap", "plant_n0": "n0", "plant_n1": "n1", "plant_trace": "trace",
     "cos_next": "cosine", "sin_next": "sine", "late_first": "m2", "late_last": "m0",
-    "late_apart": "apart",
+    "late_apart": "apart", "late_kick": "kicked",
 }  # fmt: skip
 """What a result of a routine is called where it is used."""
 

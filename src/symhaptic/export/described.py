@@ -14,16 +14,24 @@ if TYPE_CHECKING:
 
 
 def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
-    """A function in lines of plain text: what it gives, its arguments and its domain."""
+    """A function in lines of plain text: what it gives, its arguments, results and domain."""
     lines = [f"{form.title}."]
     for symbol in form.arguments:
         known = SYMBOLS[symbol.name]
         lines.append(f"{symbol.name}: {known.meaning} [{known.unit}]")
+    if len(form.results) > 1:
+        lines.append(f"Results: {'; '.join(_result(name) for name, _ in form.results)}.")
     if form.domain:
         lines.append(f"Domain: {', '.join(form.domain)}.")
     if form.arguments:
         lines.append(f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}.")
     return lines
+
+
+def _result(name: str) -> str:
+    """A result and, if it is a quantity of the loop, what that is."""
+    known = SYMBOLS.get(name)
+    return name if known is None else f"{name}, {known.meaning} [{known.unit}]"
 
 
 def beyond(form: Form) -> str:

@@ -110,7 +110,7 @@ def real_poles() -> Routine:
 
 
 SLOW = Fading(sp.symbols("slow slow_low"), sp.symbols("mean mean_low"))
-APART = Fading(sp.symbols("ratio ratio_low"), sp.symbols("even even_low"))
+APART = Fading(sp.symbols("ratio ratio_low"), sp.symbols("far far_low"))
 """Of both poles: exp and mean of the slower one and of their distance."""
 
 CREEP = (*P, *SLOW.flat, *APART.flat)

@@ -173,10 +173,7 @@ def decay_series(precision: Precision = DOUBLE) -> Routine:
     """From its third term on."""
     do = Steps()
     count = precision.terms(lambda k: BRIEF**k / factorial(k + 3))
-    square, halves = do("square", x * x), [sp.S.Zero, sp.S.Zero]
-    for k in range(count - 1, -1, -1):  # no loop: the slowest part of a slow device
-        halves[k % 2] = 1 / factorial(k + 3) + square * halves[k % 2]
-    total = halves[0] - x * halves[1]
+    total = polynomial(do, -x, range(3, count + 3))
     return do.routine("DecaySeries", "((1 - exp(-x))/x - 1 + x/2)/x^2", (x,), total)
 
 

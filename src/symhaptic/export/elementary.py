@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, Max, cos, exp, factorial, floor, sin, sqrt
+from sympy import Expr, cos, exp, factorial, floor, sin, sqrt
 
 from symhaptic.export.pairs import rounded, times, two_diff
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, TwoProdError, choose, expm1
 from symhaptic.export.steps import Steps
-from symhaptic.forms.entire import CosNext, Decay, Gap, Sinc, SinNext
+from symhaptic.forms.entire import CosNext, Decay, Gap, Lag, Sinc, SinNext
 
 x, w, k, y, z = sp.symbols("x w k y z")
 
@@ -63,49 +63,27 @@ def scaled_sum() -> Routine:
 
 
 def creep() -> Routine:
-    """The series of PlantN1 without a spring, w = h^2."""
+    """Half of the sum of Creep and Fade and of their difference, both of which are positive."""
     do = Steps()
-    half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(exp(-half), sp.S.Half, "PlantN1Series", half, half * half)
-    far = (1 - Decay(x)) / do.nonzero(x)
-    return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), choose(x < 2, near, far))
-
-
-def fade_series(precision: Precision = DOUBLE) -> Routine:
-    """Of exp, without its first terms: all others are positive; fewer serve for a small x."""
-    do = Steps()
-    small, all_ = sp.Rational(1, 8), sp.Integer(2)
-
-    def terms(size: Expr) -> int:
-        return precision.terms(lambda k: 4 * size**k / factorial(k + 2)) + 1
-
-    (total,) = do.sum(
-        {"total": sp.S.Zero},
-        lambda _, states, number: [number + x * states[0]],
-        range(terms(all_), 2, -1),
-        x < small,
-        terms(small),
-    )
-    return do.routine("FadeSeries", "(exp(x) - 1 - x)/x^2, less 1/2", (x,), x * total)
+    return do.routine("Creep", "(exp(-x) - 1 + x)/x^2", (x,), (Decay(x) + x * Lag(x)) / 2)
 
 
 def fade() -> Routine:
-    """exp(-x) times a series, for small x."""
+    """The same without the difference, for small x."""
     do = Steps()
-    near = number_and(exp(-x), sp.S.Half, "FadeSeries", choose(x >= 2, 0, x))
+    near = (Decay(x) - x * Lag(x)) / 2
     far = (Decay(x) - exp(-x)) / do.nonzero(x)
     return do.routine("Fade", "(1 - (1 + x) exp(-x))/x^2", (x,), choose(x < 2, near, far))
 
 
 def lag() -> Routine:
-    """The series of NumeratorGap without a spring, w = h^2."""
+    """exp(-x/2) times an even function, for small x from its series."""
     do = Steps()
-    half = do("half", choose(x >= 2, 0, x / 2))
-    near = number_and(exp(-half), SIXTH, "NumeratorGapSeries", half, half * half)
-    whole = do("whole", Max(x, 2))
+    near = exp(-x / 2) * sp.Function("BendSeries")(choose(x >= 4, 0, x * x / 4))
+    whole = do("whole", choose(x < 4, 4, x))
     two = do("two", x - 2)
     far = (two + (x + 2) * exp(-x)) / whole / (whole * whole)
-    return do.routine("Lag", "(x - 2 + (x + 2) exp(-x))/x^3", (x,), choose(x < 2, near, far))
+    return do.routine("Lag", "(x - 2 + (x + 2) exp(-x))/x^3", (x,), choose(x < 4, near, far))
 
 
 def sinc() -> Routine:
@@ -268,4 +246,4 @@ ROUTINES = (
     decay, scaled_sum, creep, fade, lag, sinc, cosh_root, sinhc_root, cos_next, sin_next, spread,
     chord,
 )  # fmt: skip
-PRECISE = (gap, next_wave, fade_series)
+PRECISE = (gap, next_wave)

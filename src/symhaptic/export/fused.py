@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -41,6 +41,12 @@ class LateFirst(sp.Function):  # type: ignore[misc]
     nargs = 3
 
 
+class LateKick(sp.Function):  # type: ignore[misc]
+    """What an impulse moves it in the rest of the period."""
+
+    nargs = 3
+
+
 class LateLast(sp.Function):  # type: ignore[misc]
     """m0 of it."""
 
@@ -56,7 +62,7 @@ class LateApart(sp.Function):  # type: ignore[misc]
 MERGED = (
     NumeratorGap, PlantN0, DenominatorAtMinusOne, PlantN1, PlantTrace, NumeratorAtOne,
     Kick, KickLow, Coast, Echo, Ebb, PlantN1Drop, PlantN0Drop, NumeratorGapDrop,
-    CosNext, SinNext, Ahead, InPhase, LateFirst, LateLast, LateApart,
+    CosNext, SinNext, Ahead, InPhase, LateFirst, LateKick, LateLast, LateApart,
 )  # fmt: skip
 """Functions that have steps in common with others of the same arguments."""
 
@@ -65,9 +71,9 @@ _PLANT = {gamma, delta}
 
 _TOGETHER: dict[tuple[str, ...], str] = {
     ("CosNext", "SinNext"): "NextWave",
-    ("LateApart", "LateFirst", "LateLast"): "LateDevice",
+    ("LateApart", "LateFirst", "LateKick", "LateLast"): "LateDevice",
 }
-"""Routines that find several results of their own."""
+"""Routines that find several results of their own; not all of them are asked for everywhere."""
 
 _CALLS = (Entire, Compensated, AppliedUndef, sp.exp, expm1, sp.sin, sp.cos, sp.tan)
 
@@ -128,9 +134,11 @@ def merged(user: Routine) -> Routine:
         if len(together) < 2:
             done.append((symbol, expr))
         elif symbol == next(iter(together.values())):
-            several = sorted(together)
-            joint = sp.Function(_TOGETHER.get(tuple(several)) or "_".join(several))(*expr.args)
-            done.append(Several(tuple(together[name] for name in several), joint))
+            own = next((own for own in _TOGETHER if together.keys() <= set(own)), None)
+            several = own or tuple(sorted(together))
+            joint = sp.Function(_TOGETHER[own] if own else "_".join(several))(*expr.args)
+            made = (together.get(n) or fresh(f"{code_name(n)}_of", taken) for n in several)
+            done.append(Several(tuple(made), joint))
     done.sort(key=lambda step: not isinstance(step, Several) or not step.free_symbols <= _PLANT)
     return replace(user, steps=tuple(done), results=results)
 
@@ -188,13 +196,23 @@ def fused(parts: Sequence[str], routines: Mapping[str, Routine]) -> Routine:
     used = Counter(s for made in order for e in computed(made) for s in e.free_symbols)
     last = {s: e for e, s in done.items() if isinstance(e, sp.Piecewise) and not used[s]}
     results = tuple((name, last.get(s, s)) for name, s in results)
-    order = [made for made in order if last.keys().isdisjoint(names(made))]
+    asked = used.keys() | {s for _, value in results for s in value.free_symbols}
+    order = [_rounded(made, asked) for made in order if last.keys().isdisjoint(names(made))]
     about = _together([routines[part].about for part in parts])
     if set(arguments) == _PLANT:
         *some, last_ = (name for name, _ in results)
         about = f"{', '.join(some)} and {last_} of the device"
     record = "Response" if "Ahead" in parts else ""
     return Routine("_".join(parts), about, arguments, tuple(order), results, record=record)
+
+
+def _rounded(step: Step, asked: Collection[Symbol]) -> Step:
+    """The float of a sum alone, where nobody asks what it misses."""
+    if isinstance(step, Several) and step.call.func.__name__ == "FastTwoSum":
+        total, low = step.names
+        if low not in asked:
+            return total, sp.Function("Rounded")(*step.call.args)
+    return step
 
 
 def _of_many(result: Expr) -> Expr:

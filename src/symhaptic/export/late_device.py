@@ -11,7 +11,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy import Basic, Expr
 
-from symhaptic.export.fused import LateApart, LateFirst, LateLast, merged
+from symhaptic.export.fused import LateApart, LateFirst, LateKick, LateLast, merged
 from symhaptic.export.once import parts, rewritten
 from symhaptic.export.precision import Precision
 from symhaptic.export.routine import Routine
@@ -20,6 +20,7 @@ from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire_device import PlantN0, PlantN1
 from symhaptic.forms.form import Form
 from symhaptic.forms.response import FractionalNumeratorGap
+from symhaptic.forms.slopes import Kick
 from symhaptic.model.parts import FULL
 from symhaptic.notation import delta, epsilon, gamma
 
@@ -28,17 +29,20 @@ _PART = sp.Symbol("part")
 
 
 def _numbers(part: Expr) -> tuple[Expr, ...]:
-    """m2 - m1 + m0, m2 and m0."""
-    both = (fractional_delay.brief(FULL, time) for time in (1 - epsilon, epsilon))
-    found = fractional_delay.at_minus_one(FULL, *both), *fractional_delay.ends(FULL)
+    """m2 - m1 + m0, m2, what an impulse moves in the rest of the period, and m0."""
+    rest, begun = (fractional_delay.brief(FULL, time) for time in (1 - epsilon, epsilon))
+    first, last = fractional_delay.ends(FULL)
+    found = fractional_delay.at_minus_one(FULL, rest, begun), first, rest.kick, last
     return tuple(number.xreplace({epsilon: part}) for number in found)
 
 
 def late_device() -> Routine:
     """In the order of their names in ``fused``."""
-    names = "apart", "m2", "m0"
+    names = "apart", "m2", "kicked", "m0"
     results = tuple(zip(names, _numbers(_PART), strict=True))
-    about = "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period"
+    about = (
+        "m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"
+    )
     found = merged(routine(Form("late_device", about, (gamma, delta), results, tuple, ())))
     arguments = gamma, delta, _PART
     return replace(found, name="LateDevice", arguments=arguments, within=(), record="Delayed")
@@ -51,11 +55,12 @@ def with_late_device(form: Form) -> Form:
     if len(fractions) != 1:
         return form
     (part,) = fractions
-    apart, first, last = _numbers(part)
+    apart, first, kick, last = _numbers(part)
     if apart not in gaps:
         return form
     ends = {
         frozenset(first.args): LateFirst(gamma, delta, part),
+        frozenset(kick.args): LateKick(gamma, delta, part),
         frozenset(last.args): LateLast(gamma, delta, part),
     }
 
@@ -69,7 +74,7 @@ def with_late_device(form: Form) -> Form:
 
     called = {apart: LateApart(gamma, delta, part)}
     found = [rewritten(e.xreplace(called), told) for e in form.expressions]
-    left = (call for call in parts(found) if isinstance(call, PlantN0 | PlantN1))
+    left = (call for call in parts(found) if isinstance(call, Kick | PlantN0 | PlantN1))
     if any(call.args != (gamma, delta) for call in left):
         return form
     names = (name for name, _ in form.results)

@@ -145,8 +145,13 @@ class Printing(CodePrinter):  # type: ignore[misc]
         return f"{self.target.words.get('!', '!')}({self._print(expr.args[0])})"
 
     def _joined(self, expr: Expr, word: str) -> str:
-        parts = sorted((self._print(a) for a in expr.args), key=str)
-        return f" {self.target.words.get(word, word)} ".join(f"({p})" for p in parts)
+        parts = sorted(map(self._part, expr.args), key=lambda text: text.translate(_LOW_FIRST))
+        return f" {self.target.words.get(word, word)} ".join(parts)
+
+    def _part(self, condition: Boolean) -> str:
+        """A condition beside others; a comparison is done before it is joined."""
+        text = str(self._print(condition))
+        return f"({text})" if isinstance(condition, sp.And | sp.Or) else text
 
     def _print_Piecewise(self, expr: Expr) -> str:
         *choices, (last, always) = expr.args
@@ -159,6 +164,10 @@ class Printing(CodePrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, expr: Symbol) -> str:
         return self.target.rename(expr.name)
+
+
+_LOW_FIRST = str.maketrans("<>", "><")
+"""Of two bounds of a number the lower one stands first."""
 
 
 def _negative(term: Expr) -> bool:

@@ -15,7 +15,7 @@ from sympy import Expr
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
 from symhaptic.export.described import beyond, sizes
 from symhaptic.export.module import Library
-from symhaptic.export.once import parts
+from symhaptic.export.once import parts, rewritten
 from symhaptic.export.precision import Precision
 from symhaptic.export.rounding import Goal, told
 from symhaptic.export.target import Target
@@ -143,13 +143,18 @@ def _measured(form: Form, precision: Precision) -> list[str]:
 @cache
 def _formulas(form: Form) -> list[str]:
     """In plain text and as LaTeX; long ones in steps, each with a name."""
-    if not all(isinstance(expr, sp.Piecewise) for expr in form.expressions):
+    if not any(expr.has(sp.Piecewise) for expr in form.expressions):
         return _written(form.results)
-    whole = [(name, expr.args[0].expr) for name, expr in form.results]
+    whole = [(name, _side(expr, 0).xreplace({WholePart(d): d})) for name, expr in form.results]
     parted = {WholePart(d): l, SomePart(d): epsilon, FractionalPart(d): epsilon}
-    late = [(name, expr.args[1].expr.xreplace(parted)) for name, expr in form.results]
+    late = [(name, _side(expr, 1).xreplace(parted)) for name, expr in form.results]
     return ["For whole delays:", "", *_written(whole), "",
             "Behind a fraction of a period, d = l + epsilon:", "", *_written(late)]  # fmt: skip
+
+
+def _side(expr: Expr, which: int) -> Expr:
+    """With one side of all that is chosen by whether the delay has a fraction."""
+    return rewritten(expr, lambda e: e.args[which].expr if isinstance(e, sp.Piecewise) else e)
 
 
 def _written(results: Sequence[tuple[str, sp.Expr]]) -> list[str]:

@@ -34,7 +34,7 @@ from symhaptic.notation import delta, gamma
 STIFF = sp.Integer(9)
 """Up to this gamma of complex poles the series of repeated nodes are used."""
 
-RISE, FALL, APART = sp.Integer(4), sp.Rational(5, 2), sp.Integer(5)
+RISE, FALL, APART = sp.Integer(5), sp.Integer(3), sp.Integer(5)
 """Up to this size of the larger real pole, for PlantN1Drop, PlantN0Drop and NumeratorGapDrop."""
 
 BENT = sp.Integer(4)

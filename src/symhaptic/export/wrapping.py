@@ -22,7 +22,7 @@ def wrapped(lines: Iterable[str], end: str = "", width: int = WIDTH) -> list[str
     return [part for line in lines for part in _parts(line, end, width)]
 
 
-def _parts(line: str, end: str, width: int) -> list[str]:
+def _parts(line: str, end: str, width: int, inside: bool = False) -> list[str]:
     if len(line) <= width:
         return [line]
     if lead := _COMMENT.match(line):
@@ -33,14 +33,16 @@ def _parts(line: str, end: str, width: int) -> list[str]:
         )  # fmt: skip
     indent = " " * (len(line) - len(line.lstrip()) + 4)
     found = []
-    while len(line) > width and (at := _best(line, width - len(end))):
+    while len(line) > width and (at := _best(line, width - len(end), inside)):
         found.append(line[:at].rstrip() + end)
-        line = indent + line[at:].lstrip()
+        line, inside = indent + line[at:].lstrip(), False
     return [*found, line]
 
 
-def _best(line: str, width: int) -> int:
+def _best(line: str, width: int, inside: bool = False) -> int:
     """Where to break: inside as few brackets as possible, then as late as possible; 0 if nowhere.
+
+    In one bracket at least, if it has to be inside.
 
     >>> line = "    y = f(a, b) + g(c, d);"
     >>> line[: _best(line, 20)]
@@ -48,6 +50,7 @@ def _best(line: str, width: int) -> int:
     """
     start = len(line) - len(line.lstrip())
     gaps = [m.end() for m in _GAP.finditer(line, start) if m.end() <= width]
+    gaps = [at for at in gaps if depth(line[:at]) > 0] if inside else gaps
     late = [at for at in gaps if at > start + 0.4 * (width - start)] or gaps[-1:]
     return min(late, key=lambda at: (depth(line[:at]), -at), default=0)
 
@@ -72,10 +75,22 @@ def in_brackets(line: str) -> list[str]:
 
 
 def _valued(pad: str, start: str, value: str) -> list[str]:
-    """A value behind the start of its statement."""
-    parts = wrapped([pad + start + value])
-    if all(depth("".join(parts[:i])) > depth(start) for i in range(1, len(parts))):
+    """A value behind the start of its statement; a call goes on inside its own brackets."""
+    parts = _parts(pad + start + value, "", WIDTH, inside=_is_call(value))
+    inside = (depth("".join(parts[:i])) > depth(start) for i in range(1, len(parts)))
+    if parts[1:] and all(inside):
         return parts
     first, *others = wrapped([f"{pad}    {value}"])
     inner = [first, *(other.removeprefix("    ") for other in others)]
     return [f"{pad}{start}(", *inner, f"{pad})"]
+
+
+def _is_call(value: str) -> bool:
+    """Whether one call is all of it.
+
+    >>> _is_call("f(x, g(y))"), _is_call("f(x)*g(y)")
+    (True, False)
+    """
+    name, _, rest = value.partition("(")
+    closed = (at for at in range(len(rest)) if depth(rest[: at + 1]) < 0)
+    return name.isidentifier() and next(closed, None) == len(rest) - 1

@@ -111,6 +111,13 @@ def fractional_of(parts: Parts) -> Device:
     return replace(device_of(parts), apart=fractional_delay.at_minus_one(parts, *two))
 
 
+def across_of(parts: Parts) -> Expr:
+    """2 (m2 - m0) of it."""
+    x, rest = device_of(parts), fractional_delay.brief(parts, 1 - epsilon)
+    kick = fractional_delay.brief(parts, sp.S.One).kick
+    return fractional_delay.across(parts, rest, x.together, x.apart, x.loss, kick)
+
+
 def discretize(parts: Parts = FULL) -> Form:
     """n1, n0, a and e of the sampled device P(z) = (n1 z + n0)/(z^2 - a z + e)."""
     symbols = present(parts, gamma, delta)

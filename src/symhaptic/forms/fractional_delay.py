@@ -98,6 +98,19 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     return FractionalNumeratorGap(epsilon, *kicks, first.apart, last.apart, turned)
 
 
+def across(parts: Parts, rest: Brief, together: Expr, apart: Expr, loss: Expr, kick: Expr) -> Expr:
+    """2 (m_2 - m_0), made of the period's rest and of what belongs to the whole period.
+
+    Next to whole turns m_2 and m_0 are alike, and M is as small as their difference where motions
+    are slow; every term is here.
+    """
+    if not parts.stiffness:
+        return (1 - 2 * epsilon) * together + apart
+    damper = delta if parts.damping else sp.S.Zero
+    pushed = kick * (2 * rest.kick + damper * rest.rise) + (gamma * together + loss) * rest.rise
+    return pushed - (together - apart)
+
+
 def _shortened(parts: Parts, time: Expr) -> Brief:
     """Such a part, derived; c is that of the whole period."""
     damping = delta * time if parts.damping else None
@@ -118,11 +131,14 @@ def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     whole = plant.sampled(plant.normalised(parts), split=split)
     first, last = _shortened(parts, 1 - epsilon), _shortened(parts, epsilon)
     kept = exp(-delta * (1 - epsilon)) if parts.damping else sp.S.One
+    impulse = plant.normalised(parts).transition(sp.S.One, split)[0, 1]
+    own = whole.n1 + whole.n0, whole.n1 - whole.n0, 1 - whole.e, impulse
     pairs = (
         (first.rise, late.m2),
         (kept * last.fall, late.m0),
         (whole.n1 + whole.n0, late.m2 + late.m1 + late.m0),
         (closed(at_minus_one(parts, first, last)), late.m2 - late.m1 + late.m0),
+        (across(parts, first, *own), 2 * (late.m2 - late.m0)),
     )
     found = tuple((ours.xreplace(given), exact.xreplace(given)) for ours, exact in pairs)
     impulse = plant.normalised(parts).transition(sp.S.One)[0, 1]

@@ -9,7 +9,15 @@ import sympy as sp
 from sympy import Expr, cos, sin
 
 from symhaptic.forms import fractional_delay, max_stiffness_slope
-from symhaptic.forms.device_forms import ANY, Device, device_of, fractional_of, made_of, same_device
+from symhaptic.forms.device_forms import (
+    ANY,
+    Device,
+    across_of,
+    device_of,
+    fractional_of,
+    made_of,
+    same_device,
+)
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.forms.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
 from symhaptic.forms.implicit import WholePart
@@ -47,11 +55,10 @@ def stability_boundary(parts: Parts = FULL) -> Form:
     across = device.together + device.apart
     wall, smooth = _boundary(device, across, delay)
     if parts.delay:
-        first, last = fractional_delay.ends(parts)
-        late = fractional_of(parts)
+        late, late_across = fractional_of(parts), across_of(parts)
         found = replace(device, apart=either(device.apart, late.apart))
-        wall, _ = _boundary(found, either(across, 2 * (first - last)), WholePart(d))
-        _, slopes = _boundary(late, 2 * (first - last), l)
+        wall, _ = _boundary(found, either(across, late_across), WholePart(d))
+        _, slopes = _boundary(late, late_across, l)
         smooth = tuple(either(*both) for both in zip(smooth, slopes, strict=True))
 
     def equal() -> Pairs:
@@ -147,7 +154,10 @@ def max_stable_stiffness(parts: Parts = FULL) -> Form:
             symbols,
             *(("gamma <= 9.8",) * parts.stiffness),
             *(("sqrt(gamma) (d + 1) <= pi or d <= 1",) * (parts.stiffness and parts.delay)),
-            *((f"no 0 < delta < 5 ulp(1) if {far} > pi",) * (parts.stiffness and parts.damping)),
+            *(
+                (f"delta = 0 or delta >= 5 ulp(1) if {far} > pi",)
+                * (parts.stiffness and parts.damping)
+            ),
             "NaN elsewhere, and where no wall is stable or none that is a little softer",
         ),
         held=("alpha",),
@@ -209,7 +219,7 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
 
     sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
     seen = f"no wall with {sizes} < 2^-400 (single: 2^-40)"
-    hidden = ["no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded"]
+    hidden = ["delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi"]
     return Form(
         name,
         title,

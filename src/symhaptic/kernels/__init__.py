@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "5685e95ac003ba10"
+STAMP = "e4cdb70f667542d8"
 """Of the sources in C, as the module that is compiled of them has it."""

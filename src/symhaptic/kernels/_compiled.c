@@ -75,6 +75,7 @@ static Entry entries[] = {
     "the sampled device, P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m.\n"
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
+    "Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n"
     "Domain: gamma >= 0, delta >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(discretize_fractional, 3, 5, 0,
@@ -84,6 +85,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "epsilon: rest of a delay, a fraction of a period [1]\n"
+    "Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].\n"
     "Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.\n"),
     ENTRY(is_stable, 5, 1, 1,
@@ -95,7 +97,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
@@ -106,7 +108,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
     "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
@@ -116,6 +118,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n"
     "Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(max_stable_stiffness, 3, 3, 0,
@@ -125,7 +128,8 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none that is a little softer.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
@@ -155,6 +159,7 @@ static Entry entries[] = {
     "theta: angle on the unit circle, omega T [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].\n"
     "Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for whole delays, for d <= 2/9 the curve goes on to pi.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(max_passive_stiffness, 2, 3, 0,
@@ -163,6 +168,7 @@ static Entry entries[] = {
     "the passive wall of largest stiffness, and its worst angle theta = omega T.\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
+    "Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on the unit circle, omega T [1].\n"
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(linear_limit, 3, 1, 0,
@@ -174,10 +180,10 @@ static Entry entries[] = {
     "d: delay in sampling periods, t_d/T [1]\n"
     "Domain: delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
-    ENTRY(late_device, 3, 3, 0,
-    "apart, m2, m0 of (gamma, delta, part)\n"
+    ENTRY(late_device, 3, 4, 0,
+    "apart, m2, kicked, m0 of (gamma, delta, part)\n"
     "\n"
-    "m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period.\n"),
+    "m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it.\n"),
 };
 
 static int filled(PyObject *module) {
@@ -203,7 +209,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "5685e95ac003ba10")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "e4cdb70f667542d8")) return -1;
     return filled(module);
 }
 
@@ -266,7 +272,7 @@ static PyObject *one_discretize(
     const double gamma = x[0], delta = x[1];
     double y[4];
     haptic_discretize(gamma, delta, &y[0], &y[1], &y[2], &y[3]);
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 4);
 }
 
@@ -278,8 +284,8 @@ static PyObject *one_discretize_fractional(
     const double gamma = x[0], delta = x[1], epsilon = x[2];
     double y[5];
     haptic_discretize_fractional(gamma, delta, epsilon, &y[0], &y[1], &y[2], &y[3], &y[4]);
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+15) && (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(delta >= 0.0 && delta <= 1e+70 && epsilon >= 0.0 && epsilon < 1.0 && gamma >= 0.0 &&
+        gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 5);
 }
 
@@ -290,9 +296,8 @@ static PyObject *one_is_stable(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const int y = haptic_is_stable(alpha, beta, gamma, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return truth(y);
 }
 
@@ -303,9 +308,8 @@ static PyObject *one_unstable_roots(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], gamma = x[2], delta = x[3], d = x[4];
     const double y = haptic_unstable_roots(alpha, beta, gamma, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -317,8 +321,8 @@ static PyObject *one_stability_boundary(
     const double theta = x[0], gamma = x[1], delta = x[2], d = x[3];
     double y[2];
     haptic_stability_boundary(theta, gamma, delta, d, &y[0], &y[1]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15 && theta > 0.0 && theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(y, 2);
 }
 
@@ -330,8 +334,8 @@ static PyObject *one_max_stable_stiffness(
     const double gamma = x[0], delta = x[1], d = x[2];
     double y[3];
     haptic_max_stable_stiffness(gamma, delta, d, &y[0], &y[1], &y[2]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15)) Py_RETURN_NONE;
     return numbers(y, 3);
 }
 
@@ -342,9 +346,8 @@ static PyObject *one_passivity_margin_at(
     if (count != 5 || !given(args, x, count)) Py_RETURN_NONE;
     const double theta = x[0], alpha = x[1], beta = x[2], delta = x[3], d = x[4];
     const double y = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-        (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -355,8 +358,8 @@ static PyObject *one_passivity_margin(
     if (count != 4 || !given(args, x, count)) Py_RETURN_NONE;
     const double alpha = x[0], beta = x[1], delta = x[2], d = x[3];
     const double y = haptic_passivity_margin(alpha, beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 
@@ -368,8 +371,8 @@ static PyObject *one_passivity_boundary(
     const double theta = x[0], delta = x[1], d = x[2];
     double y[2];
     haptic_passivity_boundary(theta, delta, d, &y[0], &y[1]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (theta <= 3.141592653589793) && (theta > 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && theta > 0.0 &&
+        theta <= 3.141592653589793)) Py_RETURN_NONE;
     return numbers(y, 2);
 }
 
@@ -381,7 +384,7 @@ static PyObject *one_max_passive_stiffness(
     const double delta = x[0], d = x[1];
     double y[3];
     haptic_max_passive_stiffness(delta, d, &y[0], &y[1], &y[2]);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70)) Py_RETURN_NONE;
     return numbers(y, 3);
 }
 
@@ -392,8 +395,8 @@ static PyObject *one_linear_limit(
     if (count != 3 || !given(args, x, count)) Py_RETURN_NONE;
     const double beta = x[0], delta = x[1], d = x[2];
     const double y = haptic_linear_limit(beta, delta, d);
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(beta) <= 1e+70))) Py_RETURN_NONE;
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+        fabs(beta) <= 1e+70)) Py_RETURN_NONE;
     return numbers(&y, 1);
 }
 

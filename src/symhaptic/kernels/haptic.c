@@ -21,7 +21,7 @@ static const double inverse_factorial[] =
 typedef struct { double hi, lo; } Pair; // and what its float misses
 typedef struct { Pair fall, mean; } Fading;
 typedef struct { Pair p, q; } Poles;
-typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { Pair p, slow, mean, ratio, far; } Creeping;
 typedef struct { double half; Pair w; double root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { double near, risen, sunk, moved; } Turns;
@@ -31,24 +31,22 @@ typedef struct { double together, trace; } Device2;
 typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { double halves, rest; } Angle;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
-typedef struct { double apart, m2, m0; } Delayed;
+typedef struct { double apart, m2, kicked, m0; } Delayed;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
-typedef struct { double at_minus_one, together, n_gap; } Device5;
+typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
 typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
     const double square = x*x;
-    return square*(square*(square*(square*(square*
-        (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
-        7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
-        2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(square*(square*
-        (square*(1.5619206968586225e-16*square + 4.779477332387385e-14) + 1.1470745597729725e-11) +
-        2.08767569878681e-09) + 2.755731922398589e-07) + 2.48015873015873e-05) +
-        0.001388888888888889) + 0.041666666666666664) + 0.16666666666666666;
+    double one = 0.0, two = 0.0;
+    for (int n = 19; n >= 4; n -= 1) {
+        const double number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return square*two - one*x + 0.16666666666666666;
 }
 
 // x + y and what it misses, for |x| >= |y|
@@ -170,7 +168,7 @@ static inline double rounded(Pair x) { return x.hi + x.lo; }
 // divided difference of exp at 0, p and q, less 1/2
 static inline double plant_n0_series(double gamma, double delta) {
     double one = 0.0, two = 0.0;
-    for (int n = ((0.5*delta < 0.0625) && (fabs(gamma) < 0.00390625) ? 13 : 28); n >= 6; n -= 1) {
+    for (int n = (0.5*delta < 0.0625 && fabs(gamma) < 0.00390625 ? 13 : 28); n >= 6; n -= 1) {
         const double number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
         two = one; one = next_one;
     }
@@ -196,7 +194,7 @@ static inline double plant_n0_creep(const Motion *motion, const Creeping *creepi
     double gamma, double delta) {
     if (motion->reach < 0.5625) { return plant_n0_near(decayed, gamma, delta); }
     return rounded(pair_prod(creeping->slow,
-        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        pair_quot(pair_diff(creeping->far, pair_prod(creeping->ratio, creeping->mean)),
         creeping->p)));
 }
 
@@ -220,7 +218,7 @@ static inline double plant_n0_swing(const Motion *motion, const Swinging *swingi
 // divided difference of exp at h and +-sqrt(w), less 1/2
 static inline double plant_n1_series(double h, double w) {
     double total = 0.0, one = 0.0, two = 0.0;
-    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 13 : 28); n >= 3; n -= 1) {
+    for (int n = (fabs(w) < 0.00390625 && h < 0.0625 ? 13 : 28); n >= 3; n -= 1) {
         const double number = inverse_factorial[n], even = number + two*w;
         total = even + h*total; two = one; one = even;
     }
@@ -232,7 +230,7 @@ static inline double plant_n1_creep(const Motion *motion, const Creeping *creepi
     if (motion->reach < 0.5625) {
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5);
     }
-    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->far)),
         creeping->p));
 }
 
@@ -293,7 +291,7 @@ static inline Wave waving_pair(Pair square, double angle) {
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
 static inline Turns whole_turns(double half, Pair square, double root, double stiff) {
-    if ((half < 0.75) && (root < 67108864.0) && (root > 3.0)) {
+    if (half < 0.75 && root > 3.0 && root < 67108864.0) {
         const double count = floor(0.5*root/3.141592653589793 + 0.5);
         const Pair prod3 = two_prod(count, 6.283185307179586), diff6 = two_diff(root, -prod3.hi);
         const double missed = root_miss(square, root), turns = count*count;
@@ -307,7 +305,7 @@ static inline Turns whole_turns(double half, Pair square, double root, double st
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
             (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const double far = quot.hi*quot.hi;
-        if ((count > 0.0) && (far < 1.5)) {
+        if (count > 0.0 && far < 1.5) {
             const Fading fading = brief_fading((Pair){half, 0.0});
             const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
             const Pair less = one_minus((Pair){squared.hi*sin_series(-squared.hi), 0.0});
@@ -360,7 +358,7 @@ static inline Device device_n0_n1_trace(double gamma, double delta) {
 static inline double numerator_at_one_series(double h, double w) {
     const double y = h*h;
     double total = 0.0, inner = 0.0;
-    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 12 : 28); n >= 4; n -= 2) {
+    for (int n = (fabs(w) < 0.00390625 && h < 0.0625 ? 12 : 28); n >= 4; n -= 2) {
         const double number = inverse_factorial[n], own = inner*w + number;
         total = own + total*y; inner = own;
     }
@@ -464,7 +462,7 @@ static inline double denominator_at_minus_one_swing(const Motion *motion,
 static inline double numerator_gap_series(double h, double w) {
     const double y = h*h;
     double total = 0.0, inner = 0.0;
-    for (int n = ((fabs(w) < 0.00390625) && (h < 0.0625) ? 13 : 27); n >= 5; n -= 2) {
+    for (int n = (fabs(w) < 0.00390625 && h < 0.0625 ? 13 : 27); n >= 5; n -= 2) {
         const double number = inverse_factorial[n], own = inner*w + number;
         total = own + total*y; inner = own;
     }
@@ -478,7 +476,7 @@ static inline double numerator_gap_creep(const Motion *motion, const Creeping *c
         return scaled_sum((Pair){exp(-motion->half), 0.0},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666666666666666);
     }
-    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->even));
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0*creeping->slow.hi, creeping->far));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const double top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
@@ -554,12 +552,11 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
 // what the crossing on a piece, if there is one, adds
 static inline double piece_turns(const Loop *loop, double k0, double k1, double k2, double k3,
     double low, double high, double at_low, double at_high, double zone) {
-    if ((((at_high < 0.0) && (at_low >= 0.0)) || ((at_high >= 0.0) && (at_low < 0.0))) &&
-        (high > low)) {
+    if (((at_high >= 0.0 && at_low < 0.0) || (at_high < 0.0 && at_low >= 0.0)) && high > low) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
         const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
-        if ((rest > 0.0) && (y > 0.0)) {
+        if (rest > 0.0 && y > 0.0) {
             const double off = zone == 0.0 ? x - loop->center :
                 (zone == 1.0 ? x : loop->beyond - x);
             const double found = phase_turns(loop, y, rest, off);
@@ -576,11 +573,11 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double disc = k2*k2 - 3.0*k1*k3, root = sqrt(fmax(0.0, disc));
     const double q = -k2 - (k2 < 0.0 ? -root : root);
     const double some = fabs(k2) < 24.0*fabs(k3) ? 3.0*k3 : 1.0, at = -k2/some;
-    const double cut = (at < high) && (at > low) && (fabs(k2) < 24.0*fabs(k3)) ? at : low;
+    const double cut = at > low && at < high && fabs(k2) < 24.0*fabs(k3) ? at : low;
     const double some2 = fabs(q) < 24.0*fabs(k3) ? 3.0*k3 : 1.0, at2 = q/some2;
-    const double cut2 = (at2 < high) && (at2 > low) && (fabs(q) < 24.0*fabs(k3)) ? at2 : low;
+    const double cut2 = at2 > low && at2 < high && fabs(q) < 24.0*fabs(k3) ? at2 : low;
     const double some3 = fabs(k1) < 8.0*fabs(q) ? q : 1.0, at3 = k1/some3;
-    const double cut3 = (at3 < high) && (at3 > low) && (fabs(k1) < 8.0*fabs(q)) ? at3 : low;
+    const double cut3 = at3 > low && at3 < high && fabs(k1) < 8.0*fabs(q) ? at3 : low;
     const double less = fmin(cut2, cut3), more = fmax(cut2, cut3), first = fmin(cut, less);
     const double middle = fmax(cut, less), last = fmax(middle, more), middle2 = fmin(middle, more);
     const double p = first*(first*(first*k3 + k2) + k1) + k0;
@@ -596,7 +593,7 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
     const double strength = fabs(alpha) + fabs(beta);
-    if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
+    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
     const double across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
     const double even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
@@ -624,13 +621,13 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
-    const double total = (((((((near2 == 0.0) && (near3 < 0.0)) || (near2 < 0.0)) &&
-        (near1 == 0.0)) || (near1 < 0.0)) && (near0 == 0.0)) || (near0 < 0.0) ?
-        (alpha > 0.0 ? 0.0 : side) : 0.0) + zone_turns(&loop, far0, far1, far2, far3, zone, two2,
-        far0, after, 2.0) + zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0,
-        before, zone) + zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
-    return total - (((((((far2 == 0.0) && (far3 < 0.0)) || (far2 < 0.0)) && (far1 == 0.0)) ||
-        (far1 < 0.0)) && (far0 == 0.0)) || (far0 < 0.0) ? end : 0.0);
+    const double total = ((((((near2 == 0.0 && near3 < 0.0) || near2 < 0.0) && near1 == 0.0) ||
+        near1 < 0.0) && near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0) +
+        zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0) +
+        zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
+        zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
+    return total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) && far1 == 0.0) ||
+        far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -654,32 +651,32 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delt
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
 }
 
-// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
+// m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it
 static inline Delayed late_device(double gamma, double delta, double part) {
     const double t0 = 1.0 - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
-    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
-    const double t4 = part*part, t5 = gamma*t4, t6 = delta*part;
-    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
-    const double t8 = device.n0*t4;
-    return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
-        (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
-        (device.kick.hi*t6 + device.n1*t5) + device2.n1*device.n1*t2*t4 - t3*t8*decay(t3)),
-        device2.n1*t1, t8*exp(-t3)};
+    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
+    const double t5 = part*part, t6 = gamma*t5, t7 = delta*part;
+    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
+    const double t9 = device2.n0*t5;
+    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
+        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+        (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
+        device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
 }
 
 // 1 where the loop is stable, else 0
 static inline double stable(double roots, double alpha, double beta, double gamma, double delta) {
     const double swing = sqrt(gamma);
-    if ((!((alpha == 0.0) && (beta == 0.0) && (delta == 0.0) && (gamma > 0.0))) &&
-        (!((delta < 1.1102230246251565e-15) && (gamma > 1.0) &&
-        (swing >= 2251799813685248.0*fabs(sin(swing))))) && (alpha > -gamma) && (roots == 0.0)) {
+    if (!(alpha == 0.0 && beta == 0.0 && delta == 0.0 && gamma > 0.0) &&
+        !(delta < 1.1102230246251565e-15 && gamma > 1.0 && swing >= 2251799813685248.0*
+        fabs(sin(swing))) && alpha > -gamma && roots == 0.0) {
         return 1.0;
     }
     return 0.0;
@@ -688,9 +685,9 @@ static inline double stable(double roots, double alpha, double beta, double gamm
 // the turns at a crossing, if there is one
 static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
     const double edge = rest > y ? y : rest;
-    if ((edge < 4.0) && (rest > 0.0) && (y > 0.0)) {
-        const double inside = (edge > fabs(off)) && (loop->beyond - off > 0.0) &&
-            (loop->center + off > 0.0) ? 1.0 : 0.0;
+    if (edge < 4.0 && rest > 0.0 && y > 0.0) {
+        const double inside = edge > fabs(off) && loop->beyond - off > 0.0 && loop->center +
+            off > 0.0 ? 1.0 : 0.0;
         const double at = inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest);
         const double still = inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest);
         const double away = inside > 0.0 ? off :
@@ -713,7 +710,7 @@ static inline Roots quadratic_roots(double c, double b, double a, double root) {
 static inline double whole_roots(double alpha, double beta, double d, double n1, double n0,
     double at_one, double at_minus_one, double loss, double together, double apart) {
     const double strength = fabs(alpha) + fabs(beta);
-    if ((loss + strength < 3.8725919148493183e-121) && (strength > 0.0)) { return -1.0; }
+    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
     const double force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
     const double push = alpha*together, pull = apart*wall_far;
@@ -734,8 +731,8 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const double disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
-        ((size > size3) && (size2 > size3) ? square4 - product3 : square2 - product);
+    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
+        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
     double total = 0.0;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
@@ -746,10 +743,10 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         total = 2.0*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     }
-    const double total2 = total + (((((near1 == 0.0) && (square < 0.0)) || (near1 < 0.0)) &&
-        (near0 == 0.0)) || (near0 < 0.0) ? (alpha > 0.0 ? 0.0 : side) : 0.0);
-    return total2 - (((((far1 == 0.0) && (square < 0.0)) || (far1 < 0.0)) && (far0 == 0.0)) ||
-        (far0 < 0.0) ? end : 0.0);
+    const double total2 = total + ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
+        near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0);
+    return total2 - ((((far1 == 0.0 && square < 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ?
+        end : 0.0);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -771,17 +768,19 @@ static inline Response ahead_in_phase(double psi, double at_one, double at_minus
     return (Response){found2/size, found3/size};
 }
 
-// at_minus_one, together and n_gap of the device
-static inline Device5 device_at_minus_one_together_n_gap(double gamma, double delta) {
+// at_minus_one, kick, together and n_gap of the device
+static inline Device5 device_at_minus_one_kick_together_n_gap(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
         return (Device5){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     return (Device5){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
@@ -825,8 +824,8 @@ static inline double next_guess(double b, double fb, double a, double fa, double
     const double span = c - b, rise = fc - fb, whole = span == 0.0 ? 1.0 : span;
     const double place = (a - b)/whole, whole2 = rise == 0.0 ? 1.0 : rise;
     const double height = (fa - fb)/whole2;
-    const double safe = (place < 1.0 - ((1.0 - height)*(1.0 - height))) &&
-        (place > height*height) ? 1.0 : 0.0;
+    const double safe = place > height*height && place < 1.0 - ((1.0 - height)*(1.0 - height)) ?
+        1.0 : 0.0;
     const double width = b - a, whole3 = width == 0.0 ? 1.0 : width;
     const double edge = close*fabs(fabs(fa) < fabs(fb) ? a : b)/fabs(whole3);
     const double edge2 = fmin(0.5, edge);
@@ -862,7 +861,7 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
         (t19 - 2.0*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14));
     double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
-        if ((count > 24.0) || (found > 0.0)) { break; }
+        if (count > 24.0 || found > 0.0) { break; }
         const double rises = early_slope(0.041666666666666664*3.141592653589793*count, k, k2, k3,
             k4, k5);
         const double next_count = rises > 0.0 ? count + 1.0 : count;
@@ -877,12 +876,11 @@ static inline double early_angle(double at_one, double at_minus_one, double loss
         if (below >= 0.0) { return high; }
         double b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
-            if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
+            if ((fa >= 0.0 && fb >= 0.0) || (fa <= 0.0 && fb <= 0.0) ||
+                fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b)) { break; }
             const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
             const double value = early_slope(new_, k, k2, k3, k4, k5);
-            const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
-                1.0 : 0.0;
+            const double same = (fa > 0.0 && value > 0.0) || (fa < 0.0 && value < 0.0) ? 1.0 : 0.0;
             const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
             const double next_c = same > 0.0 ? a : b;
             fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -913,7 +911,7 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
     const double turn_ = 3.141592653589793/(d + 1.0);
     double count = 1.0, found = 0.0;
     for (int count_count = 0; count_count < 24; ++count_count) {
-        if ((count > 24.0) || (found > 0.0)) { break; }
+        if (count > 24.0 || found > 0.0) { break; }
         const double rises = boundary_slope(0.041666666666666664*count*turn_, l, at_one,
             at_minus_one, loss, together, apart, across);
         const double next_count = rises > 0.0 ? count + 1.0 : count;
@@ -930,13 +928,12 @@ static inline double later_angle(double d, double l, double at_one, double at_mi
         if (below >= 0.0) { return high; }
         double b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
-            if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-                (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
+            if ((fa >= 0.0 && fb >= 0.0) || (fa <= 0.0 && fb <= 0.0) ||
+                fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b)) { break; }
             const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
             const double value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ?
-                1.0 : 0.0;
+            const double same = (fa > 0.0 && value > 0.0) || (fa < 0.0 && value < 0.0) ? 1.0 : 0.0;
             const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
             const double next_c = same > 0.0 ? a : b;
             fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -974,7 +971,7 @@ static inline double undelayed_angle(double at_one, double at_minus_one, double 
 static inline double max_stiffness_angle(double gamma, double delta, double d, double l,
     double part, double first, double last, double at_one, double at_minus_one, double loss,
     double together, double apart) {
-    if (((d <= 1.0) || (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) && (gamma <= 9.8)) {
+    if ((d <= 1.0 || sqrt(gamma)*(d + 1.0) <= 3.141592653589793) && gamma <= 9.8) {
         const double across = part == 0.0 ? first : first - last;
         const double theta = d == 0.0 ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0 ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
@@ -986,7 +983,7 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         const double t13 = t9*next_wave(l, theta).cosine, t14 = -t*t12*t9/sin(theta) - 0.5*t11*t13;
         const double stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0*t14*t6;
         double good;
-        if ((delta > 0.0) && (gamma > -stiffness) && (sqrt(gamma)*(d + 1.0) <= 3.141592653589793)) {
+        if (delta > 0.0 && gamma > -stiffness && sqrt(gamma)*(d + 1.0) <= 3.141592653589793) {
             good = 1.0;
         } else {
             const double inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma;
@@ -1079,12 +1076,11 @@ static inline double worst_angle(double alpha, double beta, double l, double eps
     if (below >= 0.0) { return high; }
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.656612873077393e-10*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
+        if ((fa >= 0.0 && fb >= 0.0) || (fa <= 0.0 && fb <= 0.0) ||
+            fabs(a - b) <= 4.656612873077393e-10*fabs(fabs(fa) < fabs(fb) ? a : b)) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.656612873077393e-10);
         const double value = steepness(stiffness, damping, l, epsilon, new_);
-        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0;
+        const double same = (fa > 0.0 && value > 0.0) || (fa < 0.0 && value < 0.0) ? 1.0 : 0.0;
         const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
         const double next_c = same > 0.0 ? a : b;
         fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1172,13 +1168,12 @@ static inline double turn(double psi, double l, double epsilon) {
     if (below >= 0.0) { return high; }
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
+        if ((fa >= 0.0 && fb >= 0.0) || (fa <= 0.0 && fb <= 0.0) ||
+            fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b)) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
         const double value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0;
+        const double same = (fa > 0.0 && value > 0.0) || (fa < 0.0 && value < 0.0) ? 1.0 : 0.0;
         const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
         const double next_c = same > 0.0 ? a : b;
         fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1211,12 +1206,11 @@ static inline double passive_angle(double l, double epsilon) {
     if (below >= 0.0) { return high; }
     double b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0) && (fb <= 0.0)) || ((fa >= 0.0) && (fb >= 0.0)) ||
-            (fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b))) { break; }
+        if ((fa >= 0.0 && fb >= 0.0) || (fa <= 0.0 && fb <= 0.0) ||
+            fabs(a - b) <= 4.440892098500626e-16*fabs(fabs(fa) < fabs(fb) ? a : b)) { break; }
         const double new_ = next_guess(b, fb, a, fa, c, fc, 4.440892098500626e-16);
         const double value = passive_slope(new_, l, epsilon);
-        const double same = ((fa < 0.0) && (value < 0.0)) || ((fa > 0.0) && (value > 0.0)) ? 1.0 :
-            0.0;
+        const double same = (fa > 0.0 && value > 0.0) || (fa < 0.0 && value < 0.0) ? 1.0 : 0.0;
         const double next_b = same > 0.0 ? b : a, next_fb = same > 0.0 ? fb : fa;
         const double next_c = same > 0.0 ? a : b;
         fc = same > 0.0 ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1226,7 +1220,7 @@ static inline double passive_angle(double l, double epsilon) {
 
 void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
     double *e_out) {
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) {
+    if (!(delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
@@ -1235,8 +1229,8 @@ void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_ou
 
 void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
     double *m1_out, double *m0_out, double *a_out, double *e_out) {
-    if (!((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-        (gamma <= 1e+15) && (gamma >= 0.0))) {
+    if (!(delta >= 0.0 && delta <= 1e+70 && epsilon >= 0.0 && epsilon < 1.0 && gamma >= 0.0 &&
+        gamma <= 1e+15)) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
@@ -1248,8 +1242,8 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
 }
 
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return false;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1265,8 +1259,8 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return -1.0;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1283,33 +1277,35 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
     double *alpha_out, double *beta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0) && (theta <= 3.141592653589793) && (theta > 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15 && theta > 0.0 && theta <= 3.141592653589793)) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
+    const Device5 device = device_at_minus_one_kick_together_n_gap(gamma, delta);
     const double whole = floor(d);
     const CosSin cossin = next_wave(whole, theta);
-    const double part = d - whole, t2 = 0.5*theta;
-    double t10, t11;
+    const double part = d - whole, t2 = 0.5*theta, t4 = gamma*device.together;
+    const double t6 = delta*decay(delta), t7 = delta*device.n_gap;
+    double t10, t12;
     if (part == 0.0) {
-        const double t7 = delta*device.n_gap;
-        t10 = t7; t11 = device.together + t7;
+        t10 = t7; t12 = device.together + t7;
     } else {
         const Delayed delayed = late_device(gamma, delta, part);
-        t10 = delayed.apart; t11 = 2.0*delayed.m2 - 2.0*delayed.m0;
+        t10 = delayed.apart;
+        t12 = device.kick*(delta*delayed.m2 + 2.0*delayed.kicked) + delayed.m2*(t4 + t6) -
+            device.together + t7;
     }
-    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
-        decay(delta), device.together, t10, t11);
-    const double t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tan(t2);
-    *beta_out = -t15/sin(theta);
+    const Response response = ahead_in_phase(t2, t4, device.at_minus_one, t6, device.together, t10,
+        t12);
+    const double t16 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t16*tan(t2);
+    *beta_out = -t16/sin(theta);
 }
 
 void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
     double *beta_out, double *theta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) &&
-        (gamma >= 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+        gamma <= 1e+15)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1343,9 +1339,8 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
 }
 
 double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-        (theta > 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) {
         return NAN;
     }
     const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
@@ -1354,8 +1349,8 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
 }
 
 double haptic_passivity_margin(double alpha, double beta, double delta, double d) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+        fabs(beta) <= 1e+70)) {
         return NAN;
     }
     return delta - largest_required_damping(alpha, beta, d);
@@ -1363,8 +1358,8 @@ double haptic_passivity_margin(double alpha, double beta, double delta, double d
 
 void haptic_passivity_boundary(double theta, double delta, double d, double *alpha_out,
     double *beta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (theta <= 3.141592653589793) && (theta > 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && theta > 0.0 &&
+        theta <= 3.141592653589793)) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
     const double whole = floor(d), part = d - whole, t2 = 0.5*theta;
@@ -1384,7 +1379,7 @@ void haptic_passivity_boundary(double theta, double delta, double d, double *alp
 
 void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, double *beta_out,
     double *theta_out) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
     const double whole = floor(d), part = d - whole, t3 = 2.0*delta;
@@ -1407,8 +1402,7 @@ void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, dou
 }
 
 double haptic_linear_limit(double beta, double delta, double d) {
-    if (!((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-        (fabs(beta) <= 1e+70))) {
+    if (!(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(beta) <= 1e+70)) {
         return NAN;
     }
     return (beta + delta)/(d + 0.5);

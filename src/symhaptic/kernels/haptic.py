@@ -355,34 +355,15 @@ def series(xp, add, count, brief, first, few, last, step, given):
     return _all(after(states, INVERSE_FACTORIAL[few:last - 1:-step], *given))
 
 
-def decay_series_single(xp, x):
-    """The same in single precision."""
-    square = (x*x)
-    return (
-        square*(square*(square*(2.505210838544172e-08*square + 2.7557319223985893e-06) +
-        0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(2.08767569878681e-09*square + 2.755731922398589e-07) +
-        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
-        0.16666666666666666
-    )
-
-
 def decay_series(xp, x):
     """((1 - exp(-x))/x - 1 + x/2)/x^2"""
-    if x.dtype == xp.float32:
-        return decay_series_single(xp, x)
+    begin = 12 if x.dtype == xp.float32 else 19
     square = (x*x)
-    return (
-        square*(square*(square*(square*(square*
-        (square*(square*(8.22063524662433e-18*square + 2.8114572543455206e-15) +
-        7.647163731819816e-13) + 1.6059043836821613e-10) + 2.505210838544172e-08) +
-        2.7557319223985893e-06) + 0.0001984126984126984) + 0.008333333333333333) - x*
-        (square*(square*(square*(square*(square*
-        (square*(1.5619206968586225e-16*square + 4.779477332387385e-14) +
-        1.1470745597729725e-11) + 2.08767569878681e-09) + 2.755731922398589e-07) +
-        2.48015873015873e-05) + 0.001388888888888889) + 0.041666666666666664) +
-        0.16666666666666666
-    )
+    one, two = 0.0, 0.0
+    for number in INVERSE_FACTORIAL[begin:3:-1]:
+        both = number + square*two
+        one, two = both, one
+    return square*two - one*x + 0.16666666666666666
 
 
 def fast_two_sum(xp, x, y):
@@ -428,9 +409,7 @@ def two_prod_error(product, one, two):
 
 def wide_prod(xp, x, y, y_low):
     """x y of a float and a pair"""
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    return x*y, x*y_low + two_prod_error(x*y, x_halves, y_halves)
+    return x*y, x*y_low + two_prod_error(x*y, halves(xp, x), halves(xp, y))
 
 
 def pair_prod(xp, x, x_low, y, y_low):
@@ -453,9 +432,7 @@ def pair_quot(xp, x, x_low, y, y_low):
     """x/y of pairs"""
     total = x/y
     left = x - total*y
-    total_halves = halves(xp, total)
-    y_halves = halves(xp, y)
-    left = left - two_prod_error(total*y, total_halves, y_halves)
+    left = left - two_prod_error(total*y, halves(xp, total), halves(xp, y))
     rest = x_low - total*y_low
     left = left + rest
     return total, left/y
@@ -514,9 +491,7 @@ def two_diff(xp, x, y):
 
 def two_prod(xp, x, y):
     """x y and what it misses"""
-    x_halves = halves(xp, x)
-    y_halves = halves(xp, y)
-    return x*y, two_prod_error(x*y, x_halves, y_halves)
+    return x*y, two_prod_error(x*y, halves(xp, x), halves(xp, y))
 
 
 def device_motion(xp, gamma, delta):
@@ -588,17 +563,17 @@ def plant_n0_near(xp, decayed, decayed_low, gamma, delta):
         plant_n0_series(xp, gamma, delta), 0.5)
 
 
-def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even,
-    even_low, decayed, decayed_low, gamma, delta):
+def plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far,
+    far_low, decayed, decayed_low, gamma, delta):
     """n0 of a creeping device"""
-    def no(even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
+    def no(far, far_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low):
         return rounded(xp, *pair_prod(xp, slow, slow_low,
-            *pair_quot(xp, *pair_diff(xp, even, even_low,
+            *pair_quot(xp, *pair_diff(xp, far, far_low,
             *pair_prod(xp, ratio, ratio_low, mean, mean_low)), p, p_low)))
 
     return select(xp, reach < 0.5625, lambda *v: plant_n0_near(xp, *v),
         (decayed, decayed_low, gamma, delta), no,
-        (even, even_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
+        (far, far_low, mean, mean_low, p, p_low, ratio, ratio_low, slow, slow_low))
 
 
 def pair_sum(xp, x, x_low, y, y_low):
@@ -641,18 +616,18 @@ def plant_n1_series(xp, h, w):
     return h*total + two*w
 
 
-def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even, even_low,
+def plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far, far_low,
     decayed, decayed_low):
     """n1 of a creeping device"""
     def yes(decayed, decayed_low, half, w):
         return scaled_sum(xp, decayed, decayed_low, plant_n1_series(xp, half, w), 0.5)
 
-    def no(even, even_low, mean, mean_low, p, p_low, slow, slow_low):
+    def no(far, far_low, mean, mean_low, p, p_low, slow, slow_low):
         return rounded(xp, *pair_quot(xp, *pair_diff(xp, mean, mean_low,
-            *pair_prod(xp, slow, slow_low, even, even_low)), p, p_low))
+            *pair_prod(xp, slow, slow_low, far, far_low)), p, p_low))
 
     return select(xp, reach < 0.5625, yes, (decayed, decayed_low, half, w), no,
-        (even, even_low, mean, mean_low, p, p_low, slow, slow_low))
+        (far, far_low, mean, mean_low, p, p_low, slow, slow_low))
 
 
 def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near, risen,
@@ -678,7 +653,7 @@ def plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
 def slow_fade(xp, reach, half):
     """exp(-half) of a device with slow poles, and what it misses"""
     def yes(half):
-        fall, fall_low, mean, mean_low = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
+        fall, fall_low, _, _ = brief_fading(xp, 0.5*half, xp.full_like(half, 0.0))
         return pair_square(xp, fall, fall_low)
 
     return select(xp, reach < 0.5625, yes, (half,), lambda reach: (0.0, 0.0), (reach,))
@@ -767,24 +742,24 @@ def whole_turns(xp, half, square, square_low, root, stiff):
                 missed)
             diff8, diff_low8 = pair_diff(xp, total, lift_low,
                 *wide_prod(xp, half, *pair_diff(xp, mean, mean_low, quot2, quot_low2)))
-            whole2 = xp.where(stiff == 0.0, 1.0, stiff)
+            whole = xp.where(stiff == 0.0, 1.0, stiff)
             return (
                 1.0, rounded(xp, *pair_quot(xp, *pair_sum(xp,
                 *wide_prod(xp, half, *pair_diff(xp, mean, mean_low,
-                *pair_prod(xp, fall, fall_low, quot2, quot_low2))), prod5, prod_low5), whole2,
+                *pair_prod(xp, fall, fall_low, quot2, quot_low2))), prod5, prod_low5), whole,
                 xp.full_like(fall, 0.0))), rounded(xp,
                 *pair_quot(xp, *pair_prod(xp, fall, fall_low,
-                *two_diff(xp, diff8, -diff_low8)), whole2, xp.full_like(diff8, 0.0))),
+                *two_diff(xp, diff8, -diff_low8)), whole, xp.full_like(diff8, 0.0))),
                 rounded(xp, *pair_quot(xp, *pair_sum(xp,
                 *pair_square(xp, *fast_two_sum(xp, *one_minus(xp, fall, fall_low))), 2.0*prod5,
-                2.0*prod_low5), whole2, xp.full_like(fall, 0.0)))
+                2.0*prod_low5), whole, xp.full_like(fall, 0.0)))
             )
 
         return select(xp, (count > 0.0) & (far < 1.5), yes,
             (half, missed, quot, quot_low, root, stiff), lambda count: (0.0, 0.0, 0.0, 0.0),
             (count,))
 
-    return select(xp, (half < 0.75) & (root < number6) & (root > 3.0), yes,
+    return select(xp, (half < 0.75) & (root > 3.0) & (root < number6), yes,
         (half, root, square, square_low, stiff), lambda half: (0.0, 0.0, 0.0, 0.0), (half,))
 
 
@@ -801,9 +776,8 @@ def device_n0_n1_trace(xp, gamma, delta):
     decayed, decayed_low = slow_fade(xp, reach, half)
 
     def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, _ = swinging_device(xp, gamma,
+            half, w, w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return (
             plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near, sunk,
@@ -812,15 +786,14 @@ def device_n0_n1_trace(xp, gamma, delta):
         )
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         return (
             plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low,
-            even2, even_low2, decayed, decayed_low, gamma, delta),
-            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
-            even_low2, decayed, decayed_low),
-            rounded(xp, *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
+            far, far_low, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far,
+            far_low, decayed, decayed_low), rounded(xp,
+            *pair_prod(xp, slow, slow_low, *one_plus(xp, ratio, ratio_low)))
         )
 
     return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low), no,
@@ -889,17 +862,15 @@ def device_together_trace(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, _, _, near, _, _, moved = swinging_device(xp, gamma, half, w,
+            w_low, root)
         rounded_of = rounded(xp, *wide_prod(xp, envelope, even, even_low))
         return numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
             gamma), 2.0*rounded_of
 
     def no(gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, _, _ = creeping_device(xp,
+            gamma, half, w, w_low, root)
         return numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
             ratio, ratio_low), rounded(xp, *pair_prod(xp, slow, slow_low,
             *one_plus(xp, ratio, ratio_low)))
@@ -914,18 +885,17 @@ def plant_n0(xp, gamma, delta):
 
     def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-                swinging_device(xp, gamma, half, w, w_low, root)
-            )
+            envelope, even, even_low, wave, wave_low, near, _, sunk, _ = swinging_device(xp, gamma,
+                half, w, w_low, root)
             return plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low, near,
                 sunk, decayed, decayed_low, gamma)
 
         def no(decayed, decayed_low, delta, gamma, half, reach, root, w, w_low):
-            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
+            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = (
                 creeping_device(xp, gamma, half, w, w_low, root)
             )
             return plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
-                ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta)
+                ratio_low, far, far_low, decayed, decayed_low, gamma, delta)
 
         return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
             no, (decayed, decayed_low, delta, gamma, half, reach, root, w, w_low))
@@ -945,18 +915,16 @@ def plant_n1(xp, gamma, delta):
 
     def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
         def yes(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-                swinging_device(xp, gamma, half, w, w_low, root)
-            )
+            envelope, even, even_low, wave, wave_low, near, risen, _, _ = swinging_device(xp,
+                gamma, half, w, w_low, root)
             return plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low,
                 near, risen, decayed, decayed_low, gamma)
 
         def no(decayed, decayed_low, gamma, half, reach, root, w, w_low):
-            p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-                creeping_device(xp, gamma, half, w, w_low, root)
-            )
+            p, p_low, slow, slow_low, mean, mean_low, _, _, far, far_low = creeping_device(xp,
+                gamma, half, w, w_low, root)
             return plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-                even2, even_low2, decayed, decayed_low)
+                far, far_low, decayed, decayed_low)
 
         return select(xp, w < 0.0, yes, (decayed, decayed_low, gamma, half, reach, root, w, w_low),
             no)
@@ -1007,14 +975,14 @@ def numerator_gap_series(xp, h, w):
     return inner*w + total*y + number2
 
 
-def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even, even_low, delta):
+def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, far, far_low, delta):
     """(n1 - n0)/delta of a creeping device"""
     def yes(half, w):
         return scaled_sum(xp, xp.exp(-half), 0.0, numerator_gap_series(xp, half, w),
             0.16666666666666666)
 
-    def no(delta, even, even_low, mean, mean_low, p, ratio, slow):
-        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, 2.0*slow, even, even_low))
+    def no(delta, far, far_low, mean, mean_low, p, ratio, slow):
+        diff, diff_low = pair_diff(xp, mean, mean_low, *wide_prod(xp, 2.0*slow, far, far_low))
         prod, prod_low = wide_prod(xp, ratio*slow, mean, mean_low)
         top = diff + prod
         low = diff_low + prod_low
@@ -1022,7 +990,7 @@ def numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low, ratio, even
         return (low + top)/whole
 
     return select(xp, reach < 1.0, yes, (half, w), no,
-        (delta, even, even_low, mean, mean_low, p, ratio, slow))
+        (delta, far, far_low, mean, mean_low, p, ratio, slow))
 
 
 def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, delta):
@@ -1044,9 +1012,8 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
@@ -1059,19 +1026,18 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
-            mean_low, ratio, even2, even_low2, delta),
+            mean_low, ratio, far, far_low, delta),
             plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
-            ratio_low, even2, even_low2, decayed, decayed_low, gamma, delta),
-            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, even2,
-            even_low2, decayed, decayed_low)
+            ratio_low, far, far_low, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far,
+            far_low, decayed, decayed_low)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
@@ -1156,7 +1122,7 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
             together, x, y, zone), lambda rest: 0.0, (rest,))
 
-    return select(xp, (((at_high < 0.0) & (at_low >= 0.0)) | ((at_high >= 0.0) & (at_low < 0.0))) &
+    return select(xp, (((at_high >= 0.0) & (at_low < 0.0)) | ((at_high < 0.0) & (at_low >= 0.0))) &
         (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
         k2, k3, loss, low, n1, slope, together, zone), lambda at_high: 0.0, (at_high,))
 
@@ -1169,13 +1135,13 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     q = -k2 - xp.where(k2 < 0.0, -root, root)
     some = xp.where(xp.abs(k2) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = -k2/some
-    cut = xp.where((at < high) & (at > low) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
+    cut = xp.where((at > low) & (at < high) & (xp.abs(k2) < 24.0*xp.abs(k3)), at, low)
     some = xp.where(xp.abs(q) < 24.0*xp.abs(k3), 3.0*k3, 1.0)
     at = q/some
-    cut2 = xp.where((at < high) & (at > low) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
+    cut2 = xp.where((at > low) & (at < high) & (xp.abs(q) < 24.0*xp.abs(k3)), at, low)
     some = xp.where(xp.abs(k1) < 8.0*xp.abs(q), q, 1.0)
     at = k1/some
-    cut3 = xp.where((at < high) & (at > low) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
+    cut3 = xp.where((at > low) & (at < high) & (xp.abs(k1) < 8.0*xp.abs(q)), at, low)
     less = xp.where(cut2 < cut3, cut2, cut3)
     more = xp.where(cut2 > cut3, cut2, cut3)
     first = xp.where(cut < less, cut, less)
@@ -1277,9 +1243,8 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, _ = swinging_device(xp, gamma,
+            half, w, w_low, root)
         total, total_low = fast_two_sum(xp, *wide_prod(xp, envelope, wave, wave_low))
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
@@ -1291,35 +1256,36 @@ def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
-        total2, total_low2 = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, even2, even_low2))
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
+        total, total_low = fast_two_sum(xp, *pair_prod(xp, slow, slow_low, far, far_low))
         decayed, decayed_low = slow_fade(xp, reach, half)
-        return total2, total_low2, numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low,
-            ratio, even2, even_low2, delta), plant_n0_creep(xp, reach, p, p_low, slow, slow_low,
-            mean, mean_low, ratio, ratio_low, even2, even_low2, decayed, decayed_low, gamma,
-            delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low,
-            even2, even_low2, decayed, decayed_low)
+        return (
+            total, total_low, numerator_gap_creep(xp, reach, half, w, p, slow, mean, mean_low,
+            ratio, far, far_low, delta), plant_n0_creep(xp, reach, p, p_low, slow, slow_low,
+            mean, mean_low, ratio, ratio_low, far, far_low, decayed, decayed_low, gamma,
+            delta), plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
+            mean_low, far, far_low, decayed, decayed_low)
+        )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
 
 def late_device(xp, gamma, delta, part):
-    """m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period"""
+    """m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it"""
     t0 = 1.0 - part
     t1 = (t0*t0)
     t2 = gamma*t1
     t3 = delta*t0
-    kick_of2, kick_low_of, n_gap, n0_2, n1 = device_kick_kick_low_n_gap_n0_n1(xp, t2, t3)
-    t4 = (part*part)
-    t5 = gamma*t4
-    t6 = delta*part
-    kick_of, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t5, t6)
-    t8 = n0*t4
-    return fractional_numerator_gap(xp, part, kick_of2, kick_low_of, kick_of, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of*t6 + n1_2*t5) + n1*n1_2*
-        t2*t4 - t3*t8*decay(xp, t3)), n1*t1, t8*xp.exp(-t3)
+    kick_of, kick_low_of, n_gap, n0_2, n1 = device_kick_kick_low_n_gap_n0_n1(xp, t2, t3)
+    t5 = (part*part)
+    t6 = gamma*t5
+    t7 = delta*part
+    kick_of2, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t6, t7)
+    t9 = n0*t5
+    return fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2, kick_low_of2, delta*
+        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of2*t7 + n1_2*t6) + n1*n1_2*
+        t2*t5 - t3*t9*decay(xp, t3)), n1*t1, kick_of*t0, t9*xp.exp(-t3)
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
@@ -1437,9 +1403,9 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         total = select(xp, disc4 >= 0.0, yes,
             (alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
             own1, own2, slope, square, together, wall_far), lambda disc4: 0.0, (disc4,))
-        total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+        total = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
             (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-        return total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+        return total - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
             (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
 
     return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
@@ -1455,14 +1421,12 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     t_halves = halves(xp, t)
     low = two_prod_error(square, t_halves, t_halves)
     diff, diff_low = two_diff(xp, at_one, at_minus_one*square)
-    at_minus_one_halves = halves(xp, at_minus_one)
     square_halves = halves(xp, square)
-    missed = at_minus_one*low + two_prod_error(at_minus_one*square, at_minus_one_halves,
+    missed = at_minus_one*low + two_prod_error(at_minus_one*square, halves(xp, at_minus_one),
         square_halves)
     total, total_low = fast_two_sum(xp, diff, diff_low - missed)
     diff, diff_low = two_diff(xp, together, apart*square)
-    apart_halves = halves(xp, apart)
-    missed = apart*low + two_prod_error(apart*square, apart_halves, square_halves)
+    missed = apart*low + two_prod_error(apart*square, halves(xp, apart), square_halves)
     total2, total_low2 = fast_two_sum(xp, diff, diff_low - missed)
     above_j = 2.0*loss*t
     below_j = across*t
@@ -1477,30 +1441,30 @@ def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across)
     return found/size, found3/size
 
 
-def device_at_minus_one_together_n_gap(xp, gamma, delta):
-    """at_minus_one, together and n_gap of the device"""
+def device_at_minus_one_kick_together_n_gap(xp, gamma, delta):
+    """at_minus_one, kick, together and n_gap of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
-        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = (
-            swinging_device(xp, gamma, half, w, w_low, root)
-        )
+        envelope, even, even_low, wave, wave_low, near, _, _, moved = swinging_device(xp, gamma,
+            half, w, w_low, root)
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
+            rounded(xp, *wide_prod(xp, envelope, wave, wave_low)),
             numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
             gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
             delta)
         )
 
     def no(delta, gamma, half, reach, root, w, w_low):
-        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, even2, even_low2 = (
-            creeping_device(xp, gamma, half, w, w_low, root)
-        )
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
         return (
             denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            rounded(xp, *pair_prod(xp, slow, slow_low, far, far_low)),
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
-            mean_low, ratio, even2, even_low2, delta)
+            mean_low, ratio, far, far_low, delta)
         )
 
     return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
@@ -1514,21 +1478,19 @@ def next_wave_single(xp, k, x):
     missed = k - before
     quarters = xp.floor(2.0*angle/3.141592653589793 + 0.5)
     quarters_halves = halves(xp, quarters)
-    number1_halves = halves(xp, xp.full_like(quarters, 1.5707963705062866))
     diff, diff_low = two_diff(xp, angle - 1.5707963705062866*quarters,
-        two_prod_error(quarters*1.5707963705062866, quarters_halves, number1_halves))
+        two_prod_error(quarters*1.5707963705062866, quarters_halves,
+        halves(xp, xp.full_like(quarters, 1.5707963705062866))))
     diff, diff_low2 = two_diff(xp, diff, -4.371138828673793e-08*quarters)
-    count_halves = halves(xp, count)
     x_halves = halves(xp, x)
-    diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, count_halves, x_halves))
+    diff, diff_low3 = two_diff(xp, diff, -two_prod_error(angle, halves(xp, count), x_halves))
     diff, diff_low4 = two_diff(xp, diff, -missed*x)
-    number4_halves = halves(xp, xp.full_like(quarters, -4.371138828673793e-08))
     low = (
         diff_low + diff_low2 + diff_low3 + diff_low4 + 1.7151245100058819e-15*quarters -
-        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves, number4_halves)
+        two_prod_error(quarters*-4.371138828673793e-08, quarters_halves,
+        halves(xp, xp.full_like(quarters, -4.371138828673793e-08)))
     )
-    missed_halves = halves(xp, missed)
-    low = low + two_prod_error(missed*x, missed_halves, x_halves)
+    low = low + two_prod_error(missed*x, halves(xp, missed), x_halves)
     wave = xp.sin(diff)
     still = xp.cos(diff)
     turn_ = quarters - 4.0*xp.floor(0.25*quarters)
@@ -1538,7 +1500,7 @@ def next_wave_single(xp, k, x):
     value_ = xp.where(case1, sine, cosine)
     value2 = xp.where(case1, cosine, sine)
     return (
-        xp.where((turn_ <= 2.0) & (turn_ >= 1.0), -value_, value_),
+        xp.where((turn_ >= 1.0) & (turn_ <= 2.0), -value_, value_),
         xp.where(turn_ >= 2.0, -value2, value2)
     )
 
@@ -1551,9 +1513,7 @@ def next_wave(xp, k, x):
     before = count - 1.0
     angle = count*x
     missed = k - before
-    count_halves = halves(xp, count)
-    x_halves = halves(xp, x)
-    off = missed*x + two_prod_error(angle, count_halves, x_halves)
+    off = missed*x + two_prod_error(angle, halves(xp, count), halves(xp, x))
     sine = xp.sin(angle)
     cosine = xp.cos(angle)
 
@@ -1566,7 +1526,7 @@ def next_wave(xp, k, x):
 
 def cos_next(xp, k, x):
     """cos((k + 1) x)"""
-    cosine, sine = next_wave(xp, k, x)
+    cosine, _ = next_wave(xp, k, x)
     return cosine
 
 
@@ -1608,7 +1568,7 @@ def next_guess(xp, b, fb, a, fa, c, fc, close):
     place = (a - b)/whole
     whole = xp.where(rise == 0.0, 1.0, rise)
     height = (fa - fb)/whole
-    safe = xp.where((place < 1.0 - ((1.0 - height)*(1.0 - height))) & (place > height*height),
+    safe = xp.where((place > height*height) & (place < 1.0 - ((1.0 - height)*(1.0 - height))),
         xp.full_like(height, 1.0), 0.0)
     width = b - a
     whole = xp.where(width == 0.0, 1.0, width)
@@ -1729,7 +1689,7 @@ def early_angle(xp, at_one, at_minus_one, loss, together, apart, last):
 
 def sin_next(xp, k, x):
     """sin((k + 1) x)"""
-    cosine, sine = next_wave(xp, k, x)
+    _, sine = next_wave(xp, k, x)
     return sine
 
 
@@ -2117,13 +2077,13 @@ def passive_angle(xp, l, epsilon):
 
 
 INSIDE = {
-    "gamma": lambda xp, most, gamma: (gamma <= most.stiffness) & (gamma >= 0.0),
-    "delta": lambda xp, most, delta: (delta <= most.size) & (delta >= 0.0),
-    "epsilon": lambda xp, most, epsilon: (epsilon < 1.0) & (epsilon >= 0.0),
+    "gamma": lambda xp, most, gamma: (gamma >= 0.0) & (gamma <= most.stiffness),
+    "delta": lambda xp, most, delta: (delta >= 0.0) & (delta <= most.size),
+    "epsilon": lambda xp, most, epsilon: (epsilon >= 0.0) & (epsilon < 1.0),
     "alpha": lambda xp, most, alpha: xp.abs(alpha) <= most.size,
     "beta": lambda xp, most, beta: xp.abs(beta) <= most.size,
-    "d": lambda xp, most, d: (d <= most.periods) & (d >= 0.0),
-    "theta": lambda xp, most, theta: (theta <= most.angle) & (theta > 0.0),
+    "d": lambda xp, most, d: (d >= 0.0) & (d <= most.periods),
+    "theta": lambda xp, most, theta: (theta > 0.0) & (theta <= most.angle),
 }
 """What is true of each argument inside its domain alone."""
 
@@ -2134,6 +2094,7 @@ def discretize(gamma, delta):
 
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
+    Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].
     Domain: gamma >= 0, delta >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
@@ -2149,11 +2110,13 @@ def discretize(gamma, delta):
 @by_value
 def discretize_fractional(gamma, delta, epsilon):
     """the sampled device behind a delay of epsilon periods, P(z) = (m2 z^2 + m1 z + m0)/(z (z^2
-
     - a z + e)) in units of T^2/m.
+
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     epsilon: rest of a delay, a fraction of a period [1]
+    Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant
+    [1].
     Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma larger than 1e15.
     """
@@ -2188,8 +2151,8 @@ def is_stable(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
@@ -2211,21 +2174,19 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
-    multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
     -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = (
-            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
-        )
+        at_minus_one, together, n_gap, n0, n1 = device_at_minus_one_together_n_gap_n0_n1(xp, gamma,
+            delta)
         return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
 
-    at_minus_one, together, n_gap, n0, n1, t1, t3 = (
-        guarded(xp, plant, "gamma delta", 7, math.nan, gamma, delta)
-    )
+    at_minus_one, together, n_gap, n0, n1, t1, t3 = guarded(xp, plant, "gamma delta", 7, math.nan,
+        gamma, delta)
 
     def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
         whole = xp.floor(d)
@@ -2236,7 +2197,7 @@ def unstable_roots(alpha, beta, gamma, delta, d):
                 n_gap)
 
         def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, _, m0 = late_device(xp, gamma, delta, part)
             return fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
                 apart)
 
@@ -2256,6 +2217,7 @@ def stability_boundary(theta, gamma, delta, d):
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
@@ -2263,59 +2225,60 @@ def stability_boundary(theta, gamma, delta, d):
     xp, theta, gamma, delta, d = arrays(theta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap = device_at_minus_one_together_n_gap(xp, gamma, delta)
-        return at_minus_one, together, gamma*together, delta*decay(xp, delta), delta*n_gap
+        at_minus_one, kick_of, together, n_gap = device_at_minus_one_kick_together_n_gap(xp, gamma,
+            delta)
+        return at_minus_one, kick_of, together, gamma*together, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 5, math.nan, gamma,
-        delta)
+    at_minus_one, kick_of, together, t4, t6, t7 = guarded(xp, plant, "gamma delta", 6, math.nan,
+        gamma, delta)
 
-    def work(theta, gamma, delta, d, at_minus_one, together, t4, t6, t7):
+    def work(theta, gamma, delta, d, at_minus_one, kick_of, together, t4, t6, t7):
         whole = xp.floor(d)
         cosine, sine = next_wave(xp, whole, theta)
         part = d - whole
         t2 = 0.5*theta
 
-        def no(delta, gamma, part):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
-            return apart, 2.0*m2 - 2.0*m0
+        def no(delta, gamma, kick_of, together, part, t4, t6, t7):
+            apart, m2, kicked, _ = late_device(xp, gamma, delta, part)
+            return apart, kick_of*(delta*m2 + 2.0*kicked) + m2*(t4 + t6) - together + t7
 
-        t10, t11 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
-            (together, t7), no, (delta, gamma, part))
-        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t11)
-        t15 = ahead_of*cosine + in_phase_of*sine
-        return ahead_of*sine - cosine*in_phase_of + t15*xp.tan(t2), -t15/xp.sin(theta)
+        t10, t12 = select(xp, part == 0.0, lambda together, t7: (t7, together + t7),
+            (together, t7), no, (delta, gamma, kick_of, together, part, t4, t6, t7))
+        ahead_of, in_phase_of = ahead_in_phase(xp, t2, t4, at_minus_one, t6, together, t10, t12)
+        t16 = ahead_of*cosine + in_phase_of*sine
+        return ahead_of*sine - cosine*in_phase_of + t16*xp.tan(t2), -t16/xp.sin(theta)
 
     return guarded(xp, work, "theta gamma delta d", 2, math.nan, theta, gamma, delta, d,
-        at_minus_one, together, t4, t6, t7)
+        at_minus_one, kick_of, together, t4, t6, t7)
 
 
 @by_value
 def max_stable_stiffness(gamma, delta, d):
     """the wall of largest stable stiffness, a limit that is not stable itself, and the angle
-
     theta = omega T of its roots on the unit circle.
+
     gamma: physical stiffness, k T^2/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
+    angle on the unit circle, omega T [1].
     Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1,
-    no 0 < delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is
-    stable or none that is a little softer.
+    delta = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall
+    is stable or none that is a little softer.
     NaN outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
     xp, gamma, delta, d = arrays(gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = (
-            device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta)
-        )
+        at_minus_one, together, n_gap, n0, n1 = device_at_minus_one_together_n_gap_n0_n1(xp, gamma,
+            delta)
         t3 = delta*decay(xp, delta)
         t4 = delta*n_gap
         return at_minus_one, together, n0, n1, gamma*together, t3, t4, together + t4, 2.0*t3
 
-    at_minus_one, together, n0, n1, t1, t3, t4, t10, t16 = (
-        guarded(xp, plant, "gamma delta", 9, math.nan, gamma, delta)
-    )
+    at_minus_one, together, n0, n1, t1, t3, t4, t10, t16 = guarded(xp, plant, "gamma delta", 9,
+        math.nan, gamma, delta)
 
     def work(gamma, delta, d, at_minus_one, together, n0, n1, t1, t3, t4, t10, t16):
         whole = xp.floor(d)
@@ -2341,10 +2304,10 @@ def max_stable_stiffness(gamma, delta, d):
             return sine*t15*t18*t8*t7 - 2.0*t12*t13 - t11*t14, t13, t5
 
         def no(d, delta, at_minus_one, gamma, together, part, t1, t16, t3, whole):
-            apart, m2, m0 = late_device(xp, gamma, delta, part)
+            apart, m2, _, m0 = late_device(xp, gamma, delta, part)
             t27 = max_stiffness_angle(xp, gamma, delta, d, whole, part, m2, m0, t1, at_minus_one,
                 t3, together, apart)
-            cosine_2, sine_2 = next_wave(xp, whole, t27)
+            cosine, sine = next_wave(xp, whole, t27)
             t28 = 0.5*t27
             t29 = xp.sin(t28)
             t28 = xp.cos(t28)
@@ -2357,9 +2320,9 @@ def max_stable_stiffness(gamma, delta, d):
             t32 = t1*t32 - at_minus_one*t33
             t39 = t16*t34 - t35*t32
             t32 = t16*t35*t36 + t34*t32
-            t36 = cosine_2*t37
-            t35 = -sine_2*t37*t32/xp.sin(t27) - 0.5*t39*t36
-            return sine_2*t29*t28*t37*t39 - 2.0*t33*t35 - t32*t36, t35, t27
+            t36 = cosine*t37
+            t35 = -sine*t37*t32/xp.sin(t27) - 0.5*t39*t36
+            return sine*t29*t28*t37*t39 - 2.0*t33*t35 - t32*t36, t35, t27
 
         return select(xp, part == 0.0, yes, (d, delta, at_minus_one, gamma, together, n0, n1, t1,
             t10, t16, t3, t4), no, (d, delta, at_minus_one, gamma, together, part, t1, t16, t3,
@@ -2372,8 +2335,8 @@ def max_stable_stiffness(gamma, delta, d):
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at the angle theta = omega T; the
-
     wall is passive where it is positive at every angle.
+
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
@@ -2396,8 +2359,8 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
 @by_value
 def passivity_margin(alpha, beta, delta, d):
     """physical damping minus the damping that the wall needs at its worst angle; the wall is
-
     passive where it is not negative.
+
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
@@ -2420,6 +2383,7 @@ def passivity_boundary(theta, delta, d):
     theta: angle on the unit circle, omega T [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
     Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d +
     1) for whole delays, for d <= 2/9 the curve goes on to pi.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
@@ -2429,7 +2393,7 @@ def passivity_boundary(theta, delta, d):
     def work(theta, delta, d):
         whole = xp.floor(d)
         part = d - whole
-        t2 = 0.5*theta
+        t = 0.5*theta
 
         def yes(d, delta, t2, theta):
             t0 = lead(xp, theta, d, xp.full_like(d, 0.0))
@@ -2455,8 +2419,8 @@ def passivity_boundary(theta, delta, d):
                 (4.0*(t8*t8)*(t16*t16) + (t17*t17)*(t9*t9)/(t7*t7)) + t13*t13))
             return rated(xp, t6, t10*t17), rated(xp, t6, t12*t17)
 
-        return select(xp, part == 0.0, yes, (d, delta, t2, theta), no,
-            (delta, part, t2, theta, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t, theta), no,
+            (delta, part, t, theta, whole))
 
     return guarded(xp, work, "theta delta d", 2, math.nan, theta, delta, d)
 
@@ -2467,6 +2431,8 @@ def max_passive_stiffness(delta, d):
 
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
+    Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta,
+    angle on the unit circle, omega T [1].
     Domain: delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
@@ -2475,7 +2441,7 @@ def max_passive_stiffness(delta, d):
     def work(delta, d):
         whole = xp.floor(d)
         part = d - whole
-        t3 = 2.0*delta
+        t = 2.0*delta
 
         def yes(d, delta, t3):
             t0 = d + 1.0
@@ -2504,7 +2470,7 @@ def max_passive_stiffness(delta, d):
             t9 = 2.0*part
             return t10*t3, delta*(t13 - t10*(t14*(t15 + t9) + 1.0))/(t14*(t16 + t9)), t7
 
-        return select(xp, part == 0.0, yes, (d, delta, t3), no, (delta, part, t3, whole))
+        return select(xp, part == 0.0, yes, (d, delta, t), no, (delta, part, t, whole))
 
     return guarded(xp, work, "delta d", 3, math.nan, delta, d)
 

@@ -33,7 +33,7 @@ void haptic_discretize_loop(
         const double delta = *(double const *)x1;
         haptic_discretize(gamma, delta, (double *)y0, (double *)y1, (double *)y2, (double *)y3);
         if (*(double *)y0 != *(double *)y0 &&
-            !((delta <= 1e+70) && (delta >= 0.0) && (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -56,8 +56,8 @@ void haptic_discretize_fractional_loop(
         haptic_discretize_fractional(gamma, delta, epsilon, (double *)y0, (double *)y1,
             (double *)y2, (double *)y3, (double *)y4);
         if (*(double *)y0 != *(double *)y0 &&
-            !((delta <= 1e+70) && (delta >= 0.0) && (epsilon < 1.0) && (epsilon >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(delta >= 0.0 && delta <= 1e+70 && epsilon >= 0.0 && epsilon < 1.0 && gamma >= 0.0 &&
+            gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -79,8 +79,8 @@ void haptic_is_stable_loop(
         const double delta = *(double const *)x3;
         const double d = *(double const *)x4;
         *(npy_bool *)y0 = haptic_is_stable(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
+        within &= d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(alpha) <= 1e+70 && fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -102,8 +102,8 @@ void haptic_unstable_roots_loop(
         const double delta = *(double const *)x3;
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_unstable_roots(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (gamma <= 1e+15) && (gamma >= 0.0);
+        within &= d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(alpha) <= 1e+70 && fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -125,9 +125,8 @@ void haptic_stability_boundary_loop(
         const double d = *(double const *)x3;
         haptic_stability_boundary(theta, gamma, delta, d, (double *)y0, (double *)y1);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0) && (theta <= 3.141592653589793) &&
-            (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+            gamma <= 1e+15 && theta > 0.0 && theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
     if (!within) strayed = 1;
@@ -148,8 +147,8 @@ void haptic_max_stable_stiffness_loop(
         const double d = *(double const *)x2;
         haptic_max_stable_stiffness(gamma, delta, d, (double *)y0, (double *)y1, (double *)y2);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (gamma <= 1e+15) && (gamma >= 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && gamma >= 0.0 &&
+            gamma <= 1e+15)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;
@@ -172,9 +171,8 @@ void haptic_passivity_margin_at_loop(
         const double d = *(double const *)x4;
         *(double *)y0 = haptic_passivity_margin_at(theta, alpha, beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70) && (theta <= 3.141592653589793) &&
-            (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+            fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -195,8 +193,8 @@ void haptic_passivity_margin_loop(
         const double d = *(double const *)x3;
         *(double *)y0 = haptic_passivity_margin(alpha, beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(alpha) <= 1e+70) && (fabs(beta) <= 1e+70))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && fabs(alpha) <= 1e+70 &&
+            fabs(beta) <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4;
     }
     if (!within) strayed = 1;
@@ -216,8 +214,8 @@ void haptic_passivity_boundary_loop(
         const double d = *(double const *)x2;
         haptic_passivity_boundary(theta, delta, d, (double *)y0, (double *)y1);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (theta <= 3.141592653589793) && (theta > 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 && theta > 0.0 &&
+            theta <= 3.141592653589793)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4;
     }
     if (!within) strayed = 1;
@@ -236,7 +234,7 @@ void haptic_max_passive_stiffness_loop(
         const double d = *(double const *)x1;
         haptic_max_passive_stiffness(delta, d, (double *)y0, (double *)y1, (double *)y2);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4;
     }
     if (!within) strayed = 1;
@@ -256,8 +254,8 @@ void haptic_linear_limit_loop(
         const double d = *(double const *)x2;
         *(double *)y0 = haptic_linear_limit(beta, delta, d);
         if (*(double *)y0 != *(double *)y0 &&
-            !((d <= 1e+15) && (d >= 0.0) && (delta <= 1e+70) && (delta >= 0.0) &&
-            (fabs(beta) <= 1e+70))) within = 0;
+            !(d >= 0.0 && d <= 1e+15 && delta >= 0.0 && delta <= 1e+70 &&
+            fabs(beta) <= 1e+70)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3;
     }
     if (!within) strayed = 1;
@@ -266,9 +264,9 @@ void haptic_linear_limit_loop(
 
 void haptic_late_device_loop(
     char **at, npy_intp const *sizes, npy_intp const *steps, void *data) {
-    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5];
+    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5], *y3 = at[6];
     const npy_intp s0 = steps[0], s1 = steps[1], s2 = steps[2], s3 = steps[3], s4 = steps[4], s5 =
-        steps[5];
+        steps[5], s6 = steps[6];
     npy_intp left;
     int within = 1;
     (void)data;
@@ -277,8 +275,9 @@ void haptic_late_device_loop(
         const double delta = *(double const *)x1;
         const double part = *(double const *)x2;
         const Delayed found = late_device(gamma, delta, part);
-        *(double *)y0 = found.apart; *(double *)y1 = found.m2; *(double *)y2 = found.m0;
-        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
+        *(double *)y0 = found.apart; *(double *)y1 = found.m2; *(double *)y2 =
+            found.kicked; *(double *)y3 = found.m0;
+        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6;
     }
     if (!within) strayed = 1;
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */

@@ -18,7 +18,7 @@ static const float inverse_factorial[] =
 typedef struct { float hi, lo; } Pair; // and what its float misses
 typedef struct { Pair fall, mean; } Fading;
 typedef struct { Pair p, q; } Poles;
-typedef struct { Pair p, slow, mean, ratio, even; } Creeping;
+typedef struct { Pair p, slow, mean, ratio, far; } Creeping;
 typedef struct { float half; Pair w; float root, reach; } Motion;
 typedef struct { Pair even, odd; } Wave;
 typedef struct { float near, risen, sunk, moved; } Turns;
@@ -28,19 +28,22 @@ typedef struct { float together, trace; } Device2;
 typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device3;
 typedef struct { float halves, rest; } Angle;
 typedef struct { Pair kick; float n_gap, n0, n1; } Device4;
-typedef struct { float apart, m2, m0; } Delayed;
+typedef struct { float apart, m2, kicked, m0; } Delayed;
 typedef struct { float low, high; } Roots;
 typedef struct { float ahead, in_phase; } Response;
-typedef struct { float at_minus_one, together, n_gap; } Device5;
+typedef struct { float at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { float cosine, sine; } CosSin;
 typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
     const float square = x*x;
-    return square*(square*(square*(2.5052108e-08f*square + 2.7557319e-06f) + 0.0001984127f) +
-        0.008333334f) - x*(square*(square*(square*(2.0876756e-09f*square + 2.755732e-07f) +
-        2.4801588e-05f) + 0.0013888889f) + 0.041666668f) + 0.16666667f;
+    float one = 0.0f, two = 0.0f;
+    for (int n = 12; n >= 4; n -= 1) {
+        const float number = inverse_factorial[n], both = number + square*two;
+        two = one; one = both;
+    }
+    return square*two - one*x + 0.16666667f;
 }
 
 // x + y and what it misses, for |x| >= |y|
@@ -164,8 +167,7 @@ static inline float rounded(Pair x) { return x.hi + x.lo; }
 // divided difference of exp at 0, p and q, less 1/2
 static inline float plant_n0_series(float gamma, float delta) {
     float one = 0.0f, two = 0.0f;
-    for (int n = ((0.5f*delta < 0.0625f) && (fabsf(gamma) < 0.00390625f) ? 9 :
-        20); n >= 6; n -= 1) {
+    for (int n = (0.5f*delta < 0.0625f && fabsf(gamma) < 0.00390625f ? 9 : 20); n >= 6; n -= 1) {
         const float number = inverse_factorial[n], next_one = delta*one - gamma*two + number;
         two = one; one = next_one;
     }
@@ -191,7 +193,7 @@ static inline float plant_n0_creep(const Motion *motion, const Creeping *creepin
     float gamma, float delta) {
     if (motion->reach < 0.5625f) { return plant_n0_near(decayed, gamma, delta); }
     return rounded(pair_prod(creeping->slow,
-        pair_quot(pair_diff(creeping->even, pair_prod(creeping->ratio, creeping->mean)),
+        pair_quot(pair_diff(creeping->far, pair_prod(creeping->ratio, creeping->mean)),
         creeping->p)));
 }
 
@@ -215,7 +217,7 @@ static inline float plant_n0_swing(const Motion *motion, const Swinging *swingin
 // divided difference of exp at h and +-sqrt(w), less 1/2
 static inline float plant_n1_series(float h, float w) {
     float total = 0.0f, one = 0.0f, two = 0.0f;
-    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 9 : 20); n >= 3; n -= 1) {
+    for (int n = (fabsf(w) < 0.00390625f && h < 0.0625f ? 9 : 20); n >= 3; n -= 1) {
         const float number = inverse_factorial[n], even = number + two*w;
         total = even + h*total; two = one; one = even;
     }
@@ -227,7 +229,7 @@ static inline float plant_n1_creep(const Motion *motion, const Creeping *creepin
     if (motion->reach < 0.5625f) {
         return scaled_sum(decayed, plant_n1_series(motion->half, motion->w.hi), 0.5f);
     }
-    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->even)),
+    return rounded(pair_quot(pair_diff(creeping->mean, pair_prod(creeping->slow, creeping->far)),
         creeping->p));
 }
 
@@ -288,7 +290,7 @@ static inline Wave waving_pair(Pair square, float angle) {
 
 // whether the device has nearly swung whole turns; n1, n0 and n1 + n0 there
 static inline Turns whole_turns(float half, Pair square, float root, float stiff) {
-    if ((half < 0.75f) && (root < 4096.0f) && (root > 3.0f)) {
+    if (half < 0.75f && root > 3.0f && root < 4096.0f) {
         const float count = floorf(0.5f*root/3.1415927f + 0.5f);
         const Pair prod3 = two_prod(count, 6.2831855f), diff6 = two_diff(root, -prod3.hi);
         const float missed = root_miss(square, root), turns = count*count;
@@ -301,7 +303,7 @@ static inline Turns whole_turns(float half, Pair square, float root, float stiff
         const Pair quot = pair_quot(two_diff(diff4.hi, -low),
             (Pair){diff6.hi, back + diff6.lo + missed + prod3.lo});
         const float far = quot.hi*quot.hi;
-        if ((count > 0.0f) && (far < 1.5f)) {
+        if (count > 0.0f && far < 1.5f) {
             const Fading fading = brief_fading((Pair){half, 0.0f});
             const Pair less2 = one_minus(fading.fall), squared = pair_square(quot);
             const Pair less = one_minus((Pair){squared.hi*sin_series(-squared.hi), 0.0f});
@@ -354,7 +356,7 @@ static inline Device device_n0_n1_trace(float gamma, float delta) {
 static inline float numerator_at_one_series(float h, float w) {
     const float y = h*h;
     float total = 0.0f, inner = 0.0f;
-    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 8 : 20); n >= 4; n -= 2) {
+    for (int n = (fabsf(w) < 0.00390625f && h < 0.0625f ? 8 : 20); n >= 4; n -= 2) {
         const float number = inverse_factorial[n], own = inner*w + number;
         total = own + total*y; inner = own;
     }
@@ -457,7 +459,7 @@ static inline float denominator_at_minus_one_swing(const Motion *motion, const S
 static inline float numerator_gap_series(float h, float w) {
     const float y = h*h;
     float total = 0.0f, inner = 0.0f;
-    for (int n = ((fabsf(w) < 0.00390625f) && (h < 0.0625f) ? 9 : 19); n >= 5; n -= 2) {
+    for (int n = (fabsf(w) < 0.00390625f && h < 0.0625f ? 9 : 19); n >= 5; n -= 2) {
         const float number = inverse_factorial[n], own = inner*w + number;
         total = own + total*y; inner = own;
     }
@@ -471,7 +473,7 @@ static inline float numerator_gap_creep(const Motion *motion, const Creeping *cr
         return scaled_sum((Pair){expf(-motion->half), 0.0f},
             numerator_gap_series(motion->half, motion->w.hi), 0.16666667f);
     }
-    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->even));
+    const Pair diff = pair_diff(creeping->mean, wide_prod(2.0f*creeping->slow.hi, creeping->far));
     const Pair prod2 = wide_prod(creeping->ratio.hi*creeping->slow.hi, creeping->mean);
     const float top = diff.hi + prod2.hi, low = diff.lo + prod2.lo, whole = delta*creeping->p.hi;
     return (low + top)/whole;
@@ -549,12 +551,11 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
 // what the crossing on a piece, if there is one, adds
 static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, float k3,
     float low, float high, float at_low, float at_high, float zone) {
-    if ((((at_high < 0.0f) && (at_low >= 0.0f)) || ((at_high >= 0.0f) && (at_low < 0.0f))) &&
-        (high > low)) {
+    if (((at_high >= 0.0f && at_low < 0.0f) || (at_high < 0.0f && at_low >= 0.0f)) && high > low) {
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
         const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
-        if ((rest > 0.0f) && (y > 0.0f)) {
+        if (rest > 0.0f && y > 0.0f) {
             const float off = zone == 0.0f ? x - loop->center :
                 (zone == 1.0f ? x : loop->beyond - x);
             const float found = phase_turns(loop, y, rest, off);
@@ -571,11 +572,11 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float disc = k2*k2 - 3.0f*k1*k3, root = sqrtf(fmaxf(0.0f, disc));
     const float q = -k2 - (k2 < 0.0f ? -root : root);
     const float some = fabsf(k2) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f, at = -k2/some;
-    const float cut = (at < high) && (at > low) && (fabsf(k2) < 24.0f*fabsf(k3)) ? at : low;
+    const float cut = at > low && at < high && fabsf(k2) < 24.0f*fabsf(k3) ? at : low;
     const float some2 = fabsf(q) < 24.0f*fabsf(k3) ? 3.0f*k3 : 1.0f, at2 = q/some2;
-    const float cut2 = (at2 < high) && (at2 > low) && (fabsf(q) < 24.0f*fabsf(k3)) ? at2 : low;
+    const float cut2 = at2 > low && at2 < high && fabsf(q) < 24.0f*fabsf(k3) ? at2 : low;
     const float some3 = fabsf(k1) < 8.0f*fabsf(q) ? q : 1.0f, at3 = k1/some3;
-    const float cut3 = (at3 < high) && (at3 > low) && (fabsf(k1) < 8.0f*fabsf(q)) ? at3 : low;
+    const float cut3 = at3 > low && at3 < high && fabsf(k1) < 8.0f*fabsf(q) ? at3 : low;
     const float less = fminf(cut2, cut3), more = fmaxf(cut2, cut3), first = fminf(cut, less);
     const float middle = fmaxf(cut, less), last = fmaxf(middle, more);
     const float middle2 = fminf(middle, more), p = first*(first*(first*k3 + k2) + k1) + k0;
@@ -591,7 +592,7 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
     float at_one, float at_minus_one, float loss, float together, float apart) {
     const float strength = fabsf(alpha) + fabsf(beta);
-    if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
+    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
     const float across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
     const float even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
@@ -619,14 +620,13 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
-    const float total = (((((((near2 == 0.0f) && (near3 < 0.0f)) || (near2 < 0.0f)) &&
-        (near1 == 0.0f)) || (near1 < 0.0f)) && (near0 == 0.0f)) || (near0 < 0.0f) ?
-        (alpha > 0.0f ? 0.0f : side) : 0.0f) +
+    const float total = ((((((near2 == 0.0f && near3 < 0.0f) || near2 < 0.0f) && near1 == 0.0f) ||
+        near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
         zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0f);
-    return total - (((((((far2 == 0.0f) && (far3 < 0.0f)) || (far2 < 0.0f)) && (far1 == 0.0f)) ||
-        (far1 < 0.0f)) && (far0 == 0.0f)) || (far0 < 0.0f) ? end : 0.0f);
+    return total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) && far1 == 0.0f) ||
+        far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -650,32 +650,32 @@ static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta)
             plant_n1_swing(&motion, &swinging, decayed, gamma)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
-    const Pair prod2 = pair_prod(creeping.slow, creeping.even), decayed = slow_fade(&motion);
+    const Pair prod2 = pair_prod(creeping.slow, creeping.far), decayed = slow_fade(&motion);
     return (Device4){fast_two_sum(prod2.hi, prod2.lo),
         numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
 }
 
-// m2 - m1 + m0, m2 and m0 of the device behind a fraction of a period
+// m2 - m1 + m0, m2, an impulse's way in the rest of the period, m0, behind a fraction of it
 static inline Delayed late_device(float gamma, float delta, float part) {
     const float t0 = 1.0f - part, t1 = t0*t0, t2 = gamma*t1, t3 = delta*t0;
-    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t2, t3);
-    const float t4 = part*part, t5 = gamma*t4, t6 = delta*part;
-    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t5, t6);
-    const float t8 = device.n0*t4;
-    return (Delayed){fractional_numerator_gap(part, device2.kick, device.kick, delta*device2.n_gap*
-        (t0*t0*t0), delta*device.n_gap*(part*part*part), device2.n0*t1*
-        (device.kick.hi*t6 + device.n1*t5) + device2.n1*device.n1*t2*t4 - t3*t8*decay(t3)),
-        device2.n1*t1, t8*expf(-t3)};
+    const Device4 device = device_kick_kick_low_n_gap_n0_n1(t2, t3);
+    const float t5 = part*part, t6 = gamma*t5, t7 = delta*part;
+    const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
+    const float t9 = device2.n0*t5;
+    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
+        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+        (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
+        device.n1*t1, device.kick.hi*t0, t9*expf(-t3)};
 }
 
 // 1 where the loop is stable, else 0
 static inline float stable(float roots, float alpha, float beta, float gamma, float delta) {
     const float swing = sqrtf(gamma);
-    if ((!((alpha == 0.0f) && (beta == 0.0f) && (delta == 0.0f) && (gamma > 0.0f))) &&
-        (!((delta < 5.9604645e-07f) && (gamma > 1.0f) &&
-        (swing >= 4.194304e+06f*fabsf(sinf(swing))))) && (alpha > -gamma) && (roots == 0.0f)) {
+    if (!(alpha == 0.0f && beta == 0.0f && delta == 0.0f && gamma > 0.0f) &&
+        !(delta < 5.9604645e-07f && gamma > 1.0f && swing >= 4.194304e+06f*fabsf(sinf(swing))) &&
+        alpha > -gamma && roots == 0.0f) {
         return 1.0f;
     }
     return 0.0f;
@@ -684,9 +684,9 @@ static inline float stable(float roots, float alpha, float beta, float gamma, fl
 // the turns at a crossing, if there is one
 static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
     const float edge = rest > y ? y : rest;
-    if ((edge < 4.0f) && (rest > 0.0f) && (y > 0.0f)) {
-        const float inside = (edge > fabsf(off)) && (loop->beyond - off > 0.0f) &&
-            (loop->center + off > 0.0f) ? 1.0f : 0.0f;
+    if (edge < 4.0f && rest > 0.0f && y > 0.0f) {
+        const float inside = edge > fabsf(off) && loop->beyond - off > 0.0f && loop->center +
+            off > 0.0f ? 1.0f : 0.0f;
         const float at = inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest);
         const float still = inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest);
         const float away = inside > 0.0f ? off :
@@ -709,7 +709,7 @@ static inline Roots quadratic_roots(float c, float b, float a, float root) {
 static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
     float at_minus_one, float loss, float together, float apart) {
     const float strength = fabsf(alpha) + fabsf(beta);
-    if ((loss + strength < 9.094947e-13f) && (strength > 0.0f)) { return -1.0f; }
+    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
     const float force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
     const float push = alpha*together, pull = apart*wall_far;
@@ -730,8 +730,8 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const float disc4 = (size >= size2) && (size2 <= size3) ? square3 - product2 :
-        ((size > size3) && (size2 > size3) ? square4 - product3 : square2 - product);
+    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
+        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
     float total = 0.0f;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
@@ -742,10 +742,10 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         total = 2.0f*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0f*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     }
-    const float total2 = total + (((((near1 == 0.0f) && (square < 0.0f)) || (near1 < 0.0f)) &&
-        (near0 == 0.0f)) || (near0 < 0.0f) ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
-    return total2 - (((((far1 == 0.0f) && (square < 0.0f)) || (far1 < 0.0f)) && (far0 == 0.0f)) ||
-        (far0 < 0.0f) ? end : 0.0f);
+    const float total2 = total + ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
+        near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
+    return total2 - ((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) && far0 == 0.0f) ||
+        far0 < 0.0f ? end : 0.0f);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -767,17 +767,19 @@ static inline Response ahead_in_phase(float psi, float at_one, float at_minus_on
     return (Response){found2/size, found3/size};
 }
 
-// at_minus_one, together and n_gap of the device
-static inline Device5 device_at_minus_one_together_n_gap(float gamma, float delta) {
+// at_minus_one, kick, together and n_gap of the device
+static inline Device5 device_at_minus_one_kick_together_n_gap(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
         return (Device5){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta)};
     }
     const Creeping creeping = creeping_device(&motion, gamma);
     return (Device5){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta)};
 }
 
@@ -795,9 +797,9 @@ static inline CosSin next_wave(float k, float x) {
     const float low2 = low + fmaf(missed, x, -(missed*x)), wave = sinf(diff4.hi);
     const float still = cosf(diff4.hi), turn_ = quarters - 4.0f*floorf(0.25f*quarters);
     const float sine = low2*still + wave, cosine = still - low2*wave;
-    const float value = (turn_ == 1.0f) || (turn_ == 3.0f) ? sine : cosine;
-    const float value2 = (turn_ == 1.0f) || (turn_ == 3.0f) ? cosine : sine;
-    return (CosSin){(turn_ <= 2.0f) && (turn_ >= 1.0f) ? -value : value, turn_ >= 2.0f ? -value2 :
+    const float value = turn_ == 1.0f || turn_ == 3.0f ? sine : cosine;
+    const float value2 = turn_ == 1.0f || turn_ == 3.0f ? cosine : sine;
+    return (CosSin){turn_ >= 1.0f && turn_ <= 2.0f ? -value : value, turn_ >= 2.0f ? -value2 :
         value2};
 }
 
@@ -830,8 +832,8 @@ static inline float next_guess(float b, float fb, float a, float fa, float c, fl
     const float span = c - b, rise = fc - fb, whole = span == 0.0f ? 1.0f : span;
     const float place = (a - b)/whole, whole2 = rise == 0.0f ? 1.0f : rise;
     const float height = (fa - fb)/whole2;
-    const float safe = (place < 1.0f - ((1.0f - height)*(1.0f - height))) &&
-        (place > height*height) ? 1.0f : 0.0f;
+    const float safe = place > height*height && place < 1.0f - ((1.0f - height)*(1.0f - height)) ?
+        1.0f : 0.0f;
     const float width = b - a, whole3 = width == 0.0f ? 1.0f : width;
     const float edge = close*fabsf(fabsf(fa) < fabsf(fb) ? a : b)/fabsf(whole3);
     const float edge2 = fminf(0.5f, edge);
@@ -867,7 +869,7 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
         (t19 - 2.0f*t15*(at_one + loss) + t3*(at_minus_one + t11 + t14));
     float count = 1.0f, found = 0.0f;
     for (int count_count = 0; count_count < 24; ++count_count) {
-        if ((count > 24.0f) || (found > 0.0f)) { break; }
+        if (count > 24.0f || found > 0.0f) { break; }
         const float rises = early_slope(0.041666668f*3.1415927f*count, k, k2, k3, k4, k5);
         const float next_count = rises > 0.0f ? count + 1.0f : count;
         found = rises > 0.0f ? 0.0f : 1.0f; count = next_count;
@@ -881,12 +883,12 @@ static inline float early_angle(float at_one, float at_minus_one, float loss, fl
         if (below >= 0.0f) { return high; }
         float b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
-            if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
+            if ((fa >= 0.0f && fb >= 0.0f) || (fa <= 0.0f && fb <= 0.0f) ||
+                fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b)) { break; }
             const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
             const float value = early_slope(new_, k, k2, k3, k4, k5);
-            const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-                1.0f : 0.0f;
+            const float same = (fa > 0.0f && value > 0.0f) || (fa < 0.0f && value < 0.0f) ? 1.0f :
+                0.0f;
             const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
             const float next_c = same > 0.0f ? a : b;
             fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -917,7 +919,7 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
     const float turn_ = 3.1415927f/(d + 1.0f);
     float count = 1.0f, found = 0.0f;
     for (int count_count = 0; count_count < 24; ++count_count) {
-        if ((count > 24.0f) || (found > 0.0f)) { break; }
+        if (count > 24.0f || found > 0.0f) { break; }
         const float rises = boundary_slope(0.041666668f*count*turn_, l, at_one, at_minus_one, loss,
             together, apart, across);
         const float next_count = rises > 0.0f ? count + 1.0f : count;
@@ -934,13 +936,13 @@ static inline float later_angle(float d, float l, float at_one, float at_minus_o
         if (below >= 0.0f) { return high; }
         float b = low, fb = above, a = high, fa = below, c = high, fc = below;
         for (int count_b = 0; count_b < 120; ++count_b) {
-            if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-                (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
+            if ((fa >= 0.0f && fb >= 0.0f) || (fa <= 0.0f && fb <= 0.0f) ||
+                fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b)) { break; }
             const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
             const float value = boundary_slope(new_, l, at_one, at_minus_one, loss, together,
                 apart, across);
-            const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-                1.0f : 0.0f;
+            const float same = (fa > 0.0f && value > 0.0f) || (fa < 0.0f && value < 0.0f) ? 1.0f :
+                0.0f;
             const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
             const float next_c = same > 0.0f ? a : b;
             fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -978,7 +980,7 @@ static inline float undelayed_angle(float at_one, float at_minus_one, float loss
 static inline float max_stiffness_angle(float gamma, float delta, float d, float l, float part,
     float first, float last, float at_one, float at_minus_one, float loss, float together,
     float apart) {
-    if (((d <= 1.0f) || (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) && (gamma <= 9.8f)) {
+    if ((d <= 1.0f || sqrtf(gamma)*(d + 1.0f) <= 3.1415927f) && gamma <= 9.8f) {
         const float across = part == 0.0f ? first : first - last;
         const float theta = d == 0.0f ? undelayed_angle(at_one, at_minus_one, loss, together,
             apart) : (d < 1.0f ? early_angle(at_one, at_minus_one, loss, together, apart, last) :
@@ -990,7 +992,7 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         const float t13 = t9*next_wave(l, theta).cosine, t14 = -t*t12*t9/sinf(theta) - 0.5f*t11*t13;
         const float stiffness = t*t11*t3*t4*t9 - t12*t13 - 2.0f*t14*t6;
         float good;
-        if ((delta > 0.0f) && (gamma > -stiffness) && (sqrtf(gamma)*(d + 1.0f) <= 3.1415927f)) {
+        if (delta > 0.0f && gamma > -stiffness && sqrtf(gamma)*(d + 1.0f) <= 3.1415927f) {
             good = 1.0f;
         } else {
             const float inside = 0.9999237f*stiffness - 7.6293945e-05f*gamma;
@@ -1085,12 +1087,11 @@ static inline float worst_angle(float alpha, float beta, float l, float epsilon)
     if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 7.6293945e-06f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
+        if ((fa >= 0.0f && fb >= 0.0f) || (fa <= 0.0f && fb <= 0.0f) ||
+            fabsf(a - b) <= 7.6293945e-06f*fabsf(fabsf(fa) < fabsf(fb) ? a : b)) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 7.6293945e-06f);
         const float value = steepness(stiffness, damping, l, epsilon, new_);
-        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f;
+        const float same = (fa > 0.0f && value > 0.0f) || (fa < 0.0f && value < 0.0f) ? 1.0f : 0.0f;
         const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
         const float next_c = same > 0.0f ? a : b;
         fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1177,13 +1178,12 @@ static inline float turn(float psi, float l, float epsilon) {
     if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
+        if ((fa >= 0.0f && fb >= 0.0f) || (fa <= 0.0f && fb <= 0.0f) ||
+            fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b)) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
         const float value = turning(new_, l, epsilon, wave, wave2, wave3, wave4, wave5, wave6,
             wave7, wave8, wave9, wave10, wave11, wave12);
-        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f;
+        const float same = (fa > 0.0f && value > 0.0f) || (fa < 0.0f && value < 0.0f) ? 1.0f : 0.0f;
         const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
         const float next_c = same > 0.0f ? a : b;
         fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1215,12 +1215,11 @@ static inline float passive_angle(float l, float epsilon) {
     if (below >= 0.0f) { return high; }
     float b = low, fb = above, a = high, fa = below, c = high, fc = below;
     for (int count_b = 0; count_b < 120; ++count_b) {
-        if (((fa <= 0.0f) && (fb <= 0.0f)) || ((fa >= 0.0f) && (fb >= 0.0f)) ||
-            (fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b))) { break; }
+        if ((fa >= 0.0f && fb >= 0.0f) || (fa <= 0.0f && fb <= 0.0f) ||
+            fabsf(a - b) <= 2.3841858e-07f*fabsf(fabsf(fa) < fabsf(fb) ? a : b)) { break; }
         const float new_ = next_guess(b, fb, a, fa, c, fc, 2.3841858e-07f);
         const float value = passive_slope(new_, l, epsilon);
-        const float same = ((fa < 0.0f) && (value < 0.0f)) || ((fa > 0.0f) && (value > 0.0f)) ?
-            1.0f : 0.0f;
+        const float same = (fa > 0.0f && value > 0.0f) || (fa < 0.0f && value < 0.0f) ? 1.0f : 0.0f;
         const float next_b = same > 0.0f ? b : a, next_fb = same > 0.0f ? fb : fa;
         const float next_c = same > 0.0f ? a : b;
         fc = same > 0.0f ? fa : fb; c = next_c; fa = value; a = new_; fb = next_fb; b = next_b;
@@ -1230,7 +1229,7 @@ static inline float passive_angle(float l, float epsilon) {
 
 void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
     float *e_out) {
-    if (!((delta <= 1e+08f) && (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) {
+    if (!(delta >= 0.0f && delta <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         *n1_out = NAN; *n0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device device = device_n0_n1_trace(gamma, delta);
@@ -1239,8 +1238,8 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
 
 void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
     float *m1_out, float *m0_out, float *a_out, float *e_out) {
-    if (!((delta <= 1e+08f) && (delta >= 0.0f) && (epsilon < 1.0f) && (epsilon >= 0.0f) &&
-        (gamma <= 1e+08f) && (gamma >= 0.0f))) {
+    if (!(delta >= 0.0f && delta <= 1e+08f && epsilon >= 0.0f && epsilon < 1.0f && gamma >= 0.0f &&
+        gamma <= 1e+08f)) {
         *m2_out = NAN; *m1_out = NAN; *m0_out = NAN; *a_out = NAN; *e_out = NAN; return;
     }
     const Device2 device = device_together_trace(gamma, delta);
@@ -1252,9 +1251,8 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
 }
 
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-        (gamma >= 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && fabsf(alpha) <= 1e+08f &&
+        fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return false;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1271,9 +1269,8 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
 }
 
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-        (gamma >= 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && fabsf(alpha) <= 1e+08f &&
+        fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return -1.0f;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1290,33 +1287,35 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
 
 void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
     float *alpha_out, float *beta_out) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && gamma >= 0.0f &&
+        gamma <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
-    const Device5 device = device_at_minus_one_together_n_gap(gamma, delta);
+    const Device5 device = device_at_minus_one_kick_together_n_gap(gamma, delta);
     const float whole = floorf(d);
     const CosSin cossin = next_wave(whole, theta);
-    const float part = d - whole, t2 = 0.5f*theta;
-    float t10, t11;
+    const float part = d - whole, t2 = 0.5f*theta, t4 = gamma*device.together;
+    const float t6 = delta*decay(delta), t7 = delta*device.n_gap;
+    float t10, t12;
     if (part == 0.0f) {
-        const float t7 = delta*device.n_gap;
-        t10 = t7; t11 = device.together + t7;
+        t10 = t7; t12 = device.together + t7;
     } else {
         const Delayed delayed = late_device(gamma, delta, part);
-        t10 = delayed.apart; t11 = 2.0f*delayed.m2 - 2.0f*delayed.m0;
+        t10 = delayed.apart;
+        t12 = device.kick*(delta*delayed.m2 + 2.0f*delayed.kicked) + delayed.m2*(t4 + t6) -
+            device.together + t7;
     }
-    const Response response = ahead_in_phase(t2, gamma*device.together, device.at_minus_one, delta*
-        decay(delta), device.together, t10, t11);
-    const float t15 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
-    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t15*tanf(t2);
-    *beta_out = -t15/sinf(theta);
+    const Response response = ahead_in_phase(t2, t4, device.at_minus_one, t6, device.together, t10,
+        t12);
+    const float t16 = response.ahead*cossin.cosine + response.in_phase*cossin.sine;
+    *alpha_out = response.ahead*cossin.sine - cossin.cosine*response.in_phase + t16*tanf(t2);
+    *beta_out = -t16/sinf(theta);
 }
 
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
     float *beta_out, float *theta_out) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (gamma <= 1e+08f) && (gamma >= 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && gamma >= 0.0f &&
+        gamma <= 1e+08f)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
     const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
@@ -1351,9 +1350,8 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
 
 float haptic_single_passivity_margin_at(float theta, float alpha, float beta, float delta,
     float d) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (theta <= 3.1415925f) &&
-        (theta > 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && fabsf(alpha) <= 1e+08f &&
+        fabsf(beta) <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) {
         return NAN;
     }
     const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
@@ -1362,8 +1360,8 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
 }
 
 float haptic_single_passivity_margin(float alpha, float beta, float delta, float d) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && fabsf(alpha) <= 1e+08f &&
+        fabsf(beta) <= 1e+08f)) {
         return NAN;
     }
     return delta - largest_required_damping(alpha, beta, d);
@@ -1371,8 +1369,8 @@ float haptic_single_passivity_margin(float alpha, float beta, float delta, float
 
 void haptic_single_passivity_boundary(float theta, float delta, float d, float *alpha_out,
     float *beta_out) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (theta <= 3.1415925f) && (theta > 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && theta > 0.0f &&
+        theta <= 3.1415925f)) {
         *alpha_out = NAN; *beta_out = NAN; return;
     }
     const float whole = floorf(d), part = d - whole, t2 = 0.5f*theta;
@@ -1393,7 +1391,7 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
 
 void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out, float *beta_out,
     float *theta_out) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
     const float whole = floorf(d), part = d - whole, t3 = 2.0f*delta;
@@ -1417,8 +1415,7 @@ void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out,
 }
 
 float haptic_single_linear_limit(float beta, float delta, float d) {
-    if (!((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-        (fabsf(beta) <= 1e+08f))) {
+    if (!(d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f && fabsf(beta) <= 1e+08f)) {
         return NAN;
     }
     return (beta + delta)/(d + 0.5f);

@@ -12,6 +12,7 @@ extern "C" {
  * the sampled device, P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m.
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
+ * Results: n1; n0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].
  * Domain: gamma >= 0, delta >= 0.
  * NaN outside, and where an argument is NaN or larger than 1e8.
  */
@@ -24,6 +25,7 @@ void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * epsilon: rest of a delay, a fraction of a period [1]
+ * Results: m2; m1; m0; a, trace of the sampled plant [1]; e, determinant of the sampled plant [1].
  * Domain: gamma >= 0, delta >= 0, 0 <= epsilon < 1.
  * NaN outside, and where an argument is NaN or larger than 1e8.
  */
@@ -37,8 +39,8 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
- * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
- * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
  * False outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d);
@@ -50,8 +52,8 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
- * Domain: gamma >= 0, delta >= 0, d >= 0, no 0 < delta < 5 ulp(1) where sqrt(gamma) is a whole
- * multiple of pi, rounded, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
  * -1 outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d);
@@ -62,6 +64,7 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
+ * Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
  * Domain: 0 < theta < pi, gamma >= 0, delta >= 0, d >= 0.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
@@ -74,9 +77,11 @@ void haptic_single_stability_boundary(float theta, float gamma, float delta, flo
  * gamma: physical stiffness, k T^2/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
- * Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, no 0 <
- * delta < 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable or none
- * that is a little softer.
+ * Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on
+ * the unit circle, omega T [1].
+ * Domain: gamma >= 0, delta >= 0, d >= 0, gamma <= 9.8, sqrt(gamma) (d + 1) <= pi or d <= 1, delta
+ * = 0 or delta >= 5 ulp(1) if sqrt(gamma) (d + 1) > pi, NaN elsewhere, and where no wall is stable
+ * or none that is a little softer.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
@@ -112,6 +117,7 @@ float haptic_single_passivity_margin(float alpha, float beta, float delta, float
  * theta: angle on the unit circle, omega T [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
+ * Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1].
  * Domain: 0 < theta < pi, delta >= 0, d >= 0, NaN beyond the angle where alpha is 0: pi/(d + 1) for
  * whole delays, for d <= 2/9 the curve goes on to pi.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
@@ -123,6 +129,8 @@ void haptic_single_passivity_boundary(float theta, float delta, float d, float *
  * the passive wall of largest stiffness, and its worst angle theta = omega T.
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
+ * Results: alpha, virtual stiffness, K T^2/m [1]; beta, virtual damping, B T/m [1]; theta, angle on
+ * the unit circle, omega T [1].
  * Domain: delta >= 0, d >= 0.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */

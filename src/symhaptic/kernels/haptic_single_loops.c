@@ -32,8 +32,8 @@ void haptic_single_discretize_loop(
         const float gamma = *(float const *)x0;
         const float delta = *(float const *)x1;
         haptic_single_discretize(gamma, delta, (float *)y0, (float *)y1, (float *)y2, (float *)y3);
-        if (*(float *)y0 != *(float *)y0 && !((delta <= 1e+08f) && (delta >= 0.0f) &&
-            (gamma <= 1e+08f) && (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(delta >= 0.0f && delta <= 1e+08f && gamma >= 0.0f &&
+            gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4; y3 += s5;
     }
     if (!within) strayed = 1;
@@ -55,9 +55,8 @@ void haptic_single_discretize_fractional_loop(
         const float epsilon = *(float const *)x2;
         haptic_single_discretize_fractional(gamma, delta, epsilon, (float *)y0, (float *)y1,
             (float *)y2, (float *)y3, (float *)y4);
-        if (*(float *)y0 != *(float *)y0 && !((delta <= 1e+08f) && (delta >= 0.0f) &&
-            (epsilon < 1.0f) && (epsilon >= 0.0f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(delta >= 0.0f && delta <= 1e+08f &&
+            epsilon >= 0.0f && epsilon < 1.0f && gamma >= 0.0f && gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6; y4 += s7;
     }
     if (!within) strayed = 1;
@@ -79,9 +78,8 @@ void haptic_single_is_stable_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(npy_bool *)y0 = haptic_single_is_stable(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-            (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f);
+        within &= d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f &&
+            fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -103,9 +101,8 @@ void haptic_single_unstable_roots_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(float *)y0 = haptic_single_unstable_roots(alpha, beta, gamma, delta, d);
-        within &= (d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) && (delta >= 0.0f) &&
-            (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) && (gamma <= 1e+08f) &&
-            (gamma >= 0.0f);
+        within &= d >= 0.0f && d <= 1e+06f && delta >= 0.0f && delta <= 1e+08f &&
+            fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -126,9 +123,9 @@ void haptic_single_stability_boundary_loop(
         const float delta = *(float const *)x2;
         const float d = *(float const *)x3;
         haptic_single_stability_boundary(theta, gamma, delta, d, (float *)y0, (float *)y1);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f) && (theta <= 3.1415925f) &&
-            (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f && theta > 0.0f &&
+            theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4; y1 += s5;
     }
     if (!within) strayed = 1;
@@ -148,8 +145,8 @@ void haptic_single_max_stable_stiffness_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         haptic_single_max_stable_stiffness(gamma, delta, d, (float *)y0, (float *)y1, (float *)y2);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (gamma <= 1e+08f) && (gamma >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
     }
     if (!within) strayed = 1;
@@ -171,9 +168,9 @@ void haptic_single_passivity_margin_at_loop(
         const float delta = *(float const *)x3;
         const float d = *(float const *)x4;
         *(float *)y0 = haptic_single_passivity_margin_at(theta, alpha, beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f) &&
-            (theta <= 3.1415925f) && (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f && theta > 0.0f &&
+            theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; x4 += s4; y0 += s5;
     }
     if (!within) strayed = 1;
@@ -193,8 +190,8 @@ void haptic_single_passivity_margin_loop(
         const float delta = *(float const *)x2;
         const float d = *(float const *)x3;
         *(float *)y0 = haptic_single_passivity_margin(alpha, beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(alpha) <= 1e+08f) && (fabsf(beta) <= 1e+08f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(alpha) <= 1e+08f && fabsf(beta) <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; x3 += s3; y0 += s4;
     }
     if (!within) strayed = 1;
@@ -213,8 +210,8 @@ void haptic_single_passivity_boundary_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         haptic_single_passivity_boundary(theta, delta, d, (float *)y0, (float *)y1);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (theta <= 3.1415925f) && (theta > 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4;
     }
     if (!within) strayed = 1;
@@ -232,8 +229,8 @@ void haptic_single_max_passive_stiffness_loop(
         const float delta = *(float const *)x0;
         const float d = *(float const *)x1;
         haptic_single_max_passive_stiffness(delta, d, (float *)y0, (float *)y1, (float *)y2);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; y0 += s2; y1 += s3; y2 += s4;
     }
     if (!within) strayed = 1;
@@ -252,8 +249,8 @@ void haptic_single_linear_limit_loop(
         const float delta = *(float const *)x1;
         const float d = *(float const *)x2;
         *(float *)y0 = haptic_single_linear_limit(beta, delta, d);
-        if (*(float *)y0 != *(float *)y0 && !((d <= 1e+06f) && (d >= 0.0f) && (delta <= 1e+08f) &&
-            (delta >= 0.0f) && (fabsf(beta) <= 1e+08f))) within = 0;
+        if (*(float *)y0 != *(float *)y0 && !(d >= 0.0f && d <= 1e+06f && delta >= 0.0f &&
+            delta <= 1e+08f && fabsf(beta) <= 1e+08f)) within = 0;
         x0 += s0; x1 += s1; x2 += s2; y0 += s3;
     }
     if (!within) strayed = 1;
@@ -262,9 +259,9 @@ void haptic_single_linear_limit_loop(
 
 void haptic_single_late_device_loop(
     char **at, npy_intp const *sizes, npy_intp const *steps, void *data) {
-    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5];
+    char *x0 = at[0], *x1 = at[1], *x2 = at[2], *y0 = at[3], *y1 = at[4], *y2 = at[5], *y3 = at[6];
     const npy_intp s0 = steps[0], s1 = steps[1], s2 = steps[2], s3 = steps[3], s4 = steps[4], s5 =
-        steps[5];
+        steps[5], s6 = steps[6];
     npy_intp left;
     int within = 1;
     (void)data;
@@ -273,8 +270,9 @@ void haptic_single_late_device_loop(
         const float delta = *(float const *)x1;
         const float part = *(float const *)x2;
         const Delayed found = late_device(gamma, delta, part);
-        *(float *)y0 = found.apart; *(float *)y1 = found.m2; *(float *)y2 = found.m0;
-        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5;
+        *(float *)y0 = found.apart; *(float *)y1 = found.m2; *(float *)y2 =
+            found.kicked; *(float *)y3 = found.m0;
+        x0 += s0; x1 += s1; x2 += s2; y0 += s3; y1 += s4; y2 += s5; y3 += s6;
     }
     if (!within) strayed = 1;
     feclearexcept(FE_ALL_EXCEPT); /* what is out of range is told by NaN */

@@ -74,8 +74,8 @@ def device(gamma: Array, delta: Array, part: Array | None = None) -> Device:
     m2 = (1 - part)^2 n1 of a plant sampled after 1 - part, m0 = part^2 exp(-delta (1 - part)) n0
     of one sampled after ``part``; the three add up to n1 + n0.
     """
-    ends = haptic.device_at_minus_one_together_n_gap
-    at_minus_one, together, apart = _by_kernel(ends, gamma, delta)
+    ends = haptic.device_at_minus_one_kick_together_n_gap
+    at_minus_one, _, together, apart = _by_kernel(ends, gamma, delta)
     n1 = _by_kernel(haptic.plant_n1, gamma, delta)
     n0 = _by_kernel(haptic.plant_n0, gamma, delta)
     e, loss = np.exp(-delta), 0.0 - np.expm1(-delta)  # never -0.0: an angle of it is taken
@@ -101,7 +101,7 @@ def behind(undelayed: Device, gamma: Array, delta: Array, part: Array) -> Device
     M(-1) is no difference of the three, which has no digits where a hardly damped device makes
     whole half swings in a period.
     """
-    apart, m2, m0 = _late_device(gamma, delta, part)
+    apart, m2, _, m0 = _late_device(gamma, delta, part)
     x, whole = undelayed, part == 0
     gap = _gap(gamma, delta, part, m2, m0)
     return x._replace(
