@@ -21,7 +21,11 @@ _TOKEN = re.compile(
     r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
     r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
 )
-_IGNORED = {r"\br", r"\changed", r"\left", r"\right", r"\,", r"\;", r"\!", "&"}
+_IGNORED = {r"\br", r"\left", r"\right", r"\,", r"\;", r"\!"}
+_SMALL = re.compile(r"_\s*\{\s*(\w)\s*\}")
+r"""A subscript of one character, which needs no braces."""
+_MARKED = re.compile(r"\\changed\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
+r"""What is ``\changed``, whose braces print nothing."""
 _RELATIONS: dict[str, type] = {
     "=": sp.Eq,
     ":=": sp.Eq,
@@ -34,6 +38,18 @@ _RELATIONS: dict[str, type] = {
 }
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
+_TAKEN = {
+    r"\frac",
+    r"\tfrac",
+    r"\sqrt",
+    r"\Re",
+    r"\pi",
+    r"\cdot",
+    r"\times",
+    *_FUNCTIONS,
+    *_RELATIONS,
+}
+"""Commands that are no names."""
 _UNITS = {"s": "second", "N/m": "newton_per_metre"}
 _SYMBOLS = {entry.latex: name for name, entry in SYMBOLS.items()}
 
@@ -62,12 +78,29 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     return _Reader(latex, notation).line()
 
 
+def _called(latex: str) -> str:
+    """A name that a source has, as it is met; :class:`Unreadable` of what is read otherwise."""
+    name = _Reader(latex)
+    token = name.take()
+    spelled = token + name.subscript()
+    if (
+        name.peek()
+        or token in _TAKEN
+        or not re.fullmatch(r"[A-Za-z]|\\(?:hat\W+)?[A-Za-z]+\}?", token)
+    ):
+        raise Unreadable(
+            f"{latex!r} is no name: a letter or a command with or without a subscript is"
+        )
+    return spelled
+
+
 class _Reader:
     def __init__(self, latex: str, notation: Notation = ()) -> None:
         self.latex = latex
-        self.own = dict(notation)
+        self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
+        squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
             raise Unreadable(f"cannot read {rest!r} in {latex!r}")
@@ -151,12 +184,20 @@ class _Reader:
         return self.power()
 
     def argument(self) -> Expr:
-        """What a function without brackets applies to: factors up to the next function."""
-        if self.peek() in ("(", "{"):
-            return self.group()
-        value = self.power()
-        while self.starts_factor() and self.peek() not in _FUNCTIONS:
-            value = value * self.factor()
+        """What a function applies to: a bracket, or factors up to the next function."""
+        if self.peek() == "(":
+            value = self.group()
+            unclear = self.starts_factor() and self.peek() not in _FUNCTIONS
+        else:
+            value = self.power()
+            while self.starts_factor() and self.peek() not in _FUNCTIONS:
+                value = value * self.factor()
+            unclear = self.peek() in (r"\cdot", r"\times", "/")
+        if unclear:
+            raise Unreadable(
+                f"{self.peek()!r} is in the function before it or is not, in {self.latex!r}; "
+                "a bracket around all that it is of tells, or the factor before it"
+            )
         return value
 
     def starts_factor(self) -> bool:
@@ -188,16 +229,16 @@ class _Reader:
             raise Unreadable(f"an exponent {token!r} without braces in {self.latex!r}")
         return self.atom()
 
-    def group(self) -> Expr:
-        opening = self.take()
-        if opening not in _CLOSING:
-            raise Unreadable(f"expected {{, found {opening!r} in {self.latex!r}")
+    def group(self, expected: str | None = None) -> Expr:
+        opening = self.take(expected)
         value = self.sum()
         self.take(_CLOSING[opening])
         return value
 
     def atom(self) -> Expr:
         token = self.peek()
+        if token == "{":
+            raise Unreadable(f"braces, which print nothing, around a part of {self.latex!r}")
         if token in _CLOSING:
             return self.group()
         if token == "|":
@@ -209,12 +250,14 @@ class _Reader:
         if token[0].isdigit():
             return sp.Rational(token.replace(r"\,", ""))
         if token in (r"\frac", r"\tfrac"):
-            return self.group() / self.group()
+            return self.group("{") / self.group("{")
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")
         if token == r"\sqrt":
             return sp.sqrt(self.group())
         if token == r"\Re":
+            if self.peek() not in ("(", r"\{"):
+                raise Unreadable(f"{token} without a bracket in {self.latex!r}")
             return sp.re(self.group(), evaluate=False)
         if token == r"\begin{pmatrix}":
             return self.vector()
@@ -236,12 +279,14 @@ class _Reader:
         return self.name(token)
 
     def vector(self) -> Expr:
+        first = self.at == 1
         rows = [self.sum()]
         while self.peek() == r"\\":
             self.take()
             rows.append(self.sum())
         self.take(r"\end{pmatrix}")
-        self.subscript()
+        if first:  # it tells of which numbers the line speaks
+            self.subscript()
         return sp.Matrix(rows)
 
     def subscript(self) -> str:
