@@ -9,6 +9,7 @@ import sympy as sp
 from flint import arb
 from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 
+from symhaptic.book.grounds import shows
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
 from symhaptic.notation import B, K, T, alpha, b, m, theta, x
@@ -17,6 +18,7 @@ from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
 from symhaptic.proof.sign import Fact, NotShown, assume, combined, either
+from symhaptic.proof.verdict import Unfounded
 
 
 @pytest.fixture
@@ -242,6 +244,27 @@ def test_a_name_may_be_written_twice_for_the_same():
     page.step("Again", (B + 1) / T - 1 / T, B / T, name=K)
     page.state("same", "a stiffness", r"K = \frac{B}{T}")
     assert page.settle("same", Eq(K, B / T)).kind == "proved"
+
+
+def test_what_a_symbol_is_assumed_to_be_is_not_on_the_page():
+    """beta is any real number: the root of its square is beta of a positive one only."""
+    page, own = Page("test"), sp.Symbol("beta", positive=True)
+    known = "carries assumptions; its domain in the notation"
+    page.state("mine", "the root of a square", r"\alpha = \sqrt{\beta^2}")
+    for write in (
+        lambda: page.define("A name", alpha, own),
+        lambda: page.step("A step", own * sin(theta) ** 2 + own * cos(theta) ** 2, own, name=alpha),
+        lambda: page.limit("Where it ends", own / (1 + T), T, S.Zero, own),
+        lambda: page.settle("mine", Eq(alpha, own)),
+        lambda: page.settle("mine", Eq(alpha, alpha, evaluate=False), given={alpha: own}),
+        lambda: page.settle("mine", Eq(alpha, sp.Function("H", positive=True)(T))),
+        lambda: page.settle("mine", Eq(alpha, own), definition=True),
+        lambda: page.settle("mine", combined(own * theta, [assume(own), assume(theta)])),
+    ):
+        with pytest.raises((FalseStep, Unfounded), match=f"{known}|is not a definition on"):
+            write()
+    # what a page that was patched shows is not known again where it arrives
+    assert not shows([Eq(alpha, own)], [(alpha, own)], [])
 
 
 # -- what is put in ---------------------------------------------------------------------

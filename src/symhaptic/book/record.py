@@ -20,6 +20,7 @@ from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Comparison, compare
+from symhaptic.proof.names import carrying
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.series import limit
 from symhaptic.proof.settle import Settlement
@@ -171,6 +172,8 @@ class Record:
     def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
         """A limit as it was found, and kept as what it was asked for."""
         found = limit(expr, variable, sp.sympify(at))
+        if told := carrying(expr, variable):
+            raise FalseStep(f"step {title!r}: {told}")
         self._compared(title, found, value)
         check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
         self.checks.append((title, check))
@@ -182,6 +185,8 @@ class Record:
         return found
 
     def _compared(self, title: str, left: Form, right: Form) -> Comparison:
+        if told := carrying(*parts(left), *parts(right)):
+            raise FalseStep(f"step {title!r}: {told}")
         result = compare(left, right)
         if result.equal:
             return result

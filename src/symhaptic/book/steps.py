@@ -24,6 +24,7 @@ from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sig
 from symhaptic.proof.counterexample import Witness
 from symhaptic.proof.decide import Comparison
 from symhaptic.proof.enclosed import Source, enclosed
+from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
@@ -58,6 +59,8 @@ class Steps(Record):
 
     def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
         if isinstance(name, Expr):
+            if told := carrying(name, meaning):
+                raise FalseStep(f"{name}: {told}")
             self.definitions.append((name, meaning))
 
     # -- steps --------------------------------------------------------------------------

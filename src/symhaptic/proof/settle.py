@@ -19,6 +19,7 @@ from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.counterexample import Truth, check_opposed, truth_at
 from symhaptic.proof.decide import compare, equal, named
+from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
 from symhaptic.proof.shape import misfit
@@ -87,6 +88,8 @@ class Settlement:
         if self.judged is not None:
             verdict = self._judged(printed)
             return self._constants(verdict) if self.values else verdict
+        if told := carrying(*self.derived, *self.given, *self.given.values()):
+            raise Unfounded(told)
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:
