@@ -293,7 +293,7 @@ def test_a_range_in_whole_numbers_is_told_as_any_other():
     """Before: an AttributeError where the worst point was an end that is an int."""
     with pytest.raises(pytest.fail.Exception, match="0x"):
         Agreement("eq6").agrees(lambda K, B, T: K - K / 3, over={"B": (-7, -7)}, points=20)
-    with pytest.raises(ValueError, match="10000.* it gives"):
+    with pytest.raises(ValueError, match=r"10000.* it gives"):
         Agreement("eq6").agrees(lambda K, B, T: 10**400, over={"K": (10000, 10000)}, points=2)
     for nothing in ({"points": 0}, {"over": {"B": (0, math.inf)}}):
         with pytest.raises(ValueError, match="is not allowed"):

@@ -1,7 +1,7 @@
 """Formulas are set as an engineer would write them."""
 
 import pytest
-from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
+from sympy import E, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
@@ -65,10 +65,24 @@ def test_the_power_of_a_sum_of_numbers_is_that_of_the_sum():
     assert latex((1 - exp(Rational(-1, 50))) ** 2, inline=True) == r"(1-e^{-1/50})^{2}"
 
 
+def test_a_power_of_e_that_is_kept_as_one_is_an_exponential():
+    """SymPy takes it for one, whose argument is then e."""
+    assert latex(Pow(E, -delta / 2, evaluate=False)) == r"e^{-\delta/2}"
+
+
 def test_a_prime_stands_behind_the_letter():
     assert latex(Symbol("delta'")) == r"\delta'"
     assert latex(Symbol("n_1''")) == "n_1''"
     assert latex(Symbol("K'")) == "K'"
+
+
+def test_a_function_is_of_all_that_its_bracket_begins():
+    """The sine of a square was printed as the square of a sine, and that of a product as one."""
+    assert latex(sin((theta + psi) ** 2)) == r"\sin\bigl((\theta+\psi)^{2}\bigr)"
+    assert latex(sin((theta + psi) ** d), inline=True) == r"\sin\bigl((\theta+\psi)^{d}\bigr)"
+    assert latex(cos((d + 1) * (theta + psi))) == r"\cos\bigl((d+1)(\theta+\psi)\bigr)"
+    assert latex(sin(theta * cos(psi))) == r"\sin\bigl(\theta\cos\psi\bigr)"
+    assert latex(cos((K + 1) ** 2 * theta)) == r"\cos\bigl((K+1)^{2}\theta\bigr)"
 
 
 @pytest.mark.parametrize(

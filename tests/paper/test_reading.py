@@ -301,6 +301,7 @@ MISLEADING = [
     r"\cos^2(d+1)\theta",
     r"\sin\theta/2",
     r"\sin d\cdot\theta",
+    r"\cos\theta\,z",
 ]
 
 

@@ -67,7 +67,7 @@ class _Writer:
         if expr.is_Add:
             return self.sum(expr)
         if isinstance(expr, sp.exp):
-            return f"e^{{{_Writer(True).write(_joined(expr.args[0]))}}}"
+            return f"e^{{{_Writer(True).write(_joined(expr.args[-1]))}}}"
         if expr.is_Pow and not (expr.args[1].is_Rational and expr.args[1] < 0):
             return self.power(expr)
         if expr.is_Mul or expr.is_Pow:
@@ -180,6 +180,8 @@ class _Writer:
             shown = shown.replace(r"\frac", r"\tfrac")
         elif "/" in shown:
             shown = f"({shown})"
+        if _ends_early(shown):
+            shown = rf"\bigl({shown}\bigr)"
         return name + (shown if shown[0] in "\\(" else " " + shown)
 
 
@@ -207,18 +209,40 @@ def _enclosed(text: str) -> bool:
     return False
 
 
+def _flat(text: str, opening: str = "(", closing: str = ")", left: str = "[]") -> str:
+    """LaTeX with ``[]`` in place of each bracket."""
+    inner = rf"\{opening}[^{opening}{closing}]*\{closing}"
+    while (outside := re.sub(inner, left, text)) != text:
+        text = outside
+    return text
+
+
+_NAMES = rf"\\(?:{'|'.join(name[1:] for name in NAMED.values())})(?![a-z])"
+
+
+def _ends_early(argument: str) -> bool:
+    r"""Whether a function before it seems to be of its first bracket, or factors, alone.
+
+    >>> _ends_early("(a+b)^{2}"), _ends_early("(a+b)(c+d)"), _ends_early(r"(d+1)\theta")
+    (True, True, False)
+    >>> _ends_early(r"a\cos b"), _ends_early(r"\cos ab"), _ends_early(r"\tfrac{a\cos b}{2}")
+    (True, False, False)
+    """
+    flat, command = _flat(_flat(argument), "{", "}", ""), r"(?:\\left|\\bigl)?"
+    again = rf"{command}\[\](?:\^|{command}\[\])"
+    return bool(re.match(again, flat) or re.match(rf"(?!{_NAMES}).+?{_NAMES}", flat))
+
+
 def _loose(top: str) -> bool:
     r"""Whether a slash behind it would not divide all of it: a sum, or a function without brackets.
 
     >>> _loose(r"2b(1-\cos x)"), _loose("a+b"), _loose(r"\cos\theta"), _loose(r"\cos(d+1)\theta")
     (False, True, True, True)
     """
-    flat = re.sub(r"\{[^{}]*\}", "{}", top)
-    while (outside := re.sub(r"\([^()]*\)", "[]", flat)) != flat:
-        flat = outside
+    flat = _flat(re.sub(r"\{[^{}]*\}", "{}", top))
     if "+" in flat or "-" in flat:
         return True
-    last = re.split(rf"\\(?:{'|'.join(name[1:] for name in NAMED.values())})(?![a-z])", flat)
+    last = re.split(_NAMES, flat)
     return len(last) > 1 and re.fullmatch(r"(\^\w)?\[\]", last[-1]) is None
 
 

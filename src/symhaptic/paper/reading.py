@@ -8,7 +8,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 from __future__ import annotations
 
 import re
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -21,7 +21,8 @@ _TOKEN = re.compile(
     r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
     r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
 )
-_IGNORED = {r"\br", r"\left", r"\right", r"\,", r"\;", r"\!"}
+_IGNORED = {r"\br", r"\left", r"\right", r"\!"}
+_SPACES = {r"\,", r"\;"}
 _SMALL = re.compile(r"_\s*\{\s*(\w)\s*\}")
 r"""A subscript of one character, which needs no braces."""
 _MARKED = re.compile(r"\\changed\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
@@ -104,7 +105,14 @@ class _Reader:
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
             raise Unreadable(f"cannot read {rest!r} in {latex!r}")
-        self.tokens = [t for t in _TOKEN.findall(squeezed) if t not in _IGNORED]
+        self.tokens: list[str] = []
+        self.spaced = set[int]()
+        """The tokens behind a space."""
+        for token in _TOKEN.findall(squeezed):
+            if token in _SPACES:
+                self.spaced.add(len(self.tokens))
+            elif token not in _IGNORED:
+                self.tokens.append(token)
         self.at = 0
 
     # -- tokens ---------------------------------------------------------------------
@@ -185,20 +193,22 @@ class _Reader:
 
     def argument(self) -> Expr:
         """What a function applies to: a bracket, or factors up to the next function."""
-        if self.peek() == "(":
-            value = self.group()
-            unclear = self.starts_factor() and self.peek() not in _FUNCTIONS
-        else:
-            value = self.power()
-            while self.starts_factor() and self.peek() not in _FUNCTIONS:
-                value = value * self.factor()
-            unclear = self.peek() in (r"\cdot", r"\times", "/")
-        if unclear:
-            raise Unreadable(
-                f"{self.peek()!r} is in the function before it or is not, in {self.latex!r}; "
-                "a bracket around all that it is of tells, or the factor before it"
-            )
+        bracket = self.peek() == "("
+        value = self.group() if bracket else self.power()
+        while self.starts_factor() and self.peek() not in _FUNCTIONS:
+            if bracket or self.at in self.spaced:
+                self.unclear()
+            value = value * self.factor()
+        if not bracket and self.peek() in (r"\cdot", r"\times", "/"):
+            self.unclear()
         return value
+
+    def unclear(self) -> NoReturn:
+        """What stands here may be a part of the function before it, or not."""
+        raise Unreadable(
+            f"whether {self.peek()!r} is in the function before it, in {self.latex!r}; a bracket "
+            "around all that the function is of tells, or the factor before the function"
+        )
 
     def starts_factor(self) -> bool:
         token = self.peek()
