@@ -97,6 +97,23 @@ def test_data_outside_is_no_proof_until_the_ledger_has_it(tmp_path, derived):
     assert symhaptic("verify", "--source", folder, "--strict").returncode == 0
 
 
+def test_a_misprint_that_becomes_another_one_is_told(notes):
+    """Its verdict is the same, and so was what `verify` said of it."""
+    ledger = notes / "ledger.json"
+    symhaptic("verify", "--source", notes, "--format", "json", "-o", ledger)
+    for file, old, new, told in (
+        ("source.py", r"\frac{cv}{2}", r"\frac{cv}{3}", "the print is F = \\frac{cv}{3}, but"),
+        ("drifting.py", "F = bv", "F = vb", "the correction is F = vb, but the ledger says F = bv"),
+    ):
+        path, kept = notes / file, (notes / file).read_text(encoding="utf-8")
+        path.write_text(kept.replace(old, new), encoding="utf-8")
+        run = symhaptic("verify", "--source", notes, "--strict")
+        assert (run.returncode, f"DIFFERS  drift:start: {told}" in run.stdout) == (1, True)
+        assert symhaptic("verify", "--source", notes).returncode == 0
+        path.write_text(kept, encoding="utf-8")
+    assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
+
+
 def test_an_emptied_ledger_is_not_none(notes):
     (notes / "ledger.json").write_text('{"statements": []}', encoding="utf-8")
     run = symhaptic("verify", "--source", notes, "--strict")
