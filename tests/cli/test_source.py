@@ -203,6 +203,19 @@ def test_it_is_printed_and_attacked_like_the_paper(notes, tmp_path):
     assert " 0 accepted though wrong" in run.stdout
 
 
+def test_a_check_of_mutants_has_a_record_to_hold_them_against(notes, tmp_path):
+    """Without one it held them against nothing, and passed."""
+    run = symhaptic("mutants", "--source", notes, "--check")
+    assert (run.returncode, run.stderr.splitlines()) == (
+        2,
+        ["symhaptic: error: --check: the record is needed; -o FILE names it"],
+    )
+    record = ("-o", tmp_path / "mutants.json")
+    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 1
+    assert symhaptic("mutants", "--source", notes, *record).returncode == 0
+    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 0
+
+
 def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
     folder = tmp_path / "odd"
     folder.mkdir()
