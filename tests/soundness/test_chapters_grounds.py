@@ -219,8 +219,10 @@ def test_only_what_has_no_value_of_its_own_is_a_name():
     page.state("circle", "roughly", r"\pi = 4")
     four = Eq(pi, 4, evaluate=False)
     assert page.settle("circle", four, definition=True).kind == "argued"
-    page.state("name", "from here on", r"x = \pi")
-    assert page.settle("name", Eq(x, pi), definition=True).kind == "definition"
+    page.state("units", "a stiffness that is a damping", "K = B")
+    assert page.settle("units", Eq(K, B), definition=True).kind == "argued"
+    page.state("name", "from here on", r"\theta = \pi")
+    assert page.settle("name", Eq(theta, pi), definition=True).kind == "definition"
 
 
 def test_a_name_that_stands_for_two_things_shows_neither():
