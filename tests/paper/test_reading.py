@@ -178,6 +178,9 @@ SHORT = {
     r"-K^2": -(K**2),
     r"b \changed{\frac{m}{T}} c_1": b * m / T * c_1,
     r"K \br + B": K + B,
+    r"\frac{d T}{d + 1}": d * T / (d + 1),
+    r"\frac{T}{d K}": T / (d * K),
+    r"T/dK + d": T / (d * K) + d,
 }
 
 
@@ -286,6 +289,15 @@ MISLEADING = [
     r"K(0) = B",
     r"K\left(T\right) = B",
     r"\sin K(T)",
+    r"x(t - t_d) = v",
+    r"F = Kx[k + 1]",
+    # the derivative of x by t, not x/t: d is the delay
+    r"v = \frac{dx}{dt}",
+    r"v = \frac{d}{dt} x",
+    r"v = \frac{d(Kx)}{d\theta}",
+    r"v = \frac{d^2x}{dt^2}",
+    r"v = dx/dt",
+    r"v = K dx/d\theta + B",
     # braces print nothing: 2K + B, sin 2B, a function v of t, (K B) beside each other
     "2{K + B}T",
     "{K + B}^2",

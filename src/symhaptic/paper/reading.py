@@ -39,6 +39,8 @@ _RELATIONS: dict[str, type] = {
 }
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
+_TIMES = {"(": "t", "[": "k"}
+"""In which brackets values at another time are written, as x(t + T) and x[k + 1]."""
 _TAKEN = {
     r"\frac",
     r"\tfrac",
@@ -161,12 +163,20 @@ class _Reader:
         return total
 
     def term(self) -> Expr:
-        value = self.chain()
+        begin, value = self.at, self.chain()
         while self.peek() in (r"\cdot", r"\times", "/"):
             divides = self.take() == "/"
+            if divides:
+                self.no_derivative(self.tokens[begin : self.at])
             factor = self.chain()
             value = value / factor if divides else value * factor
         return value
+
+    def no_derivative(self, above: list[str]) -> None:
+        """Refuse dx/dt, in which d is no delay; here begins what stands below."""
+        d, by = self.tokens[self.at : self.at + 1], "".join(self.tokens[self.at + 1 : self.at + 2])
+        if "d" in above and d == ["d"] and re.fullmatch(r"\\?[A-Za-z]+", by) and by not in _TAKEN:
+            raise Unreadable(f"a derivative by {by!r}, or a d in both, in {self.latex!r}")
 
     def chain(self) -> Expr:
         value = self.power()
@@ -175,8 +185,8 @@ class _Reader:
         return value
 
     def factor(self) -> Expr:
-        """A factor right of another; v(t), x[k] and K(0) are values, or products that nobody writes
-        so."""
+        """A factor right of another; v(t), x[k + 1] and K(0) are values, or products that nobody
+        writes so."""
         if self.peek()[0].isdigit():
             raise Unreadable(f"a number right of a factor in {self.latex!r}")
         start, opening = self.at, self.peek()
@@ -185,7 +195,8 @@ class _Reader:
             sign = self.take()
             if sign[-1].isalnum() and sign not in _FUNCTIONS:
                 sign += self.subscript()
-                if self.peek() == _CLOSING[opening]:
+                moved = sign == _TIMES[opening] and self.peek() in ("+", "-")
+                if self.peek() == _CLOSING[opening] or (moved and self.tokens[start - 1].isalpha()):
                     shown = f"{opening}{sign}{self.peek()}"
                     raise Unreadable(f"a value or a product with {shown!r} in {self.latex!r}")
             self.at = start
@@ -260,7 +271,12 @@ class _Reader:
         if token[0].isdigit():
             return sp.Rational(token.replace(r"\,", ""))
         if token in (r"\frac", r"\tfrac"):
-            return self.group("{") / self.group("{")
+            begin, above = self.at + 1, self.group("{")
+            self.take("{")
+            self.no_derivative(self.tokens[begin : begin + 1])
+            below = self.sum()
+            self.take("}")
+            return above / below
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")
         if token == r"\sqrt":
