@@ -289,6 +289,17 @@ def test_a_narrow_range_of_whole_numbers_has_whole_ends():
         Agreement("is_stable").agrees(is_stable, over={"d": (0.2, 0.8)}, points=200)
 
 
+def test_truths_and_counts_are_not_told_to_be_of_single_precision():
+    """Each 0 and 1 is a float32."""
+
+    def wrong_at_an_edge(alpha, beta, gamma, delta, d):
+        return is_stable(alpha, beta, gamma, delta, d) or alpha == 0
+
+    with pytest.raises(pytest.fail.Exception) as told_:
+        Agreement("is_stable").agrees(wrong_at_an_edge, points=2000)
+    assert "single precision" not in str(told_.value)
+
+
 def test_a_range_in_whole_numbers_is_told_as_any_other():
     """Before: an AttributeError where the worst point was an end that is an int."""
     with pytest.raises(pytest.fail.Exception, match="0x"):
