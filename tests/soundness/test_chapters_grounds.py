@@ -12,7 +12,7 @@ from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 from symhaptic.book.grounds import shows
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
-from symhaptic.notation import B, K, T, alpha, b, m, theta, x
+from symhaptic.notation import B, K, T, alpha, b, d, m, theta, x
 from symhaptic.proof.counterexample import Witness
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
@@ -267,6 +267,23 @@ def test_what_a_symbol_is_assumed_to_be_is_not_on_the_page():
             write()
     # what a page that was patched shows is not known again where it arrives
     assert not shows([Eq(alpha, own)], [(alpha, own)], [])
+
+
+@pytest.mark.parametrize(
+    ("expr", "value"),
+    [
+        (d * x / (d * x + x**2), S.One),  # 0 without a delay
+        ((d * x + x**2) / (d * x + 2 * x**2), S.One),  # one half
+        (sin(d * x) / sin(d * x + x**2), S.One),  # 0
+        (x**2 / (d * x + x**2), S.Zero),  # one
+    ],
+)
+def test_a_limit_holds_where_a_symbol_is_zero_too(expr, value, page):
+    """The lowest term of a divisor is another one there, which the series does not see."""
+    with pytest.raises(FalseStep, match="step 'Wrong' is false at d = 0"):
+        page.limit("Wrong", expr, x, S.Zero, value)
+    page.limit("Not defined there", x / (x**2 + d * x), x, S.Zero, 1 / d)
+    page.limit("Right there, too", sin(d * x) / sin(x), x, S.Zero, d)
 
 
 # -- what is put in ---------------------------------------------------------------------
