@@ -77,6 +77,8 @@ def _related(left: str, sign: str, right: str) -> str:
 def _denied(claim: Proposition) -> str:
     if isinstance(claim, Predicate) and claim.name == "whole":
         return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
+    if isinstance(claim, And) and len(chains(conjuncts(claim))) > 1:
+        return rf"\text{{not}}\ ({written(claim)})"
     return rf"\text{{not}}\ {_bracketed(claim)}"
 
 
