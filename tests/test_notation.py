@@ -7,7 +7,16 @@ import sympy as sp
 
 from symhaptic import notation
 from symhaptic.notation import SYMBOLS, TABLE_I, UNITS
-from symhaptic.notation.proposition import And, Iff, Implies, Not, Or, conjuncts, proposition
+from symhaptic.notation.proposition import (
+    And,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Predicate,
+    conjuncts,
+    proposition,
+)
 from symhaptic.notation.written import written
 from symhaptic.paper.reading import read
 
@@ -126,6 +135,27 @@ def test_what_is_denied_is_not_told_from_a_part_of_it_by_its_place():
     assert written(And((Not((stiff,)), fast))) == r"\text{not}\ K>0,\ T<1"
     chain = And((stiff, proposition(notation.K < notation.T)))
     assert written(Not((chain,))) == r"\text{not}\ 0<K<T"
+
+
+@pytest.mark.parametrize(
+    ("name", "terms", "said"),
+    [
+        # a slash binds less than what stands beside it: m delta/T times x', not m delta/(T x')
+        ("swings", "m, m*delta/T, K - b, omega", r"m\ddot x+(m\delta/T)\dot x+(K-b)x=0"),
+        (
+            "device",
+            "gamma, delta, n_1 + n_0, -n_0, a + 1, e",
+            r"\frac{(n_1+n_0)z+(-n_0)}{z^2-(a+1)z+e}",
+        ),
+        ("answers", "1/s, 1 + z, X/T, T", r"1/s\ \text{answers }(z+1)^k\text{, held every }T"),
+        ("answers", "1/s, z, X/T, T", r"\text{, by }(X/T)\,z^k"),
+        ("limit", "x + K, 0, b", r"\lim_{x\to 0} (K+x)=b"),
+    ],
+)
+def test_a_term_of_a_predicate_is_printed_as_one(name, terms, said):
+    of = sp.sympify(f"({terms})", locals={n: getattr(notation, n) for n in SYMBOLS})
+    over = (notation.x,) if name == "limit" else (notation.s,) if name == "answers" else ()
+    assert said in written(Predicate(name, over, tuple(of)))
 
 
 def test_propositions_of_two_meanings_are_printed_in_two_ways():

@@ -233,6 +233,24 @@ def _ends_early(argument: str) -> bool:
     return bool(re.match(again, flat) or re.match(rf"(?!{_NAMES}).+?{_NAMES}", flat))
 
 
+def is_sum(text: str) -> bool:
+    r"""Whether LaTeX has a sign outside of all brackets and braces.
+
+    >>> is_sum("a+b"), is_sum("-b"), is_sum("2(a+b)"), is_sum("e^{-a}")
+    (True, True, False, False)
+    """
+    return re.search(r"[-+]", _flat(_flat(text, "{", "}", ""))) is not None
+
+
+def is_factor(text: str) -> bool:
+    r"""Whether what is written behind it multiplies all of it: no sum, quotient or bare function.
+
+    >>> is_factor("KT"), is_factor("K/T"), is_factor(r"\sin x"), is_factor(r"\sin(x)")
+    (True, False, False, True)
+    """
+    return not (_loose(text) or "/" in _flat(_flat(text, "{", "}", "")))
+
+
 def _loose(top: str) -> bool:
     r"""Whether a slash behind it would not divide all of it: a sum, or a function without brackets.
 
