@@ -1,7 +1,7 @@
 """Formulas are set as an engineer would write them."""
 
 import pytest
-from sympy import E, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
+from sympy import E, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
@@ -68,6 +68,16 @@ def test_the_power_of_a_sum_of_numbers_is_that_of_the_sum():
 def test_a_power_of_e_that_is_kept_as_one_is_an_exponential():
     """SymPy takes it for one, whose argument is then e."""
     assert latex(Pow(E, -delta / 2, evaluate=False)) == r"e^{-\delta/2}"
+
+
+def test_a_product_is_not_printed_as_a_difference_or_a_mixed_number():
+    """What nobody has evaluated: K times -B was K - B, 2 times 3/4 was 2 3/4."""
+    assert latex(Mul(K, -B, evaluate=False)) == "K(-B)"
+    assert latex(Mul(2, Rational(3, 4), evaluate=False)) == r"2 \cdot \tfrac{3}{4}"
+    assert latex(Mul(K, Rational(3, 4), evaluate=False), inline=True) == "(3/4)K"
+    left = Mul(K, sin(theta), evaluate=False)
+    assert latex(Mul(left, exp(theta), evaluate=False)) == r"(K\sin\theta)e^{\theta}"
+    assert latex(sin(theta) ** 12) == r"\sin^{12}\theta"
 
 
 def test_a_prime_stands_behind_the_letter():

@@ -284,6 +284,8 @@ def test_a_limit_holds_where_a_symbol_is_zero_too(expr, value, page):
         page.limit("Wrong", expr, x, S.Zero, value)
     page.limit("Not defined there", x / (x**2 + d * x), x, S.Zero, 1 / d)
     page.limit("Right there, too", sin(d * x) / sin(x), x, S.Zero, d)
+    page.limit("Of all the sum", K + sin(x) / x, x, S.Zero, K + 1)
+    assert page.blocks[-1].lines[0][0].endswith(r"} \bigl(K+\frac{\sin x}{x}\bigr)")
 
 
 # -- what is put in ---------------------------------------------------------------------

@@ -127,7 +127,9 @@ class _Writer:
         out = texts[0]
         for before, item, text in zip(items, items[1:], texts[1:], strict=False):
             spaced = base_of(before).func in NAMED or isinstance(before, sp.exp)
-            if before.is_Integer and (item.is_Integer or text[0].isdigit()):
+            if text.startswith("-"):
+                text = f"({text})"
+            if before.is_Integer and (item.is_Rational or text[0].isdigit()):
                 out += r" \cdot "
             elif spaced:
                 out += r"\,"
@@ -137,7 +139,7 @@ class _Writer:
         return out
 
     def factor(self, expr: Expr) -> str:
-        if expr.is_Add:
+        if expr.is_Add or expr.is_Mul or (self.inline and expr.is_Rational and expr.q != 1):
             return self.bracketed(expr)
         return self.write(expr)
 
@@ -171,7 +173,8 @@ class _Writer:
         return f"{inner}^{{{script}}}"
 
     def function(self, expr: Expr, power: int) -> str:
-        name = NAMED[expr.func] + (f"^{power}" if power != 1 else "")
+        script = f"^{power}" if 1 < power < 10 else f"^{{{power}}}" if power != 1 else ""
+        name = NAMED[expr.func] + script
         argument = expr.args[0]
         if argument.is_Rational or argument.is_Add or argument.could_extract_minus_sign():
             return f"{name}{self.bracketed(argument)}"
