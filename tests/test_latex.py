@@ -1,14 +1,16 @@
 """Formulas are set as an engineer would write them."""
 
+import random
+
 import pytest
-from sympy import E, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
+from sympy import Add, E, Integer, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
 from symhaptic.book.tex.words import beside_formulas, place_of
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
-from symhaptic.paper.reading import read
+from symhaptic.paper.reading import Unreadable, read
 from symhaptic.proof.decide import compare
 
 # right-hand sides: as written by hand on paper, in the conventions of the module's docstring
@@ -129,3 +131,35 @@ def test_a_note_has_words_beside_formulas():
     assert beside_formulas(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
     assert beside_formulas(r"\emph{5 %} and \{") == r"\emph{5 \%} and \{"
     assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"
+
+
+def some(dice, depth):
+    """A random formula, some of it not evaluated."""
+    if depth == 0:
+        return dice.choice([K, T, theta, d, Integer(2), Rational(3, 4), Integer(-1), pi])
+    one, other = (some(dice, dice.randrange(depth)) for _ in range(2))
+    kept = {"evaluate": dice.random() < 0.5}
+    return dice.choice(
+        [
+            lambda: Add(one, other, **kept),
+            lambda: Mul(one, other, **kept),
+            lambda: Mul(one, other, **kept),
+            lambda: Pow(one, dice.choice([Integer(2), Integer(-1), Rational(1, 2)]), **kept),
+            lambda: dice.choice([sin, cos, exp])(one),
+        ]
+    )()
+
+
+def test_what_is_written_is_read_as_the_same_or_not_at_all():
+    told = 0
+    for seed in range(250):
+        formula = some(random.Random(seed), 4)
+        for inline in (False, True):
+            text = latex(formula, inline).replace(r"\bigl", "").replace(r"\bigr", "")
+            try:
+                (back,) = read(text)
+            except Unreadable:  # it may be read in two ways, or divides by 0
+                continue
+            assert back == formula or compare(back, formula).equal is not False, text
+            told += 1
+    assert told > 400
