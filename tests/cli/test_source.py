@@ -325,6 +325,22 @@ def test_what_a_source_claims_in_words_is_settled_by_a_theorem(tmp_path):
     assert verdicts(folder, "--strict")["odd:words"]["verdict"] == "proved"
 
 
+@pytest.mark.parametrize("printed", ["x = 7y", "7y < x", "x", None])
+def test_what_is_claimed_of_a_print_concludes_it(tmp_path, printed):
+    """The square of a sum was a proof of whatever was printed beside it."""
+    folder = odd(tmp_path, SQUARED)
+    shown = CLAIMS.replace(
+        '"a square of a sum has three terms")', f'"three terms", ({printed!r},))'
+    )
+    (folder / "source.py").write_text(shown if printed else CLAIMS, encoding="utf-8")
+    run = symhaptic("verify", "--source", folder, "--strict")
+    if printed in ("x", None):  # which says nothing
+        assert run.returncode == 0, run.stderr
+        return
+    assert run.returncode == 2
+    assert "odd:words: what is claimed does not conclude its print" in run.stderr
+
+
 @pytest.mark.parametrize(
     ("claims", "chapter", "told"),
     [

@@ -9,11 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Any
+
+import sympy as sp
 
 from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import matching
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.proposition import Proposition, of_print, proposition
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import Printed, Unreadable
 from symhaptic.paper.statement import Source, Statement
@@ -97,11 +100,27 @@ def add(
         not isinstance(claim, Proposition) for claim in claims.values()
     ):
         raise ValueError("what is claimed is no proposition on a statement of it")
+    for id, claim in claims.items():
+        for relation in found[id].printed:
+            if isinstance(relation, sp.core.relational.Relational) and not _is_of(claim, relation):
+                raise ValueError(f"{id}: what is claimed does not conclude its print {relation}")
     SOURCES.append(source)
     STATEMENTS.update(found)
     for id, claim in claims.items():
         CLAIMED.setdefault(id, partial(_of_its_print, claim, found[id].printed))
     return source
+
+
+def _is_of(claim: Proposition, printed: Any) -> bool:
+    """Whether a claim concludes what is printed or, of the bound that is a rule, supposes it."""
+    try:
+        of_print(claim, [printed])
+    except ValueError:
+        bound, left = proposition(printed), [claim]
+        for part in left:
+            left += part.parts
+        return not isinstance(printed, sp.Eq) and bound in left
+    return True
 
 
 def _reads_otherwise(statement: Statement) -> bool:
