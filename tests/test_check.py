@@ -13,6 +13,7 @@ import pytest
 from command import symhaptic
 
 from symhaptic import __all__ as symhaptic_names
+from symhaptic import is_stable, max_passive_stiffness
 from symhaptic.check import callers, told
 from symhaptic.check.compare import compared
 from symhaptic.check.formulas import CHECKED
@@ -270,6 +271,55 @@ def test_the_plugin_passes_and_fails_a_test():
         eq25.agrees(lambda beta, delta, d: 0.0, over={"b": (0, 1)})
     with pytest.raises(ValueError, match="id: 'eq99'"):
         Agreement("eq99")
+
+
+def test_where_nothing_is_told_nothing_agrees():
+    """Before: any number agreed with a margin that no wall there has."""
+    unstable = {"alpha": (1, 1), "beta": (0, 0), "delta": (0, 0)}
+    with pytest.raises(ValueError, match="no value that is told at any of 20 points"):
+        Agreement("delay_margin").agrees(lambda *wall: 42.0, over=unstable, points=20)
+    with pytest.raises(ValueError, match="no value that is told"):
+        Agreement("eq28").agrees(lambda k, b, m: 1.0, over={"k": (0, 0), "b": (1, 1)}, points=20)
+
+
+def test_a_narrow_range_of_whole_numbers_has_whole_ends():
+    """Before: half a period was held against no delay, and a right function was wrong."""
+    Agreement("is_stable").agrees(is_stable, over={"d": (0.5, 2.5)}, points=200)
+    with pytest.raises(ValueError, match=r"d: no whole number lies between 0\.2 and 0\.8"):
+        Agreement("is_stable").agrees(is_stable, over={"d": (0.2, 0.8)}, points=200)
+
+
+def test_truths_and_counts_are_not_told_to_be_of_single_precision():
+    """Each 0 and 1 is a float32."""
+
+    def wrong_at_an_edge(alpha, beta, gamma, delta, d):
+        return is_stable(alpha, beta, gamma, delta, d) or alpha == 0
+
+    with pytest.raises(pytest.fail.Exception) as told_:
+        Agreement("is_stable").agrees(wrong_at_an_edge, points=2000)
+    assert "single precision" not in str(told_.value)
+
+
+def test_a_range_in_whole_numbers_is_told_as_any_other():
+    """Before: an AttributeError where the worst point was an end that is an int."""
+    with pytest.raises(pytest.fail.Exception, match="0x"):
+        Agreement("eq6").agrees(lambda K, B, T: K - K / 3, over={"B": (-7, -7)}, points=20)
+    with pytest.raises(ValueError, match=r"10000.* it gives"):
+        Agreement("eq6").agrees(lambda K, B, T: 10**400, over={"K": (10000, 10000)}, points=2)
+    for nothing in ({"points": 0}, {"over": {"B": (0, math.inf)}}):
+        with pytest.raises(ValueError, match="is not allowed"):
+            Agreement("eq6").agrees(lambda K, B, T: 0.0, **nothing)
+
+
+def test_a_list_that_is_used_again_has_each_of_its_numbers():
+    kept = [0.0, 0.0]
+
+    def wall(b, T, d):
+        kept[:] = max_passive_stiffness(b, d)[:2]
+        kept[0] /= T
+        return kept
+
+    assert compared(CHECKED["eq11"], callers.called(wall, 2), 8, 200).agrees
 
 
 @pytest.mark.parametrize("name", CHECKED)

@@ -1,14 +1,16 @@
 """Formulas are set as an engineer would write them."""
 
+import random
+
 import pytest
-from sympy import Rational, Symbol, cos, exp, pi, sin, sqrt
+from sympy import Add, E, Integer, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.tex.forms import reference
 from symhaptic.book.tex.words import beside_formulas, place_of
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import latex
-from symhaptic.paper.reading import read
+from symhaptic.paper.reading import Unreadable, read
 from symhaptic.proof.decide import compare
 
 # right-hand sides: as written by hand on paper, in the conventions of the module's docstring
@@ -65,10 +67,34 @@ def test_the_power_of_a_sum_of_numbers_is_that_of_the_sum():
     assert latex((1 - exp(Rational(-1, 50))) ** 2, inline=True) == r"(1-e^{-1/50})^{2}"
 
 
+def test_a_power_of_e_that_is_kept_as_one_is_an_exponential():
+    """SymPy takes it for one, whose argument is then e."""
+    assert latex(Pow(E, -delta / 2, evaluate=False)) == r"e^{-\delta/2}"
+
+
+def test_a_product_is_not_printed_as_a_difference_or_a_mixed_number():
+    """What nobody has evaluated: K times -B was K - B, 2 times 3/4 was 2 3/4."""
+    assert latex(Mul(K, -B, evaluate=False)) == "K(-B)"
+    assert latex(Mul(2, Rational(3, 4), evaluate=False)) == r"2 \cdot \tfrac{3}{4}"
+    assert latex(Mul(K, Rational(3, 4), evaluate=False), inline=True) == "(3/4)K"
+    left = Mul(K, sin(theta), evaluate=False)
+    assert latex(Mul(left, exp(theta), evaluate=False)) == r"(K\sin\theta)e^{\theta}"
+    assert latex(sin(theta) ** 12) == r"\sin^{12}\theta"
+
+
 def test_a_prime_stands_behind_the_letter():
     assert latex(Symbol("delta'")) == r"\delta'"
     assert latex(Symbol("n_1''")) == "n_1''"
     assert latex(Symbol("K'")) == "K'"
+
+
+def test_a_function_is_of_all_that_its_bracket_begins():
+    """The sine of a square was printed as the square of a sine, and that of a product as one."""
+    assert latex(sin((theta + psi) ** 2)) == r"\sin\bigl((\theta+\psi)^{2}\bigr)"
+    assert latex(sin((theta + psi) ** d), inline=True) == r"\sin\bigl((\theta+\psi)^{d}\bigr)"
+    assert latex(cos((d + 1) * (theta + psi))) == r"\cos\bigl((d+1)(\theta+\psi)\bigr)"
+    assert latex(sin(theta * cos(psi))) == r"\sin\bigl(\theta\cos\psi\bigr)"
+    assert latex(cos((K + 1) ** 2 * theta)) == r"\cos\bigl((K+1)^{2}\theta\bigr)"
 
 
 @pytest.mark.parametrize(
@@ -105,3 +131,35 @@ def test_a_note_has_words_beside_formulas():
     assert beside_formulas(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
     assert beside_formulas(r"\emph{5 %} and \{") == r"\emph{5 \%} and \{"
     assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"
+
+
+def some(dice, depth):
+    """A random formula, some of it not evaluated."""
+    if depth == 0:
+        return dice.choice([K, T, theta, d, Integer(2), Rational(3, 4), Integer(-1), pi])
+    one, other = (some(dice, dice.randrange(depth)) for _ in range(2))
+    kept = {"evaluate": dice.random() < 0.5}
+    return dice.choice(
+        [
+            lambda: Add(one, other, **kept),
+            lambda: Mul(one, other, **kept),
+            lambda: Mul(one, other, **kept),
+            lambda: Pow(one, dice.choice([Integer(2), Integer(-1), Rational(1, 2)]), **kept),
+            lambda: dice.choice([sin, cos, exp])(one),
+        ]
+    )()
+
+
+def test_what_is_written_is_read_as_the_same_or_not_at_all():
+    told = 0
+    for seed in range(250):
+        formula = some(random.Random(seed), 4)
+        for inline in (False, True):
+            text = latex(formula, inline).replace(r"\bigl", "").replace(r"\bigr", "")
+            try:
+                (back,) = read(text)
+            except Unreadable:  # it may be read in two ways, or divides by 0
+                continue
+            assert back == formula or compare(back, formula).equal is not False, text
+            told += 1
+    assert told > 400

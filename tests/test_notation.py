@@ -7,6 +7,17 @@ import sympy as sp
 
 from symhaptic import notation
 from symhaptic.notation import SYMBOLS, TABLE_I, UNITS
+from symhaptic.notation.proposition import (
+    And,
+    Iff,
+    Implies,
+    Not,
+    Or,
+    Predicate,
+    conjuncts,
+    proposition,
+)
+from symhaptic.notation.written import written
 from symhaptic.paper.reading import read
 
 DOMAINS = {"real", "positive", "nonnegative", "complex", "(0, pi)", "(0, pi/2)", "[0, 1]"}
@@ -115,3 +126,45 @@ def test_definitions_of_table_one():
         None if row.dimensionless is None else read(row.dimensionless)[0].args for row in TABLE_I
     ]
     assert found == right
+
+
+def test_what_is_denied_is_not_told_from_a_part_of_it_by_its_place():
+    """That not both hold was printed as that the one does not, and the other does."""
+    stiff, fast = map(proposition, (notation.K > 0, notation.T < 1))
+    assert written(Not((And((stiff, fast)),))) == r"\text{not}\ (K>0,\ T<1)"
+    assert written(And((Not((stiff,)), fast))) == r"\text{not}\ K>0,\ T<1"
+    chain = And((stiff, proposition(notation.K < notation.T)))
+    assert written(Not((chain,))) == r"\text{not}\ 0<K<T"
+
+
+@pytest.mark.parametrize(
+    ("name", "terms", "said"),
+    [
+        # a slash binds less than what stands beside it: m delta/T times x', not m delta/(T x')
+        ("swings", "m, m*delta/T, K - b, omega", r"m\ddot x+(m\delta/T)\dot x+(K-b)x=0"),
+        (
+            "device",
+            "gamma, delta, n_1 + n_0, -n_0, a + 1, e",
+            r"\frac{(n_1+n_0)z+(-n_0)}{z^2-(a+1)z+e}",
+        ),
+        ("answers", "1/s, 1 + z, X/T, T", r"1/s\ \text{answers }(z+1)^k\text{, held every }T"),
+        ("answers", "1/s, z, X/T, T", r"\text{, by }(X/T)\,z^k"),
+        ("limit", "x + K, 0, b", r"\lim_{x\to 0} (K+x)=b"),
+    ],
+)
+def test_a_term_of_a_predicate_is_printed_as_one(name, terms, said):
+    of = sp.sympify(f"({terms})", locals={n: getattr(notation, n) for n in SYMBOLS})
+    over = (notation.x,) if name == "limit" else (notation.s,) if name == "answers" else ()
+    assert said in written(Predicate(name, over, tuple(of)))
+
+
+def test_propositions_of_two_meanings_are_printed_in_two_ways():
+    parts = [proposition(r) for r in (notation.K > 0, notation.T < 1, notation.B > 0)]
+    for _ in range(2):
+        pairs = [(p, q) for p in parts[:24] for q in parts[:24] if p is not q]
+        made = [kind(pair) for kind in (Or, Implies, Iff) for pair in pairs]
+        parts += [*made, *(Not((p,)) for p in parts), *(And((p, q)) for p, q in pairs)]
+    meant = {}
+    for part in parts:
+        both = conjuncts(part) if isinstance(part, And) else part
+        assert meant.setdefault(written(part), both) == both

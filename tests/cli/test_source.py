@@ -97,6 +97,23 @@ def test_data_outside_is_no_proof_until_the_ledger_has_it(tmp_path, derived):
     assert symhaptic("verify", "--source", folder, "--strict").returncode == 0
 
 
+def test_a_misprint_that_becomes_another_one_is_told(notes):
+    """Its verdict is the same, and so was what `verify` said of it."""
+    ledger = notes / "ledger.json"
+    symhaptic("verify", "--source", notes, "--format", "json", "-o", ledger)
+    for file, old, new, told in (
+        ("source.py", r"\frac{cv}{2}", r"\frac{cv}{3}", "the print is F = \\frac{cv}{3}, but"),
+        ("drifting.py", "F = bv", "F = vb", "the correction is F = vb, but the ledger says F = bv"),
+    ):
+        path, kept = notes / file, (notes / file).read_text(encoding="utf-8")
+        path.write_text(kept.replace(old, new), encoding="utf-8")
+        run = symhaptic("verify", "--source", notes, "--strict")
+        assert (run.returncode, f"DIFFERS  drift:start: {told}" in run.stdout) == (1, True)
+        assert symhaptic("verify", "--source", notes).returncode == 0
+        path.write_text(kept, encoding="utf-8")
+    assert symhaptic("verify", "--source", notes, "--strict").returncode == 0
+
+
 def test_an_emptied_ledger_is_not_none(notes):
     (notes / "ledger.json").write_text('{"statements": []}', encoding="utf-8")
     run = symhaptic("verify", "--source", notes, "--strict")
@@ -141,6 +158,9 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
         ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has 'b' twice on a side"),
         ('(("c", "b"),)', '(("c", "b"), ("c", "T"))', "the notation has 'c' twice on a side"),
+        ('(("c", "b"),)', '(("c", "damper"),)', "'damper' for 'c'; a symbol of ours is"),
+        ('(("c", "b"),)', '(("cv", "b"),)', "'cv' is no name"),
+        (r'{cv}{2}",)', r'{cv}{2}",), reading=("F = cv",)', "reading: says something else than"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],
@@ -181,6 +201,19 @@ def test_it_is_printed_and_attacked_like_the_paper(notes, tmp_path):
     run = symhaptic("mutants", "--source", notes)
     assert run.returncode == 0, run.stdout
     assert " 0 accepted though wrong" in run.stdout
+
+
+def test_a_check_of_mutants_has_a_record_to_hold_them_against(notes, tmp_path):
+    """Without one it held them against nothing, and passed."""
+    run = symhaptic("mutants", "--source", notes, "--check")
+    assert (run.returncode, run.stderr.splitlines()) == (
+        2,
+        ["symhaptic: error: --check: the record is needed; -o FILE names it"],
+    )
+    record = ("-o", tmp_path / "mutants.json")
+    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 1
+    assert symhaptic("mutants", "--source", notes, *record).returncode == 0
+    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 0
 
 
 def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
@@ -290,6 +323,22 @@ def test_what_a_source_claims_in_words_is_settled_by_a_theorem(tmp_path):
     folder = odd(tmp_path, SQUARED)
     (folder / "source.py").write_text(CLAIMS, encoding="utf-8")
     assert verdicts(folder, "--strict")["odd:words"]["verdict"] == "proved"
+
+
+@pytest.mark.parametrize("printed", ["x = 7y", "7y < x", "x", None])
+def test_what_is_claimed_of_a_print_concludes_it(tmp_path, printed):
+    """The square of a sum was a proof of whatever was printed beside it."""
+    folder = odd(tmp_path, SQUARED)
+    shown = CLAIMS.replace(
+        '"a square of a sum has three terms")', f'"three terms", ({printed!r},))'
+    )
+    (folder / "source.py").write_text(shown if printed else CLAIMS, encoding="utf-8")
+    run = symhaptic("verify", "--source", folder, "--strict")
+    if printed in ("x", None):  # which says nothing
+        assert run.returncode == 0, run.stderr
+        return
+    assert run.returncode == 2
+    assert "odd:words: what is claimed does not conclude its print" in run.stderr
 
 
 @pytest.mark.parametrize(

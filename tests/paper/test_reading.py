@@ -178,6 +178,9 @@ SHORT = {
     r"-K^2": -(K**2),
     r"b \changed{\frac{m}{T}} c_1": b * m / T * c_1,
     r"K \br + B": K + B,
+    r"\frac{d T}{d + 1}": d * T / (d + 1),
+    r"\frac{T}{d K}": T / (d * K),
+    r"T/dK + d": T / (d * K) + d,
 }
 
 
@@ -286,6 +289,31 @@ MISLEADING = [
     r"K(0) = B",
     r"K\left(T\right) = B",
     r"\sin K(T)",
+    r"x(t - t_d) = v",
+    r"F = Kx[k + 1]",
+    # the derivative of x by t, not x/t: d is the delay
+    r"v = \frac{dx}{dt}",
+    r"v = \frac{d}{dt} x",
+    r"v = \frac{d(Kx)}{d\theta}",
+    r"v = \frac{d^2x}{dt^2}",
+    r"v = dx/dt",
+    r"v = K dx/d\theta + B",
+    # braces print nothing: 2K + B, sin 2B, a function v of t, (K B) beside each other
+    "2{K + B}T",
+    "{K + B}^2",
+    r"\sin{2}B",
+    r"\Re{K}B",
+    "v{(t)}",
+    r"v{\left(t \right)}",
+    r"\frac(K + B)(T)",
+    r"\begin{pmatrix} K & B \end{pmatrix}",
+    r"\begin{pmatrix} K \\ B \end{pmatrix}_0 = \begin{pmatrix} T \\ b \end{pmatrix}_{b + B}",
+    # as a page prints the sine of (d + 1) theta, and no one knows what is halved
+    r"\sin(d+1)\theta",
+    r"\cos^2(d+1)\theta",
+    r"\sin\theta/2",
+    r"\sin d\cdot\theta",
+    r"\cos\theta\,z",
 ]
 
 
@@ -315,6 +343,18 @@ def test_what_a_source_calls_otherwise_has_that_name_alone():
     assert read("jK", (("j", "k"),)) == (sp.prod(sp.symbols("k K")),)
     with pytest.raises(Unreadable, match=r"'b', which the source calls 'c', in 'c = b'"):
         read("c = b", (("c", "b"),))
+
+
+@pytest.mark.parametrize("name", [r"\pi", "bv", r"\sin", "k_{w}x", "2", r"\text{s}"])
+def test_a_source_calls_nothing_what_the_reader_takes_for_something_else(name):
+    with pytest.raises(Unreadable, match="is no name"):
+        read("K = B", ((name, "B"),))
+
+
+def test_a_subscript_in_braces_is_the_same_subscript():
+    own = (("n_{1}", "K"), ("k_w", "B"))
+    assert read("n_1 n_{1} k_{w} k_w", own) == ((K * B) ** 2,)
+    assert read(r"\omega_{N} b_{D}") == (sp.Symbol("omega_N") * b_D,)
 
 
 def test_short_names_of_relations():

@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 from sympy import cos, exp, sin, sqrt, tan
 
+from symhaptic import prove
 from symhaptic.proof.derivative import derivative
 
 x, y = sp.symbols("x y")
@@ -25,3 +26,11 @@ x, y = sp.symbols("x y")
 )
 def test_it_is_that_of_sympy(expr):
     assert derivative(expr, x) == sp.diff(expr, x)
+
+
+def test_a_power_of_e_that_is_kept_as_one_has_its_slope():
+    """It was an AttributeError, of SymPy's, in `prove` and `enclose_maximum`."""
+    x = sp.Symbol("x")
+    kept = sp.Pow(sp.E, 2 * x, evaluate=False)
+    assert derivative(kept, x).subs(x, 0) == 2
+    assert bool(prove(kept > 1 + 2 * x + x**2, {x: (sp.Rational(1, 100), 1)}))

@@ -184,6 +184,7 @@ AS_A_CONDITION = {
     "a hypothesis": "discharged(combined(K < 1, [assume(K < 0)], [1]), K < 0)",
     "a part of one": "discharged(combined(K < 1, [assume(K < 0)], [1]), K < 0, K < 2)",
     "a case": "widened(number(TRUE), Or((TRUE, proposition(K < 0))))",
+    "of the same": "discharged(assume(K < 0), K < 0)",
     "of itself": "equivalent(discharged(assume(K < 0), K < 0), discharged(assume(K < 0), K < 0))",
 }
 

@@ -9,14 +9,16 @@ import sympy as sp
 from flint import arb
 from sympy import Eq, Rational, S, atan, cos, floor, pi, sin
 
+from symhaptic.book.grounds import shows
 from symhaptic.book.page import Page
 from symhaptic.book.record import Evidence, FalseStep
-from symhaptic.notation import B, K, T, alpha, b, m, theta, x
+from symhaptic.notation import B, K, T, alpha, b, d, m, theta, x
 from symhaptic.proof.counterexample import Witness
 from symhaptic.proof.enclosed import Enclosed, enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.seal import NotMade
 from symhaptic.proof.sign import Fact, NotShown, assume, combined, either
+from symhaptic.proof.verdict import Unfounded
 
 
 @pytest.fixture
@@ -217,8 +219,10 @@ def test_only_what_has_no_value_of_its_own_is_a_name():
     page.state("circle", "roughly", r"\pi = 4")
     four = Eq(pi, 4, evaluate=False)
     assert page.settle("circle", four, definition=True).kind == "argued"
-    page.state("name", "from here on", r"x = \pi")
-    assert page.settle("name", Eq(x, pi), definition=True).kind == "definition"
+    page.state("units", "a stiffness that is a damping", "K = B")
+    assert page.settle("units", Eq(K, B), definition=True).kind == "argued"
+    page.state("name", "from here on", r"\theta = \pi")
+    assert page.settle("name", Eq(theta, pi), definition=True).kind == "definition"
 
 
 def test_a_name_that_stands_for_two_things_shows_neither():
@@ -242,6 +246,46 @@ def test_a_name_may_be_written_twice_for_the_same():
     page.step("Again", (B + 1) / T - 1 / T, B / T, name=K)
     page.state("same", "a stiffness", r"K = \frac{B}{T}")
     assert page.settle("same", Eq(K, B / T)).kind == "proved"
+
+
+def test_what_a_symbol_is_assumed_to_be_is_not_on_the_page():
+    """beta is any real number: the root of its square is beta of a positive one only."""
+    page, own = Page("test"), sp.Symbol("beta", positive=True)
+    known = "carries assumptions; its domain in the notation"
+    page.state("mine", "the root of a square", r"\alpha = \sqrt{\beta^2}")
+    for write in (
+        lambda: page.define("A name", alpha, own),
+        lambda: page.step("A step", own * sin(theta) ** 2 + own * cos(theta) ** 2, own, name=alpha),
+        lambda: page.limit("Where it ends", own / (1 + T), T, S.Zero, own),
+        lambda: page.settle("mine", Eq(alpha, own)),
+        lambda: page.settle("mine", Eq(alpha, alpha, evaluate=False), given={alpha: own}),
+        lambda: page.settle("mine", Eq(alpha, sp.Function("H", positive=True)(T))),
+        lambda: page.settle("mine", Eq(alpha, own), definition=True),
+        lambda: page.settle("mine", combined(own * theta, [assume(own), assume(theta)])),
+    ):
+        with pytest.raises((FalseStep, Unfounded), match=f"{known}|is not a definition on"):
+            write()
+    # what a page that was patched shows is not known again where it arrives
+    assert not shows([Eq(alpha, own)], [(alpha, own)], [])
+
+
+@pytest.mark.parametrize(
+    ("expr", "value"),
+    [
+        (d * x / (d * x + x**2), S.One),  # 0 without a delay
+        ((d * x + x**2) / (d * x + 2 * x**2), S.One),  # one half
+        (sin(d * x) / sin(d * x + x**2), S.One),  # 0
+        (x**2 / (d * x + x**2), S.Zero),  # one
+    ],
+)
+def test_a_limit_holds_where_a_symbol_is_zero_too(expr, value, page):
+    """The lowest term of a divisor is another one there, which the series does not see."""
+    with pytest.raises(FalseStep, match="step 'Wrong' is false at d = 0"):
+        page.limit("Wrong", expr, x, S.Zero, value)
+    page.limit("Not defined there", x / (x**2 + d * x), x, S.Zero, 1 / d)
+    page.limit("Right there, too", sin(d * x) / sin(x), x, S.Zero, d)
+    page.limit("Of all the sum", K + sin(x) / x, x, S.Zero, K + 1)
+    assert page.blocks[-1].lines[0][0].endswith(r"} \bigl(K+\frac{\sin x}{x}\bigr)")
 
 
 # -- what is put in ---------------------------------------------------------------------

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, I, Rational, S, cos, cot, exp, log, sin, sqrt, tan
 
-from symhaptic import enclose_maximum, prove, recheck
+from symhaptic import enclose, enclose_maximum, prove, recheck
 from symhaptic.proof import box as boxes
 from symhaptic.proof.certificate import Positive
 from symhaptic.proof.sign import NotShown
@@ -39,6 +39,17 @@ UNDEFINED = [
     (sp.Gt(sp.I * x + 1, sp.I * x), (0, 1)),
     (sp.Gt(sp.I + 1, sp.I, evaluate=False), (0, 1)),
 ]
+
+
+@pytest.mark.parametrize("of", [1 / x, log(x), tan(1 / x), x ** Rational(1, 3)])
+def test_what_is_not_defined_is_not_one_to_the_power_of_zero(of):
+    """Balls of all numbers, and of none, were 1 to the power of 0."""
+    power = sp.Pow(of, 0, evaluate=False)
+    assert not prove(sp.Lt(power, 2, evaluate=False), {x: (0, 1)})
+    assert not recheck(Positive(2 - power, {x: (0, 1)}, ".", 96))
+    assert prove(sp.Lt(power, 2, evaluate=False), {x: (Rational(3, 4), Rational(7, 8))})
+    with pytest.raises(ValueError, match=r"^enclose: expr: "):
+        enclose(sp.Pow(of.xreplace({x: sin(1) ** 2 + cos(1) ** 2 - 1}), 0, evaluate=False))
 
 
 @pytest.mark.parametrize(("relation", "ends"), UNDEFINED, ids=str)

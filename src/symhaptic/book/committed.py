@@ -53,6 +53,26 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     return lines
 
 
+_SAID = {"statement": "print", "condition": "condition", "corrected": "correction"}
+"""What a record says beside its verdict, and how it is called."""
+
+
+def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
+    """Statements whose print, condition or correction is not the committed one: a misprint that
+    becomes another one has the same verdict."""
+    data = json.loads(path.read_text(encoding="utf-8"))
+    records, lines = {r["id"]: r for r in data["statements"]}, []
+    for entry in entries:
+        id, said = entry.statement.id, entry.as_json()
+        known = records.get(id, {})
+        lines += [
+            f"{id}: the {called} is {said[name]}, but the ledger says {known[name]}"
+            for name, called in _SAID.items()
+            if name in known and known[name] != said[name]
+        ]
+    return lines
+
+
 UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL})
 """Verdicts that rest on a chapter's word: for what joins its checks, or for data outside."""
 

@@ -14,10 +14,11 @@ from sympy import Expr
 from symhaptic.notation import SYMBOLS
 from symhaptic.proof.ball import is_real
 from symhaptic.proof.decide import equal
+from symhaptic.proof.names import carrying
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.settle import Settlement, is_name
-from symhaptic.proof.sign import Fact, remade
+from symhaptic.proof.sign import Fact, facts_below, remade
 
 Rest = tuple[Expr, bool]
 Definition = tuple[Expr, Expr]
@@ -40,6 +41,8 @@ def unproved(fact: Fact, written: Iterable[Rest]) -> str | None:
     """
     if fact.made is None:
         return f"{fact.expr} is assumed, not proved"
+    if told := carrying(*(below.expr for below in facts_below(fact))):
+        return told
     if any(_same(expr, fact.expr) for expr, _ in fact.rests):
         return f"{fact.expr} rests on itself"
     known = set(written)
@@ -106,7 +109,8 @@ def not_defined(given: Mapping[Expr, Expr], definitions: Sequence[Definition]) -
 def _named(definitions: Sequence[Definition]) -> list[Definition]:
     """Those of what has no value of its own, and not by itself, and that stands for one thing:
     neither cos x nor the x of 2 x nor that of 1 and 2 is a name for what an author likes."""
-    named = [(n, meaning) for n, meaning in definitions if is_name(n) and not meaning.has(n)]
+    bare = ((n, meaning) for n, meaning in definitions if not carrying(n, meaning))
+    named = [(n, meaning) for n, meaning in bare if is_name(n) and not meaning.has(n)]
     return [(n, m) for n, m in named if all(_alike(m, o, {}) for other, o in named if other == n)]
 
 

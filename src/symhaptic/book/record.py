@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import InitVar, dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -14,18 +14,24 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.notation.latex import matching
+from symhaptic.notation.proposition import Relation
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
 from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Comparison, compare
+from symhaptic.proof.names import carrying
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.points import choices
 from symhaptic.proof.seal import Sealed
-from symhaptic.proof.series import limit
+from symhaptic.proof.series import limit, lowest_term
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact, facts_below
+from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.kernel import Theorem
+from symhaptic.proof.values import value_at
 from symhaptic.proof.verdict import Verdict
 
 PACKAGE = Path(__file__).parents[1]
@@ -40,6 +46,23 @@ def in_latex(where: str, *texts: Any) -> None:
     for text in texts:
         if isinstance(text, str) and not matching(text):
             raise FalseStep(f"{where}: {text!r} has braces that do not match")
+
+
+def _sooner(expr: Expr, variable: sp.Symbol, at: Expr) -> Iterator[sp.Symbol]:
+    """Symbols that may be 0, where a divisor vanishes sooner at a point than it does elsewhere."""
+    divisors = {c.left for c in conditions(expr) if isinstance(c, Relation)}
+    for divisor in sorted((d for d in divisors if d.has(variable)), key=str):
+        coefficient = lowest_term(divisor, variable, at)[1]
+        for symbol in sorted(coefficient.free_symbols - {variable}, key=str):
+            there = value_at(coefficient, {symbol: sp.S.Zero})
+            if 0 in choices(symbol) and isinstance(there, Expr) and is_zero(there):
+                yield symbol
+
+
+def _tends_to(expr: Any, variable: sp.Symbol, at: Expr, value: Any) -> bool:
+    """Whether a limit is shown to be this."""
+    order, lowest = (1, expr) if is_zero(expr) else lowest_term(expr, variable, at)
+    return order >= 0 and is_zero((lowest if order == 0 else sp.S.Zero) - value)
 
 
 def line_at_work() -> int:
@@ -171,7 +194,13 @@ class Record:
     def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
         """A limit as it was found, and kept as what it was asked for."""
         found = limit(expr, variable, sp.sympify(at))
+        if told := carrying(expr, variable):
+            raise FalseStep(f"step {title!r}: {told}")
         self._compared(title, found, value)
+        for symbol in _sooner(sp.sympify(expr), variable, sp.sympify(at)):
+            there = [value_at(sp.sympify(form), {symbol: sp.S.Zero}) for form in (expr, value)]
+            if None not in there and not _tends_to(there[0], variable, sp.sympify(at), there[1]):
+                raise FalseStep(f"step {title!r} is false at {symbol} = 0")
         check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
         self.checks.append((title, check))
         return check
@@ -182,6 +211,8 @@ class Record:
         return found
 
     def _compared(self, title: str, left: Form, right: Form) -> Comparison:
+        if told := carrying(*parts(left), *parts(right)):
+            raise FalseStep(f"step {title!r}: {told}")
         result = compare(left, right)
         if result.equal:
             return result

@@ -9,12 +9,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Any
+
+import sympy as sp
 
 from symhaptic import paper, rules
+from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import matching
-from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.proposition import Proposition, of_print, proposition
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.reading import Printed, Unreadable
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.rules import claims as _claims  # noqa: F401  registered in CLAIMED
 
@@ -71,6 +75,9 @@ def add(
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
             raise ValueError(f"the notation has {twice[0]!r} twice on a side; once is allowed")
+    for tex, name in source.notation:
+        if name not in SYMBOLS:
+            raise ValueError(f"the notation has {name!r} for {tex!r}; a symbol of ours is allowed")
     if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
         raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
     for statement in statements:
@@ -84,6 +91,8 @@ def add(
             )
         found[statement.id] = replace(statement, notation=source.notation)
         found[statement.id].printed  # noqa: B018  raises where it cannot be read
+        if _reads_otherwise(found[statement.id]):
+            raise ValueError(f"{statement.id}: reading: says something else than the print does")
         for line in (*statement.latex, statement.domain):
             if not matching(line):
                 raise ValueError(f"{statement.id}: {line!r} has braces that do not match")
@@ -91,11 +100,37 @@ def add(
         not isinstance(claim, Proposition) for claim in claims.values()
     ):
         raise ValueError("what is claimed is no proposition on a statement of it")
+    for id, claim in claims.items():
+        for relation in found[id].printed:
+            if isinstance(relation, sp.core.relational.Relational) and not _is_of(claim, relation):
+                raise ValueError(f"{id}: what is claimed does not conclude its print {relation}")
     SOURCES.append(source)
     STATEMENTS.update(found)
     for id, claim in claims.items():
         CLAIMED.setdefault(id, partial(_of_its_print, claim, found[id].printed))
     return source
+
+
+def _is_of(claim: Proposition, printed: Any) -> bool:
+    """Whether a claim concludes what is printed or, of the bound that is a rule, supposes it."""
+    try:
+        of_print(claim, [printed])
+    except ValueError:
+        bound, left = proposition(printed), [claim]
+        for part in left:
+            left += part.parts
+        return not isinstance(printed, sp.Eq) and bound in left
+    return True
+
+
+def _reads_otherwise(statement: Statement) -> bool:
+    """Whether a print that can be read, and quotes no number, is taken for another formula."""
+    if statement.reading is None or statement.quoted:
+        return False
+    try:
+        return replace(statement, reading=None).printed != statement.printed
+    except Unreadable:
+        return False
 
 
 def _not_text(statement: Statement) -> str | None:

@@ -18,12 +18,13 @@ from sympy import Expr
 
 from symhaptic.book.grounds import written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
-from symhaptic.notation.latex import latex
+from symhaptic.notation.latex import is_sum, latex
 from symhaptic.proof.ball import bound
 from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
 from symhaptic.proof.counterexample import Witness
 from symhaptic.proof.decide import Comparison
 from symhaptic.proof.enclosed import Source, enclosed
+from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, decimals
 from symhaptic.proof.seal import KEY
@@ -58,6 +59,8 @@ class Steps(Record):
 
     def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
         if isinstance(name, Expr):
+            if told := carrying(name, meaning):
+                raise FalseStep(f"{name}: {told}")
             self.definitions.append((name, meaning))
 
     # -- steps --------------------------------------------------------------------------
@@ -183,6 +186,7 @@ class Steps(Record):
         """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
         self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
+        inner = rf"\bigl({inner}\bigr)" if name is None and is_sum(inner) else inner
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         self._equation(title, [(left, "=", value)], "proved", "exact series", because)
         return value

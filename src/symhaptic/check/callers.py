@@ -87,7 +87,7 @@ def called(function: Callable[..., Any], results: int) -> Caller:
                     value = function(*at)
                 except (ArithmeticError, ValueError):
                     value = (float("nan"),) * results
-                found.append(value if isinstance(value, tuple | list) else (value,))
+                found.append(tuple(value) if isinstance(value, tuple | list) else (value,))
         return [_numbers(*pair) for pair in zip(points, found, strict=True)]
 
     return run
@@ -96,7 +96,7 @@ def called(function: Callable[..., Any], results: int) -> Caller:
 def _numbers(point: tuple[float, ...], values: Sequence[Any]) -> tuple[float, ...]:
     try:
         return tuple(float(v) for v in values)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         given, got = ", ".join(map(str, point)), values[0] if len(values) == 1 else values
         raise ValueError(
             f"--python: called with {given} it gives {got!r}; numbers are allowed"

@@ -49,18 +49,28 @@ class Found:
 
 def points(checked: Checked, count: int, seed: int = 20) -> list[Point]:
     """Edges and hard values in all pairs first, then random ones inside."""
+    ends = [_ends(checked, name) for name in checked.ranges]
     edges = [
         [v for v in dict.fromkeys((low, high, *hard)) if low <= v <= high]
-        for low, high, hard in checked.ranges.values()
+        for (low, high), (*_, hard) in zip(ends, checked.ranges.values(), strict=True)
     ]
     found = list(islice(product(*edges), count // 2))
     rng = np.random.default_rng(seed)
-    inside = [rng.uniform(*ends[:2], count - len(found)) for ends in checked.ranges.values()]
+    inside = [rng.uniform(*pair, count - len(found)) for pair in ends]
     for i, name in enumerate(checked.ranges):
         if name in checked.whole:
-            low, high, _ = checked.ranges[name]
-            inside[i] = np.clip(np.round(inside[i]), math.ceil(low), math.floor(high))
+            inside[i] = np.round(inside[i])
     return found + list(zip(*(column.tolist() for column in inside), strict=True))
+
+
+def _ends(checked: Checked, name: str) -> tuple[float, float]:
+    """The least and the largest value of an argument, a whole number where it is one."""
+    low, high, _ = checked.ranges[name]
+    if name not in checked.whole:
+        return low, high
+    if math.ceil(low) > math.floor(high):
+        raise ValueError(f"{name}: no whole number lies between {low} and {high}")
+    return float(math.ceil(low)), float(math.floor(high))
 
 
 def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
@@ -86,6 +96,8 @@ def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
     places = _looked(checked, some, got)
     looked = [(some[i], got[i], off(checked, some[i], got[i])[0]) for i in places]
     at, last, most = max(looked, key=lambda one: one[2])
+    if most < 0:
+        raise ValueError(f"{checked.id} has no value that is told at any of {len(some)} points")
     wrong = most > ulp
     if wrong:
         at = plainest(checked, call, at, ulp)
@@ -134,8 +146,8 @@ def _looked(checked: Checked, some: list[Point], got: list[Point]) -> list[int]:
 
 
 def off(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
-    """The error of the worst result, and its name."""
-    worst = 0.0, checked.results[0]
+    """The error of the worst result, and its name; -inf where none has a value that is told."""
+    worst = -math.inf, checked.results[0]
     rights, sizes = exact(checked, point)
     for name, value, right, size in zip(checked.results, got, rights, sizes, strict=True):
         worst = max(worst, (_off(value, right, size), name), key=lambda one: one[0])
@@ -153,13 +165,13 @@ def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[Any, .
 
 
 def _off(value: float, right: Any, size: float) -> float:
-    """At least so many units; nothing where the formula has no value or balls do not tell it."""
+    """At least so many units; -inf where the formula has no value or balls do not tell it."""
     if right is None:
-        return 0.0
+        return -math.inf
     if isinstance(right, bool):
         return 0.0 if value == right else math.inf
     if not right.is_finite():
-        return 0.0
+        return -math.inf
     if not math.isfinite(value):
         return math.inf
     with flint.ctx.workprec(256):

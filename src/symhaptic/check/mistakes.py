@@ -57,7 +57,7 @@ def named(checked: Checked, some: Sequence[Point], got: Sequence[Point]) -> tupl
     ways = (name for name, values in _candidates(checked, columns)
             if _share(values, mine, by) > max(_MOST, right))  # fmt: skip
     names = list(islice(ways, 1))
-    if near and _single(mine):
+    if near and _single(mine) and not _single(np.array(exact, dtype=float)):
         names.append("single precision: every result is a float32")
     elif not names and near and right < _BY_CHANCE:
         names.append("as far off as single precision, somewhere in between")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import inf
 from typing import Any
 
 import pytest
@@ -36,14 +37,16 @@ class Agreement:
         from symhaptic.check.compare import compared
         from symhaptic.check.told import Report, text
 
+        if points < 1:
+            raise ValueError(f"points: {points} is not allowed; 1 or more are")
         ranges = dict(self.checked.ranges)
         for name, (low, high) in (over or {}).items():
-            if name not in ranges or not low <= high:
+            if name not in ranges or not -inf < low <= high < inf:
                 known = ", ".join(ranges)
                 raise ValueError(
                     f"over: {name!r}: ({low}, {high}) is not allowed; (least, most) of {known} is"
                 )
-            ranges[name] = low, high, ranges[name][2]
+            ranges[name] = float(low), float(high), ranges[name][2]
         checked = replace(self.checked, ranges=ranges)
         found = compared(checked, called(function, len(checked.results)), ulp, points)
         if not found.agrees:

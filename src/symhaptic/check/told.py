@@ -121,7 +121,7 @@ def table(report: Report) -> str:
     mine = [f"{name}_got" for name in checked.results]
     out = [",".join((*checked.ranges, *checked.results, *mine, "ulp"))]
     for point, got, off in found.looked:
-        out.append(",".join((*_row(checked, point), *(v.hex() for v in got), f"{off:.3g}")))
+        out.append(",".join((*_row(checked, point), *(v.hex() for v in got), f"{max(off, 0):.3g}")))
     return "\n".join(out) + "\n"
 
 

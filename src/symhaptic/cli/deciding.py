@@ -68,7 +68,8 @@ def verify(
         bool,
         typer.Option(
             "--strict",
-            help="Fail on undecided too, and on argued or external where no ledger says so.",
+            help="Fail on undecided too, on argued or external where no ledger says so, and of a "
+            "source on another print, condition or correction than its ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -168,6 +169,8 @@ def verify(
     surprises += [entry.wrong for entry in found if entry.wrong]
     if strict:
         surprises += committed.unproved(entries, known)
+        if source is not None and known is not None:
+            surprises += committed.reworded(entries, source / "ledger.json")
     undecided = [e for e in entries if e.verdict.kind == "undecided"]
     stale(entries)
     for path in own if source is None and surprises else []:

@@ -40,6 +40,8 @@ def mutants(
         refuse(f"--source {source}: is for itself; leave --derivation out")
     own = own_chapters(derivation) if source is None else chapters_in(source)
     output = output or (None if own else Path("reports/mutants.json"))
+    if check and output is None:
+        refuse("--check: the record is needed; -o FILE names it")
     writable(output)
     if output is not None and not trials.ours(output):
         refuse(

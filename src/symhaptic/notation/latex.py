@@ -67,7 +67,7 @@ class _Writer:
         if expr.is_Add:
             return self.sum(expr)
         if isinstance(expr, sp.exp):
-            return f"e^{{{_Writer(True).write(_joined(expr.args[0]))}}}"
+            return f"e^{{{_Writer(True).write(_joined(expr.args[-1]))}}}"
         if expr.is_Pow and not (expr.args[1].is_Rational and expr.args[1] < 0):
             return self.power(expr)
         if expr.is_Mul or expr.is_Pow:
@@ -127,7 +127,9 @@ class _Writer:
         out = texts[0]
         for before, item, text in zip(items, items[1:], texts[1:], strict=False):
             spaced = base_of(before).func in NAMED or isinstance(before, sp.exp)
-            if before.is_Integer and (item.is_Integer or text[0].isdigit()):
+            if text.startswith("-"):
+                text = f"({text})"
+            if before.is_Integer and (item.is_Rational or text[0].isdigit()):
                 out += r" \cdot "
             elif spaced:
                 out += r"\,"
@@ -137,7 +139,7 @@ class _Writer:
         return out
 
     def factor(self, expr: Expr) -> str:
-        if expr.is_Add:
+        if expr.is_Add or expr.is_Mul or (self.inline and expr.is_Rational and expr.q != 1):
             return self.bracketed(expr)
         return self.write(expr)
 
@@ -171,7 +173,8 @@ class _Writer:
         return f"{inner}^{{{script}}}"
 
     def function(self, expr: Expr, power: int) -> str:
-        name = NAMED[expr.func] + (f"^{power}" if power != 1 else "")
+        script = f"^{power}" if 1 < power < 10 else f"^{{{power}}}" if power != 1 else ""
+        name = NAMED[expr.func] + script
         argument = expr.args[0]
         if argument.is_Rational or argument.is_Add or argument.could_extract_minus_sign():
             return f"{name}{self.bracketed(argument)}"
@@ -180,6 +183,8 @@ class _Writer:
             shown = shown.replace(r"\frac", r"\tfrac")
         elif "/" in shown:
             shown = f"({shown})"
+        if _ends_early(shown):
+            shown = rf"\bigl({shown}\bigr)"
         return name + (shown if shown[0] in "\\(" else " " + shown)
 
 
@@ -207,18 +212,58 @@ def _enclosed(text: str) -> bool:
     return False
 
 
+def _flat(text: str, opening: str = "(", closing: str = ")", left: str = "[]") -> str:
+    """LaTeX with ``[]`` in place of each bracket."""
+    inner = rf"\{opening}[^{opening}{closing}]*\{closing}"
+    while (outside := re.sub(inner, left, text)) != text:
+        text = outside
+    return text
+
+
+_NAMES = rf"\\(?:{'|'.join(name[1:] for name in NAMED.values())})(?![a-z])"
+
+
+def _ends_early(argument: str) -> bool:
+    r"""Whether a function before it seems to be of its first bracket, or factors, alone.
+
+    >>> _ends_early("(a+b)^{2}"), _ends_early("(a+b)(c+d)"), _ends_early(r"(d+1)\theta")
+    (True, True, False)
+    >>> _ends_early(r"a\cos b"), _ends_early(r"\cos ab"), _ends_early(r"\tfrac{a\cos b}{2}")
+    (True, False, False)
+    """
+    flat, command = _flat(_flat(argument), "{", "}", ""), r"(?:\\left|\\bigl)?"
+    again = rf"{command}\[\](?:\^|{command}\[\])"
+    return bool(re.match(again, flat) or re.match(rf"(?!{_NAMES}).+?{_NAMES}", flat))
+
+
+def is_sum(text: str) -> bool:
+    r"""Whether LaTeX has a sign outside of all brackets and braces.
+
+    >>> is_sum("a+b"), is_sum("-b"), is_sum("2(a+b)"), is_sum("e^{-a}")
+    (True, True, False, False)
+    """
+    return re.search(r"[-+]", _flat(_flat(text, "{", "}", ""))) is not None
+
+
+def is_factor(text: str) -> bool:
+    r"""Whether what is written behind it multiplies all of it: no sum, quotient or bare function.
+
+    >>> is_factor("KT"), is_factor("K/T"), is_factor(r"\sin x"), is_factor(r"\sin(x)")
+    (True, False, False, True)
+    """
+    return not (_loose(text) or "/" in _flat(_flat(text, "{", "}", "")))
+
+
 def _loose(top: str) -> bool:
     r"""Whether a slash behind it would not divide all of it: a sum, or a function without brackets.
 
     >>> _loose(r"2b(1-\cos x)"), _loose("a+b"), _loose(r"\cos\theta"), _loose(r"\cos(d+1)\theta")
     (False, True, True, True)
     """
-    flat = re.sub(r"\{[^{}]*\}", "{}", top)
-    while (outside := re.sub(r"\([^()]*\)", "[]", flat)) != flat:
-        flat = outside
+    flat = _flat(re.sub(r"\{[^{}]*\}", "{}", top))
     if "+" in flat or "-" in flat:
         return True
-    last = re.split(rf"\\(?:{'|'.join(name[1:] for name in NAMED.values())})(?![a-z])", flat)
+    last = re.split(_NAMES, flat)
     return len(last) > 1 and re.fullmatch(r"(\^\w)?\[\]", last[-1]) is None
 
 

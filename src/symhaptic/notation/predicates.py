@@ -12,7 +12,7 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "limit": (
         *(1, 3),
-        r"\lim_{{{s}\to {1}}} {0}={2}",
+        r"\lim_{{{s}\to {1}}} {0:term}={2}",
         "$f$ has this limit from both sides",
     ),
     "stable": (
@@ -74,7 +74,7 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "swings": (
         *(0, 4),
-        r"{0}\ddot x+{1}\dot x+{2}x=0\ \text{{swings with}}\ {3}",
+        r"{0:factor}\ddot x+{1:factor}\dot x+{2:factor}x=0\ \text{{swings with}}\ {3}",
         "there is a motion $x=e^{\\sigma t}\\sin\\omega t$ with a real $\\sigma$",
     ),
     "degree": (
@@ -84,7 +84,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "answers": (
         *(1, 4),
-        r"{0}\ \text{{answers }}{1}^k\text{{, held every }}{3}\text{{, by }}{2}\,{1}^k",
+        r"{0}\ \text{{answers }}{1:base}^k\text{{, held every }}{3}"
+        r"\text{{, by }}{2:factor}\,{1:base}^k",
         "a force $z^k$ that is held during period $k$, of length $T$, acts through a device with "
         "the transfer function $P$; of the motions that turn by $z$ from period to period there is "
         "just one, and its position at sample $k$ is $Xz^k$, for all $k$, negative ones included "
@@ -92,7 +93,8 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "device": (
         *(0, 6),
-        r"\frac{{{2}z+{3}}}{{z^2-{4}z+{5}}}\ \text{{samples the device}}\ ({0},{1})",
+        r"\frac{{{2:factor}z+{3:term}}}{{z^2-{4:factor}z+{5:term}}}"
+        r"\ \text{{samples the device}}\ ({0},{1})",
         "$a=\\mathrm{tr}\\,\\Phi$, $e=\\det\\Phi$, $n_1=\\Gamma_1$ and "
         "$n_0=\\Phi_{12}\\Gamma_2-\\Phi_{22}\\Gamma_1$, where $\\Phi$ and $\\Gamma$ take the state "
         "$(x,v)$ and a held force to the state one period later, of "
@@ -100,14 +102,17 @@ MEANINGS: dict[str, tuple[int, int, str, str]] = {
     ),
     "late_device": (
         *(0, 8),
-        r"\frac{{{3}z^2+{4}z+{5}}}{{z\,(z^2-{6}z+{7})}}\ \text{{samples the device}}\ ({0},{1})"
+        r"\frac{{{3:factor}z^2+{4:factor}z+{5:term}}}{{z\,(z^2-{6:factor}z+{7:term})}}"
+        r"\ \text{{samples the device}}\ ({0},{1})"
         r"\ \text{{late by}}\ {2}",
         "the same device with the same $a$ and $e$, each held force beginning and ending $u$ "
         "periods late, $0\\le u\\le1$: with $G=\\Gamma(1-u)$ and $H=\\Phi(1-u)\\,\\Gamma(u)$, "
         "$m_2=G_1$, $m_1=\\Phi_{12}G_2-\\Phi_{22}G_1+H_1$ and $m_0=\\Phi_{12}H_2-\\Phi_{22}H_1$",
     ),
 }
-"""Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning."""
+"""Each predicate: how many symbols it binds, how many terms it has, its LaTeX and its meaning.
+
+A term has brackets where it is not one, or no factor, or no base of a power, as it is marked."""
 
 TERMS: dict[str, tuple[str, ...]] = {
     "whole": ("n",),

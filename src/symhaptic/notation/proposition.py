@@ -373,15 +373,17 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
 
 
 def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
-    """A claim that says what is printed: each printed relation is one that it concludes.
+    """A claim that says what is printed: each printed relation is one that it concludes, and none
+    that it supposes.
 
     Raises :class:`ValueError` where one is not.
     """
-    said = [claim]
+    said, supposed = [claim], set[Proposition]()
     for part in said:
         said += _concluded(part)
+        supposed |= set(conjuncts(part.of[0])) if isinstance(part, Implies) else set()
     for relation in printed:
-        if proposition(relation) not in said:
+        if proposition(relation) not in said or proposition(relation) in supposed:
             raise ValueError(f"the print {relation} is not in the claim, or not what it concludes")
     return claim
 

@@ -2,11 +2,12 @@ r"""Propositions as LaTeX: chains of relations, bounds beside the symbol that th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from sympy import Expr, Symbol
 
-from symhaptic.notation.latex import latex
+from symhaptic.notation.latex import is_factor, is_sum, latex
 from symhaptic.notation.predicates import MEANINGS, TERMS
 from symhaptic.notation.proposition import (
     And,
@@ -26,6 +27,19 @@ _SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le"}
 _TURNED = {"=": "=", "!=": r"\ne", "<": ">", "<=": r"\ge"}
 
 
+class _Placed(str):
+    r"""LaTeX of a term where it is read as one.
+
+    >>> f"{_Placed('a/b'):factor}x+{_Placed('-b'):term}", f"{_Placed('ab'):base}^k"
+    ('(a/b)x+(-b)', '(ab)^k')
+    """
+
+    def __format__(self, place: str) -> str:
+        whole = {"": True, "term": not is_sum(self), "factor": is_factor(self)}
+        stands = whole.get(place, re.fullmatch(r"[A-Za-z]|\d+|\\[A-Za-z]+", self) is not None)
+        return str(self) if stands else f"({self})"
+
+
 def written(claim: Proposition) -> str:
     r"""LaTeX of a proposition.
 
@@ -40,7 +54,7 @@ def written(claim: Proposition) -> str:
             return _related(right, _TURNED[claim.sign], left)
         return _related(left, _SIGNS[claim.sign], right)
     if isinstance(claim, Predicate):
-        terms = [latex(t, inline=True) for t in claim.of]
+        terms = [_Placed(latex(t, inline=True)) for t in claim.of]
         over = latex(claim.over[0]) if claim.over else ""
         return MEANINGS[claim.name][2].format(*terms, s=over)
     if isinstance(claim, (ForAll, Exists)):
@@ -66,7 +80,9 @@ def defined(name: str) -> tuple[str, str]:
     ('n\\in\\mathbb{N}_0', '$n$ is a whole number, zero included')
     """
     variable = {"increasing": "x", "limit": "x", "hurwitz": "s", "passive_device": "v"}
-    return MEANINGS[name][2].format(*TERMS[name], s=variable.get(name, "z")), MEANINGS[name][3]
+    return MEANINGS[name][2].format(
+        *map(_Placed, TERMS[name]), s=variable.get(name, "z")
+    ), MEANINGS[name][3]
 
 
 def _related(left: str, sign: str, right: str) -> str:
@@ -77,6 +93,8 @@ def _related(left: str, sign: str, right: str) -> str:
 def _denied(claim: Proposition) -> str:
     if isinstance(claim, Predicate) and claim.name == "whole":
         return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
+    if isinstance(claim, And) and len(chains(conjuncts(claim))) > 1:
+        return rf"\text{{not}}\ ({written(claim)})"
     return rf"\text{{not}}\ {_bracketed(claim)}"
 
 

@@ -8,7 +8,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 from __future__ import annotations
 
 import re
-from typing import TypeAlias
+from typing import NoReturn, TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -21,7 +21,12 @@ _TOKEN = re.compile(
     r"\\hat\s*\{=\}|\\hat\s*\{\\omega\}|\\begin\{[a-z]+\}|\\end\{[a-z]+\}|\\text\s*\{[^{}]*\}|"
     r"\\[A-Za-z]+|\\\\|\\[,;!{}]|\d+(?:\.\d+)?(?:\\,\d{3})*|:=|[A-Za-z]|[-+/^_(){}\[\]=<>|&,]"
 )
-_IGNORED = {r"\br", r"\changed", r"\left", r"\right", r"\,", r"\;", r"\!", "&"}
+_IGNORED = {r"\br", r"\left", r"\right", r"\!"}
+_SPACES = {r"\,", r"\;"}
+_SMALL = re.compile(r"_\s*\{\s*(\w)\s*\}")
+r"""A subscript of one character, which needs no braces."""
+_MARKED = re.compile(r"\\changed\s*\{((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}")
+r"""What is ``\changed``, whose braces print nothing."""
 _RELATIONS: dict[str, type] = {
     "=": sp.Eq,
     ":=": sp.Eq,
@@ -34,6 +39,20 @@ _RELATIONS: dict[str, type] = {
 }
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
+_TIMES = {"(": "t", "[": "k"}
+"""In which brackets values at another time are written, as x(t + T) and x[k + 1]."""
+_TAKEN = {
+    r"\frac",
+    r"\tfrac",
+    r"\sqrt",
+    r"\Re",
+    r"\pi",
+    r"\cdot",
+    r"\times",
+    *_FUNCTIONS,
+    *_RELATIONS,
+}
+"""Commands that are no names."""
 _UNITS = {"s": "second", "N/m": "newton_per_metre"}
 _SYMBOLS = {entry.latex: name for name, entry in SYMBOLS.items()}
 
@@ -62,16 +81,40 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     return _Reader(latex, notation).line()
 
 
+def _called(latex: str) -> str:
+    """A name that a source has, as it is met; :class:`Unreadable` of what is read otherwise."""
+    name = _Reader(latex)
+    token = name.take()
+    spelled = token + name.subscript()
+    if (
+        name.peek()
+        or token in _TAKEN
+        or not re.fullmatch(r"[A-Za-z]|\\(?:hat\W+)?[A-Za-z]+\}?", token)
+    ):
+        raise Unreadable(
+            f"{latex!r} is no name: a letter or a command with or without a subscript is"
+        )
+    return spelled
+
+
 class _Reader:
     def __init__(self, latex: str, notation: Notation = ()) -> None:
         self.latex = latex
-        self.own = dict(notation)
+        self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
+        squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
             raise Unreadable(f"cannot read {rest!r} in {latex!r}")
-        self.tokens = [t for t in _TOKEN.findall(squeezed) if t not in _IGNORED]
+        self.tokens: list[str] = []
+        self.spaced = set[int]()
+        """The tokens behind a space."""
+        for token in _TOKEN.findall(squeezed):
+            if token in _SPACES:
+                self.spaced.add(len(self.tokens))
+            elif token not in _IGNORED:
+                self.tokens.append(token)
         self.at = 0
 
     # -- tokens ---------------------------------------------------------------------
@@ -120,12 +163,20 @@ class _Reader:
         return total
 
     def term(self) -> Expr:
-        value = self.chain()
+        begin, value = self.at, self.chain()
         while self.peek() in (r"\cdot", r"\times", "/"):
             divides = self.take() == "/"
+            if divides:
+                self.no_derivative(self.tokens[begin : self.at])
             factor = self.chain()
             value = value / factor if divides else value * factor
         return value
+
+    def no_derivative(self, above: list[str]) -> None:
+        """Refuse dx/dt, in which d is no delay; here begins what stands below."""
+        d, by = self.tokens[self.at : self.at + 1], "".join(self.tokens[self.at + 1 : self.at + 2])
+        if "d" in above and d == ["d"] and re.fullmatch(r"\\?[A-Za-z]+", by) and by not in _TAKEN:
+            raise Unreadable(f"a derivative by {by!r}, or a d in both, in {self.latex!r}")
 
     def chain(self) -> Expr:
         value = self.power()
@@ -134,8 +185,8 @@ class _Reader:
         return value
 
     def factor(self) -> Expr:
-        """A factor right of another; v(t), x[k] and K(0) are values, or products that nobody writes
-        so."""
+        """A factor right of another; v(t), x[k + 1] and K(0) are values, or products that nobody
+        writes so."""
         if self.peek()[0].isdigit():
             raise Unreadable(f"a number right of a factor in {self.latex!r}")
         start, opening = self.at, self.peek()
@@ -144,20 +195,31 @@ class _Reader:
             sign = self.take()
             if sign[-1].isalnum() and sign not in _FUNCTIONS:
                 sign += self.subscript()
-                if self.peek() == _CLOSING[opening]:
+                moved = sign == _TIMES[opening] and self.peek() in ("+", "-")
+                if self.peek() == _CLOSING[opening] or (moved and self.tokens[start - 1].isalpha()):
                     shown = f"{opening}{sign}{self.peek()}"
                     raise Unreadable(f"a value or a product with {shown!r} in {self.latex!r}")
             self.at = start
         return self.power()
 
     def argument(self) -> Expr:
-        """What a function without brackets applies to: factors up to the next function."""
-        if self.peek() in ("(", "{"):
-            return self.group()
-        value = self.power()
+        """What a function applies to: a bracket, or factors up to the next function."""
+        bracket = self.peek() == "("
+        value = self.group() if bracket else self.power()
         while self.starts_factor() and self.peek() not in _FUNCTIONS:
+            if bracket or self.at in self.spaced:
+                self.unclear()
             value = value * self.factor()
+        if not bracket and self.peek() in (r"\cdot", r"\times", "/"):
+            self.unclear()
         return value
+
+    def unclear(self) -> NoReturn:
+        """What stands here may be a part of the function before it, or not."""
+        raise Unreadable(
+            f"whether {self.peek()!r} is in the function before it, in {self.latex!r}; a bracket "
+            "around all that the function is of tells, or the factor before the function"
+        )
 
     def starts_factor(self) -> bool:
         token = self.peek()
@@ -188,16 +250,16 @@ class _Reader:
             raise Unreadable(f"an exponent {token!r} without braces in {self.latex!r}")
         return self.atom()
 
-    def group(self) -> Expr:
-        opening = self.take()
-        if opening not in _CLOSING:
-            raise Unreadable(f"expected {{, found {opening!r} in {self.latex!r}")
+    def group(self, expected: str | None = None) -> Expr:
+        opening = self.take(expected)
         value = self.sum()
         self.take(_CLOSING[opening])
         return value
 
     def atom(self) -> Expr:
         token = self.peek()
+        if token == "{":
+            raise Unreadable(f"braces, which print nothing, around a part of {self.latex!r}")
         if token in _CLOSING:
             return self.group()
         if token == "|":
@@ -209,12 +271,19 @@ class _Reader:
         if token[0].isdigit():
             return sp.Rational(token.replace(r"\,", ""))
         if token in (r"\frac", r"\tfrac"):
-            return self.group() / self.group()
+            begin, above = self.at + 1, self.group("{")
+            self.take("{")
+            self.no_derivative(self.tokens[begin : begin + 1])
+            below = self.sum()
+            self.take("}")
+            return above / below
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")
         if token == r"\sqrt":
             return sp.sqrt(self.group())
         if token == r"\Re":
+            if self.peek() not in ("(", r"\{"):
+                raise Unreadable(f"{token} without a bracket in {self.latex!r}")
             return sp.re(self.group(), evaluate=False)
         if token == r"\begin{pmatrix}":
             return self.vector()
@@ -236,12 +305,14 @@ class _Reader:
         return self.name(token)
 
     def vector(self) -> Expr:
+        first = self.at == 1
         rows = [self.sum()]
         while self.peek() == r"\\":
             self.take()
             rows.append(self.sum())
         self.take(r"\end{pmatrix}")
-        self.subscript()
+        if first:  # it tells of which numbers the line speaks
+            self.subscript()
         return sp.Matrix(rows)
 
     def subscript(self) -> str:

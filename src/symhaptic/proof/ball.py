@@ -91,7 +91,8 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
     if kind is sp.Pow:
         base, power = expr.args
         if power.is_Integer:
-            return _ball(base, at) ** int(power)
+            found = _ball(base, at)
+            return found ** int(power) if power else 0 * found + 1  # of nothing it is nothing
         if power == sp.S.Half:
             return _ball(base, at).sqrt()
         return _ball(base, at).pow(_ball(power, at))

@@ -31,6 +31,6 @@ def derivative(expr: Expr, symbol: sp.Symbol) -> Expr:
     if expr.is_Pow and slopes[1].is_zero:
         base, power = expr.args
         return expr * (slopes[0] * power / base)
-    if isinstance(expr, (sp.exp, sp.sin, sp.cos, sp.tan)):
+    if expr.func in (sp.exp, sp.sin, sp.cos, sp.tan):  # a power of e that is kept as one is none
         return expr.fdiff() * slopes[0]
     return sp.diff(expr, symbol)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 Names = Mapping[sp.Symbol, sp.Symbol]
@@ -55,6 +57,27 @@ def renamed(form: Expr, names: Names) -> Expr:
     if isinstance(form, Relational):
         return form.func(*(side.xreplace(names) for side in form.args), evaluate=False)
     return form.xreplace(names)
+
+
+def carrying(*forms: Expr) -> str | None:
+    """Of which symbol or unknown function of some forms something is assumed, if of any.
+
+    >>> x = sp.Symbol("x", positive=True)
+    >>> carrying(sp.Symbol("y") ** 2), carrying(x < 1)
+    (None, 'x carries assumptions; its domain in the notation is all that is known of it')
+    """
+    one = next((found for found in map(_carrying, forms) if found is not None), None)
+    known = "its domain in the notation is all that is known of it"
+    return None if one is None else f"{one} carries assumptions; {known}"
+
+
+@lru_cache(maxsize=1 << 14)
+def _carrying(form: Expr) -> Expr | None:
+    for symbol in form.free_symbols:
+        if len(symbol.assumptions0) > 1:  # more than that it commutes
+            return symbol
+    unknown = (f.func for f in form.atoms(AppliedUndef))
+    return next((f for f in unknown if f._kwargs.keys() - {"commutative"}), None)
 
 
 def admissible(symbol: Expr, value: Expr) -> bool:

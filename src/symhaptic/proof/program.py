@@ -147,7 +147,8 @@ def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
         return (lambda: acb(0, 1)), ()
     if part.is_Pow and part.args[1].is_Integer:
         power = int(part.args[1])
-        return (lambda x: x**power), (part.args[0],)
+        # what has no value has none to the power of 0, of which Arb says 1
+        return (lambda x: x**power) if power else (lambda x: 0 * x + 1), (part.args[0],)
     if part.is_Pow and part.args[1] == sp.Rational(1, 2):
         return (lambda x: x.sqrt()), (part.args[0],)
     if part.is_Pow:

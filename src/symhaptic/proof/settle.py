@@ -19,6 +19,7 @@ from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import decimals, holds, measured, rounding
 from symhaptic.proof.counterexample import Truth, check_opposed, truth_at
 from symhaptic.proof.decide import compare, equal, named
+from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
 from symhaptic.proof.refute import differ
 from symhaptic.proof.shape import misfit
@@ -87,6 +88,8 @@ class Settlement:
         if self.judged is not None:
             verdict = self._judged(printed)
             return self._constants(verdict) if self.values else verdict
+        if told := carrying(*self.derived, *self.given, *self.given.values()):
+            raise Unfounded(told)
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:
@@ -158,7 +161,8 @@ class Settlement:
         if self.provided is not None:
             return self._qualified(printed, result.method, note)
         self._check_unopposed()
-        defined = self.definition and all(map(_defines, self.derived))
+        agree = not any(map(_of_two_units, printed))
+        defined = self.definition and agree and all(map(_defines, self.derived))
         return Verdict(Kind.DEFINITION if defined else Kind.PROVED, result.method, note=note)
 
     # -- the kinds ----------------------------------------------------------------------
@@ -265,12 +269,9 @@ class Settlement:
         return tuple(_placed(form, self.given) for form in forms)
 
     def _noted(self, printed: Printed) -> str | None:
-        for part in printed:
-            try:
-                dimension_of(part)
-            except UnitError as wrong:
-                return "; ".join(filter(None, [f"units disagree: {wrong}", self.note]))
-        return self.note
+        wrong = next(filter(None, map(_of_two_units, printed)), None)
+        told = f"units disagree: {wrong}" if wrong else None
+        return "; ".join(filter(None, [told, self.note])) or None
 
     def _right_form(self) -> str:
         if self.corrected is None:
@@ -288,6 +289,15 @@ class Settlement:
 def is_name(of: Expr) -> bool:
     """Whether it has no value of its own, so that one may say what it stands for."""
     return isinstance(of, (sp.Symbol, AppliedUndef))
+
+
+def _of_two_units(printed: Expr) -> str | None:
+    """What is wrong with a printed form by its units, if anything is."""
+    try:
+        dimension_of(printed)
+    except UnitError as wrong:
+        return str(wrong)
+    return None
 
 
 def _defines(form: Expr) -> bool:
