@@ -9,10 +9,11 @@ from hypothesis import strategies as st
 from oracle import moduli, radius
 
 from symhaptic import delay_margin, is_stable, stability_boundary
-from symhaptic.numeric.crossings import wall
+from symhaptic.numeric.crossings import crossings, surplus, wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
 from symhaptic.numeric.tracing.loops import Loops
+from symhaptic.numeric.tracing.margin import _first_lost
 from symhaptic.numeric.tracing.periods import first_step
 
 
@@ -275,6 +276,42 @@ def test_the_first_step_into_a_window_is_that_of_a_search():
         inside = ((at >= one[1]) & (at <= one[1] + one[2])) | (at + 1 <= one[1] + one[2])
         first = np.argmax(inside) if inside.any() else np.inf
         assert first == one[3] or one[3] >= steps.size
+
+
+def test_the_first_whole_delay_that_is_lost_is_found_without_stepping_there(monkeypatch):
+    """Hardly damped devices whose walls lead by a part in 1e10: all delays one by one, counted."""
+    rng, count = np.random.default_rng(50), 3000
+    gamma, delta = rng.uniform(0.05, 60, count), 10 ** rng.uniform(-8, -2, count)
+    size = delta * 10 ** rng.uniform(-1, 1, count)
+    alpha, beta = size * rng.uniform(-0.3, 1, count), size * rng.uniform(-2, 2, count)
+    x, v = device(gamma, delta), wall(alpha, beta)
+    fall, rise = crossings(surplus(x, v), True)
+    low, high = np.zeros(count), np.ones(count)
+    for _ in range(60):  # so much of the wall as just leads somewhere
+        middle = (low + high) / 2
+        c = crossings(surplus(x, wall(alpha * middle, beta * middle)), True)[0]
+        low, high = np.where(c.there, low, middle), np.where(c.there, middle, high)
+    some = np.flatnonzero(fall.there & rise.there & (high < 0.9))
+    size = high[some] * (1 + 10 ** rng.uniform(-10, -6, some.size))
+    loops = alpha[some] * size, beta[some] * size, gamma[some], delta[some]
+    loops = np.array(loops)[:, is_stable(*loops, 0)][:, :150]
+    assert loops.shape[1] > 100
+    passes, leaving = 0, Loops.leaving
+
+    def counted(*args):
+        nonlocal passes
+        passes += 1
+        return leaving(*args)
+
+    monkeypatch.setattr(Loops, "leaving", counted)
+    alpha, beta, gamma, delta = loops
+    found = _first_lost(Loops(wall(alpha, beta), gamma, delta, device(gamma, delta)))
+    assert passes < 20
+    steps = np.arange(1.0, 30_000)
+    for one, first in zip(loops.T, found, strict=True):
+        lost = ~is_stable(*one, steps)
+        assert first == steps[lost.argmax()] if lost.any() else first >= 30_000
+    assert np.sum((found > 1000) & (found < 30_000)) > 10
 
 
 TOUCHING = [  # plant and wall are nearly equal along a whole period, or at its node

@@ -70,18 +70,21 @@ def test_inside_is_stable_where_the_device_is_damped_much(delta, delay):
 
 
 @pytest.mark.ci
-def test_for_little_damping_it_is_passivity_with_more_damping_at_high_frequencies():
+@pytest.mark.parametrize("d", [1, 20])
+def test_for_little_damping_it_is_passivity_with_more_damping_at_high_frequencies(d):
     """First order by hand: alpha D - beta cos (d+1) theta < delta (theta/2)^2/sin(theta/2)^2."""
-    d, delta = 1, 1e-4
-    theta = np.linspace(1e-3, np.pi - 0.05, 800)  # at pi two poles of the plant meet
+    delta = 1e-4
+    theta = np.linspace(1e-3, np.pi - 0.05, 800 * (1 + d // 4))  # at pi two poles of the plant meet
     kernel = 0.5 + sum(np.cos(i * theta) for i in range(1, d + 1))
     allowed = delta * (theta / 2) ** 2 / np.sin(theta / 2) ** 2
     shape = shapely.box(0, -3 * delta, 3 * delta, 3 * delta)
-    for k, c, room in zip(kernel, np.cos((d + 1) * theta), allowed, strict=True):
+    turn = np.cos((d + 1) * theta)
+    near = allowed < 10 * delta * np.hypot(kernel, turn)  # the border meets the box
+    for k, c, room in zip(kernel[near], turn[near], allowed[near], strict=True):
         # the half plane k alpha - c beta < room, as a large square beside its border
         normal = np.array([k, -c]) / np.hypot(k, c)
-        foot, along = normal * room / np.hypot(k, c), 10 * delta * np.array([-normal[1], normal[0]])
-        back = -20 * delta * normal
+        foot, along = normal * room / np.hypot(k, c), 30 * delta * np.array([-normal[1], normal[0]])
+        back = -40 * delta * normal
         corners = [foot + along, foot - along, foot - along + back, foot + along + back]
         shape = shape.intersection(shapely.Polygon(corners))
     found = region(delta, d, "exact", 0.005)
@@ -127,6 +130,25 @@ def test_for_little_damping_the_paper_s_reading_of_half_a_period_agrees():
     """At the device's own angle a late force is exactly e^(-j theta/2) times an undelayed one."""
     exact, read = (region(1e-3, 0.5, sheet, 0.02) for sheet in ("exact", "principal"))
     assert exact.polygon.hausdorff_distance(read.polygon) < 1e-3 * 0.02
+
+
+@pytest.mark.slow
+def test_the_longest_delay_ends_and_a_longer_one_is_refused_at_once():
+    """To first order -cos (d+1) theta is largest first at pi/(d+1): so much damping of the wall."""
+    top = np.pi / 101
+    _, low, _, high = region(0.02, 100).polygon.bounds
+    assert low == pytest.approx(-0.02, rel=1e-4)
+    assert high == pytest.approx(0.02 * (top / 2) ** 2 / np.sin(top / 2) ** 2, rel=1e-3)
+    with pytest.raises(ValueError, match=r"delay: 100\.5 is not allowed; at most 100 periods"):
+        robust_region(0.02, 100.5)
+
+
+@pytest.mark.parametrize("delta", [1e-6, 200.0])
+def test_without_delay_the_triangle_is_found_for_next_to_no_damping_and_for_very_much(delta):
+    """Areas by hand: lines from (0, -1) and (0, c), c = pi^2/8, to (1 + c, 0) in parts of delta,
+    and with e^-delta = n_0 = 0 and n_1 = (delta - 1)/delta^2 from (0, -1), (0, 1), (4, -1)/n_1."""
+    area = {1e-6: delta**2 * (1 + np.pi**2 / 8) ** 2 / 2, 200.0: 4 * delta**4 / (delta - 1) ** 2}
+    assert robust_region(delta, 0).area == pytest.approx(area[delta], rel=1e-3)
 
 
 def test_a_whole_delay_has_one_reading():

@@ -12,6 +12,7 @@ from symhaptic.numeric import stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.crossings import Wall, crossings, surplus
 from symhaptic.numeric.plant import Device, behind
+from symhaptic.numeric.tracing.periods import Window
 
 
 class Loops(NamedTuple):
@@ -82,6 +83,17 @@ class Loops(NamedTuple):
         last = np.minimum.reduce([a[:, -1:] for a in ahead])
         together = np.sort(np.concatenate(ahead, axis=1), axis=1)
         return np.where(together <= last, together, np.inf) - whole, (last - whole)[:, 0]
+
+    def window(self) -> tuple[NDArray[np.bool_], Window]:
+        """Where the wall leads between two angles alone, and those with their phases.
+
+        Behind whole periods roots are outside as often as a half turn is between the phases.
+        """
+        fall, rise = crossings(surplus(self.x, self.v), True)
+        known = fall.there & rise.there & ~leads_at_minus_one(self.x, self.v)
+        angles = (stability.theta(fall), stability.theta(rise))
+        bare = (stability.phase(self.x, self.v, c) for c in (rise, fall))
+        return known, Window(*(a.halves * np.pi + a.rest for a in (*angles, *bare)))
 
     def _in_rows(self, part: Array) -> tuple[Device, Wall, Array]:
         """The plants behind a fraction 0 < part <= 1 of a period, and the walls; and the whole

@@ -20,7 +20,7 @@ from symhaptic.numeric.crossings import crossings, surplus
 from symhaptic.numeric.tracing.bands import Bands, bands, part_of, slopes
 from symhaptic.numeric.tracing.directions import one_way
 from symhaptic.numeric.tracing.loops import Loops
-from symhaptic.numeric.tracing.periods import first_periods
+from symhaptic.numeric.tracing.periods import Window, first_periods
 
 SHORTEST = 2.0**-20
 """Parts of a period that are not cut again."""
@@ -104,7 +104,8 @@ class _Search:
     def _first(self, b: Bands, parts: _Parts) -> tuple[Array, Array]:
         """The first whole periods with which a root may be in each band, and in each part."""
         latest = np.minimum(self.least[parts.at] - parts.begin, sizes.LONGEST)
-        periods = first_periods(b, parts.steps[b.at], latest[b.at])
+        window = Window(b.low, b.high, b.least, b.most)
+        periods = first_periods(window, parts.steps[b.at], latest[b.at])
         first = np.full(parts.at.size, np.inf)
         np.minimum.at(first, b.at, periods)
         return periods, first

@@ -21,12 +21,13 @@ from symhaptic.numeric.plant import device
 from symhaptic.numeric.stability import SHEETS, is_stable
 from symhaptic.numeric.tracing.loops import Loops, leads_at_minus_one, next_changes
 from symhaptic.numeric.tracing.losses import first_loss
-
-_BLOCK = 8192
-"""Walls that are worked on at a time: each has many parts of a period, which take memory."""
+from symhaptic.numeric.tracing.periods import EXACT, Window, first_periods
 
 _AHEAD = 2**14
 """Whole delays that are looked at together, of all walls."""
+
+_BLOCK = 8192
+"""Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
 
 @kept(delay=float)
@@ -100,13 +101,19 @@ def _first_lost(loops: Loops) -> Array:
     steps, none = np.zeros((2, loops.gamma.size))
     lost = none + np.inf
     left, count = np.arange(steps.size), 1
+    between, window = loops.window()
     while left.size:
-        some = loops.take(left)
-        ahead, last = some.leaving(steps[left], none[left], count)
+        at = np.flatnonzero(between[left])
+        some = Window(*(a[left[at]] for a in window))
+        steps[left[at]] = (
+            first_periods(some, steps[left[at]] + 1, none[at] + sizes.LONGEST, EXACT) - 1
+        )
+        left = left[steps[left] <= sizes.LONGEST]
+        ahead, last = loops.take(left).leaving(steps[left], none[left], count)
         row, column = np.nonzero(ahead <= sizes.LONGEST)
         outside = np.zeros(ahead.shape, dtype=bool)
         here = ahead[row, column]
-        outside[row, column] = ~some.take(row).stable(here, np.zeros(here.size))
+        outside[row, column] = ~loops.take(left[row]).stable(here, np.zeros(here.size))
         first = ahead[np.arange(left.size), outside.argmax(axis=1)]
         found = outside.any(axis=1)
         lost[left[found]] = first[found]

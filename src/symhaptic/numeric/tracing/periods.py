@@ -2,31 +2,50 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
 from symhaptic.numeric.arguments import Array
-from symhaptic.numeric.tracing.bands import ROUNDING, Bands
+from symhaptic.numeric.tracing.bands import ROUNDING
 
 _AHEAD = 62
-"""Beside the periods that are over, so many more are looked at together."""
+"""Beside the periods that are over, so many more are looked at together to begin with."""
 
 
-def first_periods(b: Bands, begin: Array, end: Array) -> Array:
+EXACT = 4e-15
+"""By so much of themselves phases are off of which both angles are known to the last places."""
+
+
+class Window(NamedTuple):
+    """Two angles, and between them the least and the greatest phase of g/f.
+
+    Without the whole periods' part.
+    """
+
+    low: Array
+    high: Array
+    least: Array
+    most: Array
+
+
+def first_periods(window: Window, begin: Array, end: Array, rounding: float = ROUNDING) -> Array:
     """The least whole number of periods >= begin with which a root may be on the circle.
 
-    Infinite if there is none up to ``end``.  A root needs an odd number of half turns between
-    the least and the most of the phase: a window of turns that moves on and widens with each
-    period.
+    Infinite if there is none up to ``end``; phases may be off by ``rounding`` of themselves.
+
+    A root needs an odd number of half turns between the least and the most of the phase: a window
+    of turns that moves on and widens with each period.
     """
     found = np.where(begin <= end, np.maximum(begin, 0.0), np.inf)
     left = np.flatnonzero(begin <= end)
-    turn = 2 * np.pi
+    turn, reach = 2 * np.pi, found + _AHEAD
     while left.size:
-        low, high, least, most = (a[left] for a in (b.low, b.high, b.least, b.most))
+        low, high, least, most = (a[left] for a in window)
         now = found[left]
-        last = 2 * now + _AHEAD
-        blur = ROUNDING * (last + 10)
+        last = now + reach[left]
+        blur = rounding * (last + 10)
         ahead = ((now + 2) * low - most - np.pi) / turn - blur
         width = ((last + 2) * (high - low) + most - least) / turn + 2 * blur
         new = now + first_step(-low / turn % 1.0, ahead % 1.0, width)
@@ -38,6 +57,8 @@ def first_periods(b: Bands, begin: Array, end: Array) -> Array:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             later = np.ceil(((start - blur) * turn + np.pi + least) / high - 2)
         new = np.where(out | hit, new, np.maximum(new + 1, later))
+        # where it only just misses, what it has grown until far ahead would meet at every step
+        reach[left] = np.where(out, 2 * reach[left], np.floor(reach[left] / 4))
         over = new > end[left]
         found[left] = np.where(over, np.inf, new)
         left = left[~hit & ~over]

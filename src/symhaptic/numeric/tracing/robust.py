@@ -12,9 +12,11 @@ import shapely
 from symhaptic.numeric import arguments
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import numbers_only
-from symhaptic.numeric.stability import SHEETS
-from symhaptic.numeric.tracing.region import Region, stable_region
+from symhaptic.numeric.stability import SHEETS, is_stable
+from symhaptic.numeric.tracing.arcs import Loop
+from symhaptic.numeric.tracing.region import NotTraced, stable_region
 from symhaptic.numeric.tracing.shape import Shape
+from symhaptic.numeric.tracing.sides import chords
 
 _PER_TURN = 8
 """Springs per half turn of z^(d+1) to begin with."""
@@ -25,6 +27,9 @@ changes quickly there, and the middle of the step may cut nothing."""
 
 _ROUNDS = 20
 """Halvings of the steps between springs at most."""
+
+_LONGEST = 100
+"""Periods of delay at most."""
 
 
 @dataclass(frozen=True)
@@ -49,18 +54,18 @@ def robust_region(
     r"""The walls that are stable for every spring 0 <= gamma <= pi^2 + delta^2/4.
 
     The intersection of the stable regions of all springs, (30) of the paper: ``delta`` >= 0,
-    ``delay`` >= 0 periods.  Springs are inserted in the middle between two neighbours, in terms of
-    the angle sqrt(gamma - delta^2/4), until this moves the outline by less than ``tolerance`` of
-    its extent; where every insertion moves it by about a quarter of the one before, the rest is
-    less than the last move.  No proof stands behind the springs between those tried: keep away from
-    the outline by ``error``, which is an estimate, or take the walls that ``Scene.safe_walls``
-    proves for a range of arms.
+    0 <= ``delay`` <= 100 periods, the last of which take some ten seconds.  Springs are inserted
+    in the middle between two neighbours, in terms of the angle sqrt(gamma - delta^2/4), until this
+    moves the outline by less than ``tolerance`` of its extent; where every insertion moves it by
+    about a quarter of the one before, the rest is less than the last move.  No proof stands behind
+    the springs between those tried: keep away from the outline by ``error``, which is an estimate,
+    or take the walls that ``Scene.safe_walls`` proves for a range of arms.
 
     Without damping there is no such wall (proved for whole and half delays in chapter s5c_robust,
     no other was found), and the polygon is empty.
 
-    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and where
-    :func:`stable_region` does.
+    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and where pieces of a
+    boundary are missed: some dampings below 1e-8, and where :func:`stable_region` does.
 
     >>> region = robust_region(0.02, 0)  # a triangle for d = 0; passive walls fill 0.0008 of it
     >>> region.area > 0.0008, len(region.outline)
@@ -73,66 +78,86 @@ def robust_region(
         arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
         numbers[name] = arguments.single(name, array)
     delta, delay = numbers["delta"], numbers["delay"]
+    if delay > _LONGEST:
+        raise ValueError(
+            f"delay: {delay!r} is not allowed; at most {_LONGEST} periods are, since every half "
+            "turn of z^(delay + 1) takes springs of its own"
+        )
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-6 <= tolerance < 1:
         raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-6 <= tolerance < 1 is")
     if delta == 0:
         nothing = np.array([0.0, np.pi**2])
         return RobustRegion(0.0, float(delay), sheet, shapely.Polygon(), nothing, 0.0)
-    # a region of the size of delta, cut out of regions of the size of 10
-    fine = float(np.clip(1e-2 * tolerance * delta, 1e-12, 1e-3))
+    _, low, right, high = stable_region(0.0, delta, delay, sheet, 1e-3).polygon.bounds
 
-    def region(angle: float) -> Region:
-        return stable_region(_spring(angle, delta), delta, delay, sheet, fine)
+    def cut(shape: Any, angle: float) -> Any:
+        loop = Loop(_spring(angle, delta), delta, delay, sheet)
+        found = _held(shape, loop, tolerance / 100)
+        if found.is_empty:  # which it never is: passive walls are in it
+            raise NotTraced(loop)
+        return found
 
     count = int(np.ceil(_PER_TURN * (delay + 1)))
-    regions = [region(-delta / 2)]  # which refuses too long a delay
-    creeping = np.linspace(0, min(np.pi, delta / 2), count + 1) - delta / 2
+    slow = min(np.pi, delta / 2)
+    creeping = np.linspace(0, slow, max(_PER_TURN, int(count * slow / np.pi)) + 1) - delta / 2
     near = np.pi * (1 - _NEAR_NYQUIST / count)
     angles = [*creeping[creeping < 0], *np.linspace(0, np.pi, count + 1)[:-1], *near, np.pi]
-    regions += [region(angle) for angle in angles[1:]]
-    shape = _common([r.polygon for r in regions])
-    error = max(r.error for r in regions)
-    gaps = list(itertools.pairwise(angles))
+    shape = shapely.box(0, 1.1 * low, 1.1 * right, 1.1 * high)
+    for angle in reversed(angles):
+        shape = cut(shape, angle)
+    gaps, move = list(itertools.pairwise(angles)), 0.0
     for _ in range(_ROUNDS):
-        if shape.is_empty or not gaps:
+        before, wide = shape, []
+        for low, high in gaps:
+            middle = (low + high) / 2
+            angles.append(middle)
+            after = cut(shape, middle)
+            if _moved(shape, after) > tolerance * _extent(before) / 8:
+                wide += [(low, middle), (middle, high)]
+            shape = after
+        move = _moved(before, shape)
+        if not wide or move <= tolerance * _extent(shape) / 2:
             break
-        middles = [(low + high) / 2 for low, high in gaps]
-        cuts = [region(middle) for middle in middles]
-        moves = [_moved(shape, _common([shape, cut.polygon])) for cut in cuts]
-        fresh = _common([shape, *(cut.polygon for cut in cuts)])
-        move, shape = _moved(shape, fresh), fresh
-        angles += middles
-        if move <= tolerance * _extent(shape) / 2:
-            error += move
-            break
-        gaps = [
-            half
-            for (low, high), middle, cut in zip(gaps, middles, moves, strict=True)
-            if cut > tolerance * _extent(shape) / 8
-            for half in ((low, middle), (middle, high))
-        ]
+        gaps = wide
+    error = move + tolerance / 50 * max(delta, _extent(shape))
     springs = np.array([_spring(angle, delta) for angle in sorted(angles)])
     return RobustRegion(float(delta), float(delay), sheet, shape, springs, error)
 
 
 def _spring(angle: float, delta: float) -> float:
     """gamma of a swing by ``angle`` per period; below 0 the plant creeps."""
-    return max(delta**2 / 4 + angle * abs(angle), 0.0)
+    return max(delta**2 / 4 + float(angle) * abs(float(angle)), 0.0)
 
 
-def _common(polygons: list[Any]) -> Any:
-    """The intersection, without the points and lines in which regions only touch."""
-    shape = polygons[0]
-    for polygon in polygons[1:]:
-        shape = shape.intersection(polygon)
-    parts = [p for p in getattr(shape, "geoms", [shape]) if p.area > 0]
-    return shapely.unary_union(parts) if parts else shapely.Polygon()
+def _held(shape: Any, loop: Loop, share: float) -> Any:
+    """The parts of a shape whose walls a loop keeps stable: its boundary cuts them apart."""
+    parts = list(getattr(shape, "geoms", [shape]))
+    room = shape.buffer(_extent(shape), quad_segs=1).bounds
+    lines = shapely.multilinestrings(shapely.linestrings(chords(loop, shape.bounds, share)))
+    lines = shapely.clip_by_rect(lines, *room)  # those to infinity would blur the others
+    if shapely.intersects(shape, lines):
+        cut = shapely.unary_union([shape.boundary, lines])
+        faces, _, loose, _ = shapely.polygonize_full([cut])
+        if shapely.length(shapely.intersection(loose, shape)) > share * _extent(shape):
+            raise NotTraced(loop)
+        parts = list(faces.geoms)
+    alpha, beta = shapely.get_coordinates([part.representative_point() for part in parts]).T
+    stable = is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
+    stable &= shapely.contains_xy(shape, alpha, beta)
+    return shapely.unary_union([p for p, kept in zip(parts, stable, strict=True) if kept])
 
 
 def _moved(before: Any, after: Any) -> float:
-    """How far the outline has moved."""
-    return float(before.hausdorff_distance(after)) if not after.is_empty else _extent(before)
+    """How far the outline has moved: the distance of corners that are new from where it was."""
+    corners = [set(map(tuple, shapely.get_coordinates(shape))) for shape in (before, after)]
+    gone, new = corners[0] - corners[1], corners[1] - corners[0]
+    away = [
+        shapely.distance(shapely.points(list(some)), shape.boundary)
+        for some, shape in ((gone, after), (new, before))
+        if some
+    ]
+    return float(np.max(np.concatenate([[0.0], *away])))
 
 
 def _extent(shape: Any) -> float:

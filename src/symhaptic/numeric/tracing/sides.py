@@ -62,6 +62,43 @@ def curves(loop: Loop, tolerance: float) -> tuple[list[Piece], float]:
     return pieces, worst
 
 
+def chords(loop: Loop, bounds: tuple[float, ...], share: float) -> Array:
+    """The whole boundary inside a box as chords, two ends each: the curve and the line at -1.
+
+    They are off by less than ``share`` times delta, or times their distance from no wall at all.
+    """
+    low, high = np.reshape(bounds, (2, 2))
+    angles = np.concatenate([[0.0], loop.samples(), [np.pi] * (loop.end is not None)])
+    inner = loop.curve(angles[(angles > 0) & (angles < np.pi)])
+    last, found = np.zeros((0, 2)), []
+    if loop.line is not None and loop.end is not None:
+        alphas = np.unique([low[0], np.clip(loop.end[0], low[0], high[0]), high[0]])
+        side = np.stack([alphas, (loop.line - alphas) / 2], axis=-1)
+        found.append(np.stack([side[:-1], side[1:]], axis=1))
+        last = np.array([[loop.end[0], (loop.line - loop.end[0]) / 2]])  # one corner with the side
+    points = np.vstack([loop.begin, inner, last])
+    ends, turns = np.stack([points[:-1], points[1:]], 1), np.stack([angles[:-1], angles[1:]], 1)
+    for _ in range(_ROUNDS):
+        room = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)[:, None] / 8
+        near = (ends.min(axis=1) - room <= high) & (ends.max(axis=1) + room >= low)
+        at = np.flatnonzero(near.all(axis=1))
+        ends, turns = ends[at], turns[at]
+        middles = turns.mean(axis=1)
+        fresh = loop.curve(middles)
+        away = _distance(np.zeros(2), ends[:, 0], ends[:, 1])
+        far = _distance(fresh, ends[:, 0], ends[:, 1]) > share * np.maximum(loop.delta, away)
+        found.append(ends[~far])
+        if not far.any():
+            break
+        ends, turns = (
+            np.concatenate(
+                [np.stack([old[far, 0], new[far]], 1), np.stack([new[far], old[far, 1]], 1)]
+            )
+            for old, new in ((ends, fresh), (turns, middles))
+        )
+    return np.concatenate(found)
+
+
 def _distance(points: Array, begin: Array, end: Array) -> Array:
     """Distance of points from segments."""
     along = end - begin
