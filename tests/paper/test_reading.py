@@ -289,6 +289,8 @@ MISLEADING = [
     r"K(0) = B",
     r"K\left(T\right) = B",
     r"\sin K(T)",
+    "K^d_1",
+    r"\sin^d_1 T",
     r"x(t - t_d) = v",
     r"F = Kx[k + 1]",
     # the derivative of x by t, not x/t: d is the delay
@@ -355,6 +357,15 @@ def test_a_subscript_in_braces_is_the_same_subscript():
     own = (("n_{1}", "K"), ("k_w", "B"))
     assert read("n_1 n_{1} k_{w} k_w", own) == ((K * B) ** 2,)
     assert read(r"\omega_{N} b_{D}") == (sp.Symbol("omega_N") * b_D,)
+
+
+def test_a_subscript_ends_where_its_braces_do():
+    for line in ("n_{1}2", "n_12"):
+        with pytest.raises(Unreadable):
+            read(line)
+    assert read("n_12", (("n_12", "K"),)) == (K,)
+    with pytest.raises(Unreadable):
+        read("n_{1}2", (("n_12", "K"),))
 
 
 def test_short_names_of_relations():

@@ -103,7 +103,7 @@ class _Reader:
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
-        squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1", squeezed))
+        squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1 ", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):
             raise Unreadable(f"cannot read {rest!r} in {latex!r}")
@@ -248,6 +248,8 @@ class _Reader:
             return self.group()
         if token in {*_CLOSING, *_FUNCTIONS, "|"} or (token[:1].isdigit() and len(token) > 1):
             raise Unreadable(f"an exponent {token!r} without braces in {self.latex!r}")
+        if self.tokens[self.at + 1 : self.at + 2] == ["_"]:  # it is printed below the base
+            raise Unreadable(f"a subscript behind the exponent {token!r} in {self.latex!r}")
         return self.atom()
 
     def group(self, expected: str | None = None) -> Expr:
