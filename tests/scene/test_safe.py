@@ -158,3 +158,12 @@ def test_of_a_device_on_a_stiff_spring_little_is_left_out(damping):
     alpha = safe.limit_at(0.0) * 1e-6 / 0.1
     loop = 0.0649895 / 0.1, damping * 1e-3 / 0.1, 3.0  # gamma, delta, d
     assert radius(alpha, 0.0, *loop) < 1 < radius(1.06 * alpha, 0.0, *loop)
+
+
+@pytest.mark.parametrize("mass", [1e20, 1e300])
+def test_an_arm_beside_which_the_device_is_nothing_is_a_free_mass(mass):
+    """Behind one period that bears up to alpha = 0.144469; the curve begins next to B = 0."""
+    device = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1e-3)
+    safe = device.safe_walls(arm=Arm(mass=mass))
+    assert 0.98 * 0.144469 < safe.stiffest[0] / mass * 1e-6 < 0.144469
+    assert len(safe.certificate.cuts) < 5000  # 120 013 before
