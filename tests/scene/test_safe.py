@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from oracle import radius
 
 from symhaptic import Arm, ArmRange, Scene
 
@@ -147,3 +148,22 @@ def test_what_is_refused_in_one_line(call, told):
     with pytest.raises(ValueError, match="^" + told) as wrong:
         call()
     assert "\n" not in str(wrong.value)
+
+
+@pytest.mark.parametrize("damping", [0.05, 0.5, 2.0])
+def test_of_a_device_on_a_stiff_spring_little_is_left_out(damping):
+    """The boundary turns about its own spring, fifty to a thousand times as stiff as the walls."""
+    spring = {"damping": damping, "stiffness": 64989.5, "sampling_period": 1e-3}
+    safe = Scene(mass=0.1, delay=3e-3, **spring).safe_walls(arm=Arm(mass=0.0))
+    alpha = safe.limit_at(0.0) * 1e-6 / 0.1
+    loop = 0.0649895 / 0.1, damping * 1e-3 / 0.1, 3.0  # gamma, delta, d
+    assert radius(alpha, 0.0, *loop) < 1 < radius(1.06 * alpha, 0.0, *loop)
+
+
+@pytest.mark.parametrize("mass", [1e20, 1e300])
+def test_an_arm_beside_which_the_device_is_nothing_is_a_free_mass(mass):
+    """Behind one period that bears up to alpha = 0.144469; the curve begins next to B = 0."""
+    device = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, delay=1e-3)
+    safe = device.safe_walls(arm=Arm(mass=mass))
+    assert 0.98 * 0.144469 < safe.stiffest[0] / mass * 1e-6 < 0.144469
+    assert len(safe.certificate.cuts) < 5000  # 120 013 before

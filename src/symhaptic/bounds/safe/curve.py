@@ -202,7 +202,7 @@ def walls(loops: Loops, angles: Ends, hands: Hands) -> Walls:
     spread = _falling(low, high)
     right, lifted = _seen(loops, hands, low, high)
     up, aside = lifted / spread, lifted * theta
-    size = right**2 + aside**2
+    size = right * right + aside * aside  # a ball around 0 itself to the second power is NaN
     along = (right * cosine + aside * across) / size
     beside = (right * across - aside * cosine) / size
     pushed, dragged = along - tangent * beside, sine * (beside + tangent * along)

@@ -70,7 +70,11 @@ def guessed(loops: Loops, columns: int = 96) -> Columns:
             first = positive[0]
             after = np.nonzero(K[first:] <= 0)[0]
             arc = slice(first, first + after[0] if len(after) else None)
-            widths.append(np.nanmax(B[arc]))
+            width = float(np.nanmax(B[arc]))
+            if width <= 0 and len(after):  # B = 0 is between its last point and K = 0
+                ends = slice(arc.stop - 1, arc.stop + 1)
+                width = float(np.interp(0.0, -K[ends], B[ends]))
+            widths.append(width)
             heights.append(np.nanmax(K[arc]))
     width, height = min(widths, default=0.0), min(heights, default=0.0)
     if not (width > 0 and height > 0):

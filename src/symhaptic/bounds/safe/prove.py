@@ -122,8 +122,9 @@ def widest(loops: Loops, angles: Ends, hands: Hands, K: float, B: float) -> tupl
     by_r, by_s = (float(h1) if by else 1.0 for by in loops.by_mass)
     drift = float(r1 * (h1 - h0)) if loops.by_mass[0] else 0.0
     spring = float(s1 * (h1 - h0)) if loops.by_mass[1] else 0.0
+    held = 1 + float(loops.stiffness) / K  # its spring is part of what turns with the angle
     sizes = (
-        2 * (float(high / low) - 1) if low else 16.0,
+        2 * (float(high / low) - 1) * held if low else 16.0,
         mass + drift / B + spring / K,
         float(r1 - r0) * by_r / B,
         float(s1 - s0) * by_s / K,
