@@ -100,7 +100,9 @@ def test_next_to_a_whole_delay_the_principal_sheet_is_bounded():
     alpha, beta, _ = (float(v) for v in max_stable_stiffness(*loop, sheet="principal"))
     exact = float(max_stable_stiffness(*loop).alpha)
     assert exact == pytest.approx(7.518742463137421, rel=1e-9)
-    assert alpha == pytest.approx(8.864878259779964, rel=1e-9)
+    assert alpha == pytest.approx(
+        8.86487735893144078, rel=1e-14
+    )  # mpmath, where the curve meets itself
     assert principal_outside(8.85, -3.5577, *loop) == 0
     assert radius(8.85, -3.5577, *loop[:2], 2.0) > 1.1
     beside = beta + np.linspace(-2, 2, 4001)
@@ -147,3 +149,20 @@ def test_without_any_damping_the_limit_next_to_half_swings_is_there(gamma, delay
 def test_where_the_limit_at_a_damping_is_missed_it_is_not_said_that_there_is_none():
     with pytest.raises(ValueError, match=r"^gamma: 9.869604469157307 .* is not traced"):
         stiffest_at(0.0, 9.869604469157307, 0.0, 0.8537173244680607)
+
+
+@pytest.mark.parametrize(
+    ("delta", "off", "stiffest"),
+    [  # where the curve meets itself, by Newton's method at 50 digits in mpmath
+        (0.0, 1e-4, 9.87023270494449594),
+        (1e-10, 1e-6, 9.86961068427319783),
+        (0.0, -1e-6, 9.86959811790258175),
+        (1e-10, 1e-9, 9.86960440737254352),
+        (0.0, -1e-9, 9.86960439480617246),
+    ],
+)
+def test_a_corner_next_to_pi_is_told_by_its_other_angle(delta, off, stiffest):
+    """An angle's last place is 1e-10 to 1e-6 of what it is away from pi, and so of the wall."""
+    found = max_stable_stiffness((np.pi + off) ** 2, delta, 1)
+    assert found.alpha == pytest.approx(stiffest, rel=1e-14)
+    assert found.beta == pytest.approx(-stiffest / 2, rel=1e-5)

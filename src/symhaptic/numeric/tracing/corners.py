@@ -50,4 +50,5 @@ def _refined(loop: Loop, group: list[tuple[Piece, int]]) -> Array:
         if np.linalg.matrix_rank(matrix) < 2:
             break
         pair = pair - np.linalg.solve(matrix, one - two)
-    return np.asarray(loop.curve(pair).mean(axis=0))
+    steep = np.linalg.norm(loop.tangent(pair), axis=1) * np.spacing(pair)
+    return np.asarray(loop.curve(pair)[np.argmin(steep)])  # an angle's last place moves it least

@@ -90,6 +90,9 @@ class Region(Shape):
 _AROUND = np.arange(16) * np.pi / 8
 """Directions in which walls are tried around no wall at all."""
 
+_PLACES = 4
+"""Last places by which the angle of a corner may be off."""
+
 _NEXT_TO_NONE = 2.0**-100
 """How large these walls are."""
 
@@ -181,8 +184,7 @@ def _faces(loop: Loop, pieces: list[Piece]) -> tuple[Array, list[Any], float]:
 
 def farthest(loop: Loop, direction: Array) -> Array:
     """(alpha, beta, theta) of the curve's bordering point farthest in a direction; NaN if none."""
-    best = np.full(3, np.nan)
-    grid = loop.samples()
+    grid, found = loop.samples(), [np.zeros(0)]
     if loop.end is None and any(high == np.pi for _, high in loop.arcs):
         raise NotTraced(loop)  # the curve goes to infinity there, and borders nothing
     for low, high in loop.arcs:
@@ -190,10 +192,16 @@ def farthest(loop: Loop, direction: Array) -> Array:
         inner = np.unique(np.clip([low, *inside, high], grid[0], grid[-1]))
         rises = loop.tangent(inner) @ direction > 0
         rising = flips(lambda theta: loop.tangent(theta) @ direction > 0, inner, rises)
-        angles = [low, *rising, high]
-        points = np.array([[*at_angle(loop, angle), angle] for angle in angles])
-        reach = points[:, :2] @ direction
-        at = int(np.nanargmax(reach))
-        if np.isnan(best[0]) or reach[at] > best[:2] @ direction:
-            best = points[at]
-    return best
+        found.append(np.array([low, *rising, high]))
+    angles = np.concatenate(found)
+    points = np.array([at_angle(loop, angle) for angle in angles]).reshape(-1, 2)
+    reach = points @ direction
+    if np.all(np.isnan(reach)):
+        return np.full(3, np.nan)
+    best = int(np.nanargmax(reach))
+    # an angle is known to some last places: of a corner's two, the one where they matter less
+    inner = np.clip(angles, grid[0], grid[-1])
+    off = _PLACES * np.spacing(angles) * np.abs(loop.tangent(inner) @ direction)
+    near = np.flatnonzero(reach >= reach[best] - off[best])
+    best = int(near[np.argmin(off[near])])
+    return np.array([*points[best], angles[best]])
