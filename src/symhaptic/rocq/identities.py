@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from math import lcm
+from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -26,6 +27,8 @@ _AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
 }
 _MOST_TURNS = 12
 
+Made: TypeAlias = dict[Expr, list[tuple[Expr, int]]]
+
 
 class _Parts:
     """Angles and exponents over a basis, and the variables that stand for their functions."""
@@ -37,7 +40,9 @@ class _Parts:
             size, angle = polar(exponential)
             powers.add(size)
             angles.add(angle)
-        self.angles, self.exponents = _units(angles, sp.pi / 2), _units(powers, None)
+        self.angles = _fewest({a: _counted(a, _units(angles, sp.pi / 2)) for a in angles})
+        self.exponents = {p: _counted(p, _units(powers, None)) for p in powers}
+        """What each is made of: units, and how often."""
         self.values: dict[Expr, Expr] = {}
         """Variables for the functions of the units."""
         self.made: dict[Expr, Expr] = {}
@@ -51,7 +56,7 @@ class _Parts:
     def turn(self, angle: Expr) -> tuple[Expr, Expr]:
         """Cosine and sine of an angle, in the variables."""
         c, s = sp.S.One, sp.S.Zero
-        for unit, count in _counted(angle, self.angles):
+        for unit, count in _found(angle, self.angles):
             if abs(count) > _MOST_TURNS:
                 raise NotPrinted(f"the sine of {count} times an angle")
             known = sp.cos(unit * count), sp.sin(unit * count)
@@ -85,7 +90,7 @@ class _Parts:
             return self.image(sp.exp(size)) * turn
         if expr is sp.E or isinstance(expr, sp.exp):
             found = sp.S.One
-            for unit, count in _counted(_exponent(expr), self.exponents):
+            for unit, count in _found(_exponent(expr), self.exponents):
                 found *= self.variable(sp.exp(unit)) ** count
             return found
         if expr.is_Add or expr.is_Mul:
@@ -115,12 +120,12 @@ def polar(exponential: Expr) -> tuple[Expr, Expr]:
 
 def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
     """For each product of symbols the largest unit of which all arguments hold whole multiples."""
-    shares: dict[Expr, int] = {}
+    shares: dict[Expr, list[Expr]] = {}
     for angle in of:
         for monomial, share in _monomials(angle).items():
-            shares[monomial] = lcm(shares.get(monomial, 1), int(share.q))
-    units = {m: m / n for m, n in shares.items()}
-    if quarter is not None and sp.pi in units and shares[sp.pi] in (1, 2):
+            shares.setdefault(monomial, []).append(share)
+    units = {m: m / lcm(*(int(s.q) for s in some)) for m, some in shares.items()}
+    if quarter is not None and units.get(sp.pi) in (sp.pi, quarter):
         units[sp.pi] = quarter
     return units
 
@@ -132,6 +137,45 @@ def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
     return [
         (units[m], int(parts[m] * m / units[m])) for m in sorted(parts, key=str) if parts[m] != 0
     ]
+
+
+def _found(of: Expr, made: Made) -> list[tuple[Expr, int]]:
+    if of not in made:
+        raise NotPrinted(f"the argument {of}")
+    return made[of]
+
+
+def _fewest(made: Made) -> Made:
+    """The same angles of sums of units, as long as that takes fewer of them; of pi nothing is added."""
+    units = sorted({u for counts in made.values() for u, _ in counts}, key=str)
+    rows = {angle: [dict(counts).get(u, 0) for u in units] for angle, counts in made.items()}
+    free = [i for i, u in enumerate(units) if u.free_symbols]
+
+    def without(i: int, j: int, sign: int) -> dict[Expr, list[int]]:
+        """The counts when unit j is taken with unit i beside it, or without."""
+        return {
+            angle: [*row[:i], row[i] - sign * row[j], *row[i + 1 :]] for angle, row in rows.items()
+        }
+
+    def size(of: Mapping[Expr, Sequence[int]]) -> int:
+        return sum(abs(n) for row in of.values() for n in row)
+
+    changes = [(i, j, sign) for i in free for j in free if i != j for sign in (1, -1)]
+    while changes:
+        best = min(changes, key=lambda change: size(without(*change)))
+        if size(without(*best)) >= size(rows):
+            break
+        i, j, sign = best
+        rows, units[j] = without(*best), sp.expand(units[j] + sign * units[i])
+    for i in free:
+        for angle, row in rows.items():
+            if abs(row[i]) == 1 and sum(map(abs, row)) == 1:
+                units[i] = row[i] * angle
+        if units[i].could_extract_minus_sign():
+            units[i], rows = -units[i], without(i, i, 2)
+    return {
+        angle: [(u, n) for u, n in zip(units, row, strict=True) if n] for angle, row in rows.items()
+    }
 
 
 def _monomials(of: Expr) -> Mapping[Expr, Expr]:
@@ -187,18 +231,20 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     if of_complex:
         raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
         lines.append("Clifted; Csums." if raised else "Clifted.")
-    rules = _rules(parts, of_complex, names)
-    lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
-    by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
-    push, nz = ("cbn [Cpower]; undivided; ", "Cnz") if of_complex else ("undivided; ", "nz")
     last = (
-        " | field_simplify_eq; [shown; first [lra | nra] | nz ..]"
+        "field_simplify_eq; [shown; first [lra | nra] | nz ..]"
         if any(v.is_Pow for v in parts.values)
         else ""
     )
+    if not of_complex:
+        return [*lines, f"first [solve [squared; nz] | {last}]." if last else "squared; nz."]
+    rules = _rules(parts, names)
+    lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
+    by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     divided = any(sp.denom(p).free_symbols for t in terms for p in sp.Mul.make_args(sp.together(t)))
-    ways = [f"solve [ring{by}]", f"solve [field{by}; {nz}]"]
-    return [*lines, f"{push}first [{' | '.join(ways[::-1] if divided else ways)}{last}]."]
+    ways = [f"solve [ring{by}]", f"solve [field{by}; Cnz]"]
+    ways = [*(ways[::-1] if divided else ways), *[last] * bool(last)]
+    return [*lines, f"cbn [Cpower]; undivided; first [{' | '.join(ways)}]."]
 
 
 def same(left: Expr, right: Expr, names: Names) -> list[str]:
@@ -236,16 +282,14 @@ def _expansions(parts: _Parts, names: Names) -> list[str]:
         argument = _exponent(function)
         pieces = [
             f"{'(- ' if count < 0 else ''}({real_text(unit, names)}){')' if count < 0 else ''}"
-            for unit, count in _counted(argument, parts.angles if turning else parts.exponents)
+            for unit, count in _found(argument, parts.angles if turning else parts.exponents)
             for _ in range(abs(count))
         ]
         said, wanted = real_text(function, names), real_text(image, names)
         name = said[: said.index("(")]
         sum_ = f"{name} ({' + '.join(pieces) or '0'})"
-        divided = "; nz" if sp.denom(argument).free_symbols or argument.has(sp.Add) else ""
         lines += [
-            f"assert (E : {said} = {wanted}) by (transitivity ({sum_}); "
-            f"[f_equal; field{divided} | {'turned' if turning else 'raised'}]).",
+            f"assert (E : {said} = {wanted}) by by_parts ({sum_}).",
             "rewrite ?E in *; clear E.",
         ]
     return lines
@@ -268,21 +312,19 @@ def _turned(parts: _Parts, names: Names) -> list[str]:
     return lines
 
 
-def _rules(parts: _Parts, of_complex: bool, names: Names) -> list[str]:
-    """Tactics that show what the square of a variable is, under a name that is left open."""
-    c, colon, found = ("C", " :> C)%C", []) if of_complex else ("", ")", [])
+def _rules(parts: _Parts, names: Names) -> list[str]:
+    """Tactics that show what the square of a complex variable is, under a name left open."""
+    found = []
     for function in parts.values:
         if function == sp.I:
             found.append("pose proof Ci_square as {}.")
         elif isinstance(function, sp.sin) and sp.cos(function.args[0]) in parts.values:
             angle = real_text(function.args[0], names)
-            found.append(f"pose proof ({c}sine_square ({angle})) as {{}}.")
+            found.append(f"pose proof (Csine_square ({angle})) as {{}}.")
         elif function.is_Pow and function.exp == sp.S.Half:
-            base = (complex_text if of_complex else real_text)(function.base, names)
-            root = real_text(function, names)
-            shown = "[rooted | Cpushed; Csame_field]" if of_complex else "rooted"
+            base, root = complex_text(function.base, names), real_text(function, names)
             found.append(
-                f"assert ({{}} : ({root} * {root} = {base}{colon}) "
-                f"by (apply {c}root_square; {shown})."
+                f"assert ({{}} : ({root} * {root} = {base} :> C)%C) "
+                "by (apply Croot_square; [rooted | Cpushed; Csame_field])."
             )
     return found
