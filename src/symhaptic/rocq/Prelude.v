@@ -200,44 +200,54 @@ Fixpoint fraction (e : expr) : option (FExpr Q) :=
       end
   | _ => None
   end.
-(* The sides of a rule, which divide by nothing. *)
-Fixpoint whole (f : FExpr Q) : PExpr Q :=
-  match f with
-  | FEX n => PEX _ n
-  | FEc q => PEc q
-  | FEadd a b => PEadd (whole a) (whole b)
-  | FEsub a b => PEsub (whole a) (whole b)
-  | FEmul a b => PEmul (whole a) (whole b)
-  | FEopp a => PEopp (whole a)
-  | FEpow a n => PEpow (whole a) n
-  | FEdiv _ _ | FEinv _ | FEO | FEI => PEO
-  end.
 Definition sides (e : expr) : option (FExpr Q * FExpr Q) :=
   match e with
   | Ebinary Sub f g =>
       match fraction f, fraction g with Some p, Some q => Some (p, q) | _, _ => None end
   | _ => None
   end.
-Fixpoint rules (es : list expr) : list (PExpr Q * PExpr Q) :=
-  match es with
-  | nil => nil
-  | cons e es => match sides e with Some (p, q) => cons (whole p, whole q) (rules es) | None => rules es end
+(* What a product of names is, which divides by nothing. *)
+Definition rule_of_names : Type := PExpr Q * PExpr Q.
+Fixpoint whole (f : FExpr Q) : option (PExpr Q) :=
+  let both of a b := match whole a, whole b with Some p, Some q => Some (of p q) | _, _ => None end in
+  match f with
+  | FEX n => Some (PEX _ n)
+  | FEc q => Some (PEc q)
+  | FEadd a b => both (@PEadd Q) a b
+  | FEsub a b => both (@PEsub Q) a b
+  | FEmul a b => both (@PEmul Q) a b
+  | FEopp a => option_map (@PEopp Q) (whole a)
+  | FEpow a n => option_map (fun p => PEpow p n) (whole a)
+  | _ => None
   end.
-Definition equal (rs : list (PExpr Q * PExpr Q)) (f g : FExpr Q) : option (list (PExpr Q)) :=
+Definition rule (e : expr) : option rule_of_names :=
+  match sides e with
+  | Some (p, q) => match whole p, whole q with Some p, Some q => Some (p, q) | _, _ => None end
+  | None => None
+  end.
+Definition equal (rs : list rule_of_names) (f g : FExpr Q) : option (list (PExpr Q)) :=
   let normal := with_numbers (@norm_subst Q) divided Ring_tac.ring_subst_niter
     (with_numbers (@mk_monpol_list Q) divided rs) in
   let p := with_numbers (@Fnorm Q) f in
   let q := with_numbers (@Fnorm Q) g in
   if Peq Qeq_bool (normal (PEmul (num p) (denum q))) (normal (PEmul (num q) (denum p)))
   then Some (Fapp (with_numbers (@Fcons2 Q) divided) (condition p ++ condition q) nil) else None.
-Notation holds := (at_numbers (in_reals (@interp_PElist) (@eq R))).
+Notation evaluated := (at_numbers (in_reals (@PEeval))).
+Fixpoint hold (xs : list R) (rs : list rule_of_names) : Prop :=
+  match rs with nil => True | cons (p, q) rs => evaluated xs p = evaluated xs q /\ hold xs rs end.
+Lemma held : forall xs rs, hold xs rs -> at_numbers (in_reals (@interp_PElist) (@eq R)) xs rs.
+Proof.
+  intros xs; induction rs as [| [p q] [| r rs] IH]; intro H; [exact I | exact (proj1 H) |].
+  split; [exact (proj1 H) | exact (IH (proj2 H))].
+Qed.
 Notation apart := (at_numbers (in_reals (@PCond) (@eq R))).
 Notation value := (at_numbers (in_reals (@FEeval) Rdiv Rinv)).
 Lemma by_normal_forms : forall xs rs f g cs,
-  holds xs rs -> equal rs f g = Some cs -> apart xs cs -> value xs f = value xs g.
+  hold xs rs -> equal rs f g = Some cs -> apart xs cs -> value xs f = value xs g.
 Proof.
   intros xs rs f g cs H E C; unfold equal in E; destruct (Peq _ _ _) eqn:P in E; [| discriminate].
-  apply (Rquotients_field_lemma1 Ring_tac.ring_subst_niter xs rs f g H _ eq_refl _ eq_refl _ eq_refl P).
+  apply (Rquotients_field_lemma1 Ring_tac.ring_subst_niter xs rs f g (held xs rs H)
+    _ eq_refl _ eq_refl _ eq_refl P).
   apply Rquotients_lemma5; intros lock L; rewrite L; injection E; intro W; rewrite <- W in C; exact C.
 Qed.
 End Fractions.
@@ -253,37 +263,31 @@ Ltac variables_and xs :=
   | x : R |- _ => lazymatch xs with context [x] => fail | _ => variables_and constr:(x :: xs) end
   | _ => xs
   end.
-(* What proofs say, as expressions, and the proof of all. *)
-Ltac said_by ps xs :=
-  lazymatch ps with
-  | (?p, ?ps) =>
-      lazymatch type of p with ?l = ?r =>
-        let e := expressed (l - r) xs in let more := said_by ps xs in constr:(e :: more)
-      end
-  | tt => constr:(@nil Tree.expr)
-  end.
-Ltac all_of ps :=
-  lazymatch ps with (?p, tt) => p | (?p, ?ps) => let q := all_of ps in constr:(conj p q) | tt => I end.
-Ltac fraction_by ps :=
+(* ring and field, in less time, where rules say what squares are. *)
+Ltac fraction_by xs rs rules_hold :=
   lazymatch goal with |- ?l = ?r :> R =>
-    let xs := variables_and constr:(PI :: nil) in
-    let e := expressed (l - r) xs in let rs := said_by ps xs in let p := all_of ps in
-    lazymatch eval vm_compute in (Fractions.sides e, Fractions.rules rs) with (Some (?e, ?f), ?rs) =>
+    let e := expressed (l - r) xs in
+    lazymatch eval vm_compute in (Fractions.sides e) with Some (?e, ?f) =>
       lazymatch eval vm_compute in (Fractions.equal rs e f) with Some ?cs =>
-        simple refine (Fractions.by_normal_forms xs rs e f cs p _ _);
+        simple refine (Fractions.by_normal_forms xs rs e f cs rules_hold _ _);
           [vm_cast_no_check (@eq_refl _ (Some cs)) |];
           protect_fv "field_cond"; fold_field_cond (@eq R); try exact I; unnamed
       end
     end
   end.
-Ltac expressible :=
-  lazymatch goal with |- ?l = ?r => let xs := variables_and constr:(PI :: nil) in let e := expressed (l - r) xs in idtac end.
-(* ring and field, in less time; what is no such expression has no name for them. *)
-Ltac polynomial := functions_named; try unfold Rdiv; named Rinv; solve [fraction_by tt].
+Ltac fraction_named :=
+  let xs := variables_and constr:(PI :: nil) in
+  fraction_by xs (@nil Fractions.rule_of_names) I.
+(* Inverses are names, too. *)
+Ltac polynomial := functions_named; try unfold Rdiv; named Rinv; solve [fraction_named].
 Ltac fraction :=
   first
     [ lazymatch goal with |- context [_ / _] => polynomial | |- context [/ _] => polynomial end
-    | functions_named; fraction_by tt ].
+    | functions_named; fraction_named ].
+Ltac expressible :=
+  lazymatch goal with |- ?l = ?r =>
+    let xs := variables_and constr:(PI :: nil) in let e := expressed (l - r) xs in idtac
+  end.
 Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
 
 (* -- logic -------------------------------------------------------------------------- *)
@@ -384,16 +388,27 @@ Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
 Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
 (* With the squares of sines, in those of cosines, and of roots. *)
 Definition because (P : Prop) (proof : P) : P := proof.
-Ltac squares ps :=
+Ltac squares xs rs p :=
+  let another v b proof :=
+    lazymatch p with context [v * v] => fail | _ =>
+      let e := expressed (v * v - b) xs in
+      lazymatch eval vm_compute in (Fractions.rule e) with Some ?r =>
+        squares xs constr:(r :: rs) constr:(conj (because (v * v = b) proof) p)
+      end
+    end in
   match goal with
-  | v := sin ?a, w := cos ?a |- _ =>
-      lazymatch ps with context [v * v] => fail | _ => squares constr:((because (v * v = 1 - w * w) (sine_square a), ps)) end
-  | v := sqrt ?a |- _ =>
-      lazymatch ps with context [v * v] => fail | _ => squares constr:((because (v * v = a) (root_square a ltac:(rooted)), ps)) end
-  | _ => ps
+  | v := sin ?a, w := cos ?a |- _ => another v (1 - w * w) (sine_square a)
+  | v := sqrt ?a |- _ => another v a (root_square a ltac:(rooted))
+  | _ => constr:((rs, p))
   end.
-Ltac squared := functions_named; let ps := squares tt in fraction_by ps.
+Ltac squared :=
+  functions_named;
+  let xs := variables_and constr:(PI :: nil) in
+  let rules := squares xs (@nil Fractions.rule_of_names) I in
+  lazymatch rules with (?rs, ?p) => fraction_by xs rs p end.
 Ltac rooted_field := solve [squared; nz_quick].
+Ltac by_squares :=
+  first [solve [squared; nz] | undivided; field_simplify_eq; [shown; first [lra | nra] | nz ..]].
 Ltac special_values :=
   rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0,
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.

@@ -28,6 +28,7 @@ _AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
 _MOST_TURNS = 12
 
 Made: TypeAlias = dict[Expr, list[tuple[Expr, int]]]
+"""Angles, or exponents, as sums: units, and how often each stands there."""
 
 
 class _Parts:
@@ -40,9 +41,8 @@ class _Parts:
             size, angle = polar(exponential)
             powers.add(size)
             angles.add(angle)
-        self.angles = _fewest({a: _counted(a, _units(angles, sp.pi / 2)) for a in angles})
-        self.exponents = {p: _counted(p, _units(powers, None)) for p in powers}
-        """What each is made of: units, and how often."""
+        self.angles = _fewest(_counted(angles, sp.pi / 2))
+        self.exponents = _counted(powers, None)
         self.values: dict[Expr, Expr] = {}
         """Variables for the functions of the units."""
         self.made: dict[Expr, Expr] = {}
@@ -118,25 +118,20 @@ def polar(exponential: Expr) -> tuple[Expr, Expr]:
     return size, angle
 
 
-def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
-    """For each product of symbols the largest unit of which all arguments hold whole multiples."""
+def _counted(of: set[Expr], quarter: Expr | None) -> Made:
+    """What each is made of, over one unit for each product of symbols, and how often."""
+    parts = {one: _monomials(one) for one in sorted(of, key=str)}
     shares: dict[Expr, list[Expr]] = {}
-    for angle in of:
-        for monomial, share in _monomials(angle).items():
+    for some in parts.values():
+        for monomial, share in some.items():
             shares.setdefault(monomial, []).append(share)
     units = {m: m / lcm(*(int(s.q) for s in some)) for m, some in shares.items()}
     if quarter is not None and units.get(sp.pi) in (sp.pi, quarter):
         units[sp.pi] = quarter
-    return units
-
-
-def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
-    parts = _monomials(of)
-    if any(m not in units for m in parts if parts[m]):
-        raise NotPrinted(f"the argument {of}")
-    return [
-        (units[m], int(parts[m] * m / units[m])) for m in sorted(parts, key=str) if parts[m] != 0
-    ]
+    return {
+        one: [(units[m], int(n * m / units[m])) for m, n in sorted(some.items(), key=str) if n != 0]
+        for one, some in parts.items()
+    }
 
 
 def _found(of: Expr, made: Made) -> list[tuple[Expr, int]]:
@@ -146,36 +141,39 @@ def _found(of: Expr, made: Made) -> list[tuple[Expr, int]]:
 
 
 def _fewest(made: Made) -> Made:
-    """The same angles of sums of units, as long as that takes fewer of them; of pi nothing is added."""
+    """The same angles, of fewer units: one is added to another as long as that helps.
+
+    a u + b v is (a - b) u + b (u + v). Multiples of pi alone stay what they are.
+
+    >>> u, v = sp.symbols("u v")
+    >>> _fewest({2 * (u + v): [(u, 2), (v, 2)], v: [(v, 1)]})
+    {2*u + 2*v: [(u + v, 2)], v: [(v, 1)]}
+    """
     units = sorted({u for counts in made.values() for u, _ in counts}, key=str)
-    rows = {angle: [dict(counts).get(u, 0) for u in units] for angle, counts in made.items()}
+    counts = {angle: [dict(some).get(u, 0) for u in units] for angle, some in made.items()}
     free = [i for i, u in enumerate(units) if u.free_symbols]
 
-    def without(i: int, j: int, sign: int) -> dict[Expr, list[int]]:
-        """The counts when unit j is taken with unit i beside it, or without."""
-        return {
-            angle: [*row[:i], row[i] - sign * row[j], *row[i + 1 :]] for angle, row in rows.items()
-        }
+    def less(i: int, j: int, k: int) -> dict[Expr, list[int]]:
+        """With k times as many of unit i less as there are of unit j."""
+        return {of: [*n[:i], n[i] - k * n[j], *n[i + 1 :]] for of, n in counts.items()}
 
-    def size(of: Mapping[Expr, Sequence[int]]) -> int:
-        return sum(abs(n) for row in of.values() for n in row)
-
-    changes = [(i, j, sign) for i in free for j in free if i != j for sign in (1, -1)]
-    while changes:
-        best = min(changes, key=lambda change: size(without(*change)))
-        if size(without(*best)) >= size(rows):
+    ways = [(i, j, k) for i in free for j in free if i != j for k in (1, -1)]
+    while ways:
+        best = min(ways, key=lambda way: _size(less(*way)))
+        if _size(less(*best)) >= _size(counts):
             break
-        i, j, sign = best
-        rows, units[j] = without(*best), sp.expand(units[j] + sign * units[i])
+        i, j, k = best
+        counts, units[j] = less(i, j, k), sp.expand(units[j] + k * units[i])
     for i in free:
-        for angle, row in rows.items():
-            if abs(row[i]) == 1 and sum(map(abs, row)) == 1:
-                units[i] = row[i] * angle
+        same = [n[i] * of for of, n in counts.items() if sum(map(abs, n)) == abs(n[i]) == 1]
+        units[i] = same[0] if same else units[i]
         if units[i].could_extract_minus_sign():
-            units[i], rows = -units[i], without(i, i, 2)
-    return {
-        angle: [(u, n) for u, n in zip(units, row, strict=True) if n] for angle, row in rows.items()
-    }
+            counts, units[i] = less(i, i, 2), -units[i]
+    return {of: [(u, k) for u, k in zip(units, n, strict=True) if k] for of, n in counts.items()}
+
+
+def _size(counts: Mapping[Expr, Sequence[int]]) -> int:
+    return sum(abs(n) for some in counts.values() for n in some)
 
 
 def _monomials(of: Expr) -> Mapping[Expr, Expr]:
@@ -228,22 +226,16 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     write = complex_text if of_complex else real_text
     names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
     lines += _turned(parts, names) + _expansions(parts, names)
-    if of_complex:
-        raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
-        lines.append("Clifted; Csums." if raised else "Clifted.")
-    last = (
-        "field_simplify_eq; [shown; first [lra | nra] | nz ..]"
-        if any(v.is_Pow for v in parts.values)
-        else ""
-    )
     if not of_complex:
-        return [*lines, f"first [solve [squared; nz] | {last}]." if last else "squared; nz."]
+        return [*lines, "by_squares."]
+    raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
+    lines.append("Clifted; Csums." if raised else "Clifted.")
     rules = _rules(parts, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
     divided = any(sp.denom(p).free_symbols for t in terms for p in sp.Mul.make_args(sp.together(t)))
     ways = [f"solve [ring{by}]", f"solve [field{by}; Cnz]"]
-    ways = [*(ways[::-1] if divided else ways), *[last] * bool(last)]
+    ways = ways[::-1] if divided else ways
     return [*lines, f"cbn [Cpower]; undivided; first [{' | '.join(ways)}]."]
 
 
