@@ -279,7 +279,7 @@ Ltac fraction_named :=
   let xs := variables_and constr:(PI :: nil) in
   fraction_by xs (@nil Fractions.rule_of_names) I.
 (* Inverses are names, too. *)
-Ltac polynomial := functions_named; try unfold Rdiv; named Rinv; solve [fraction_named].
+Ltac polynomial := try unfold Rdiv; functions_named; named Rinv; solve [fraction_named].
 Ltac fraction :=
   first
     [ lazymatch goal with |- context [_ / _] => polynomial | |- context [/ _] => polynomial end
@@ -1369,7 +1369,7 @@ Qed.
 (* That what was derived is the slope that is wanted. *)
 Ltac derived :=
   first
-    [ solve [unfold Rminus; polynomial]
+    [ solve [unfold Rminus, Rdiv; polynomial]
     | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].

@@ -36,7 +36,7 @@ class _Parts:
 
     def __init__(self, terms: Sequence[Expr]) -> None:
         angles = {a.args[0] for t in terms for a in t.atoms(sp.sin, sp.cos)}
-        powers = set()
+        powers = {sp.S.One for t in terms if t.has(sp.E)}
         for exponential in {a for t in terms for a in t.atoms(sp.exp)}:
             size, angle = polar(exponential)
             powers.add(size)
