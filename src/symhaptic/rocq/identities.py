@@ -35,12 +35,12 @@ class _Parts:
     """Angles and exponents over a basis, and the variables that stand for their functions."""
 
     def __init__(self, terms: Sequence[Expr]) -> None:
-        angles = {a.args[0] for t in terms for a in t.atoms(sp.sin, sp.cos)}
-        powers = {sp.S.One for t in terms if t.has(sp.E)}
+        powers, turns = {sp.S.One for t in terms if t.has(sp.E)}, set[Expr]()
         for exponential in {a for t in terms for a in t.atoms(sp.exp)}:
             size, angle = polar(exponential)
             powers.add(size)
-            angles.add(angle)
+            turns |= {sp.cos(angle), sp.sin(angle)}
+        angles = {a.args[0] for t in {*terms, *turns} for a in t.atoms(sp.sin, sp.cos)}
         self.angles = _fewest(_counted(angles, sp.pi / 2))
         self.exponents = _counted(powers, None)
         self.values: dict[Expr, Expr] = {}
