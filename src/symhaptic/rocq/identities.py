@@ -135,9 +135,12 @@ def _counted(of: set[Expr], quarter: Expr | None) -> Made:
 
 
 def _found(of: Expr, made: Made) -> list[tuple[Expr, int]]:
-    if of not in made:
-        raise NotPrinted(f"the argument {of}")
-    return made[of]
+    """What one is made of that may be written, or signed, in another way."""
+    for known, counts in {of: made[of]}.items() if of in made else made.items():
+        for sign in (1, -1):
+            if sp.expand(known - sign * of) == 0:
+                return [(unit, sign * count) for unit, count in counts]
+    raise NotPrinted(f"the argument {of}")
 
 
 def _fewest(made: Made) -> Made:
