@@ -100,6 +100,14 @@ def chosen_number():
     return witnessed(less(S.One, S(2)), wanted, {y: S(2)})
 
 
+def sine_at_a_quotient():
+    """Of some y the sine of x y is positive: of n/x."""
+    from symhaptic.notation.proposition import Exists
+
+    wanted = Exists((y,), proposition(sin(x * y) > 0))
+    return witnessed(assume(proposition(sin(n) > 0)), wanted, {y: n / x})
+
+
 def certificate(expr, ends, given=None):
     [found] = box.positive(expr, ends, given).certificates
     return found
@@ -134,6 +142,10 @@ ATTACKS = {
     "sines of sums": (
         lambda: identity(sin(3 * x), 3 * sin(x) - 4 * sin(x) ** 3),
         [("3*sin(x)", "2*sin(x)"), ("4*sin", "-4*sin"), ("sin(3*x)", "cos(3*x)")],
+    ),
+    "sines of sums of sums": (
+        lambda: identity(2 * sin(x * (y + 1)) * cos(x), sin(x * (y + 2)) + sin(x * y)),
+        [("= sin(x*y)", "= -sin(x*y)"), ("(y + 2)", "(y + 3)"), ("*cos(x) =", "*sin(x) =")],
     ),
     "a tangent": (
         lambda: identity(tan(x) ** 2 * cos(x) ** 2, 1 - cos(x) ** 2),
@@ -237,6 +249,10 @@ ATTACKS = {
         [("(x = n) -> ", ""), ("(1 < n)", "(2 < n)")],
     ),
     "an example": (chosen_number, [("1 < y", "2 < y"), ("1 < y", "y < 1")]),
+    "an example in a sine": (
+        sine_at_a_quotient,
+        [("sin(x*y)", "sin(2*x*y)"), ("(0 < sin(n)) -> ", ""), ("sin(x*y)", "cos(x*y)")],
+    ),
     "a contradiction": (
         lambda: absurd(assume(x < y), assume(y <= x), x < y),
         [("(y <= x) -> ", ""), ("y <= x", "x <= y")],
@@ -539,6 +555,42 @@ def test_zeros_that_nothing_is_known_of_are_refused(folder):
     by = "Proof.\n  zeros 100%positive.\nQed.\n"
     text = "".join(f"Lemma {name} : {claim}.\n{by}" for name, claim in claims.items())
     assert set(compiled.failing(folder, f"{BEGIN}{text}")) == claims.keys() - {"right"}
+
+
+FRACTIONS = {
+    "x / x = 1": "x / x = x",
+    "(x * / x) * (x - 1) = x - 1": "(x * / x) * (x - 1) = x",
+    "(1 - cos y * cos y) / x = sin y * sin y / x": "(1 - cos y * cos y) / x = sin x * sin y / x",
+    "sqrt y * sqrt y / x = y * / x": "sqrt y * sqrt y / x = sqrt y / x",
+}
+"""What is so of numbers x and y where x is not zero and y positive, and what is not."""
+
+
+def test_a_fraction_is_nothing_where_it_divides_by_zero(folder):
+    """Nor is a root of what may be negative one of which the square is known."""
+    given = {"right": "x <> 0 -> 0 < y", "no_x": "x = x -> 0 < y", "no_y": "x <> 0 -> y < 1"}
+    claims = {
+        f"{name}_{i}{also}": f"forall x y : R, {so} -> {claim}"
+        for i, both in enumerate(FRACTIONS.items())
+        for also, claim in zip(("", "_wrong"), both, strict=True)
+        for name, so in given.items()
+    }
+    by = "Proof.\n  intros; by_squares.\nQed.\n"
+    text = "".join(f"Lemma {name} : {claim}.\n{by}" for name, claim in claims.items())
+    taken = {f"right_{i}" for i in range(4)} | {f"no_y_{i}" for i in range(3)}
+    assert claims.keys() - set(compiled.failing(folder, f"{BEGIN}{text}")) == taken
+
+
+def test_inverses_are_names_where_only_sums_and_products_are_compared(folder):
+    text = "".join(
+        f"Lemma {name} : forall x y : R, {claim}.\nProof.\n  intros; polynomial.\nQed.\n"
+        for name, claim in {
+            "right": "(x + y) / y - x / y = y * / y",
+            "no_inverse": "(x + y) / y = x / y + 1",
+            "another": "x / (y + 1) = x / (y + 2)",
+        }.items()
+    )
+    assert set(compiled.failing(folder, f"{BEGIN}{text}")) == {"no_inverse", "another"}
 
 
 def test_the_checker_of_boxes_rests_on_the_library_alone(folder):

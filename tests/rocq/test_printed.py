@@ -7,12 +7,13 @@ import sys
 import numpy as np
 import pytest
 from scipy.signal import cont2discrete, ss2tf
-from sympy import Eq, Function, Rational, Symbol, cos, exp, pi, sin, sqrt, symbols
+from sympy import Eq, Function, Rational, Symbol, cos, exp, expand, pi, sin, sqrt, symbols
 
 from symhaptic.book.chapters import folder, run
 from symhaptic.notation import z
 from symhaptic.notation.proposition import ForAll, Implies, Predicate, Relation, proposition
 from symhaptic.rocq.chapter import printed
+from symhaptic.rocq.identities import _Parts
 from symhaptic.rocq.propositions import half_said, text
 from symhaptic.rocq.steps import comment
 from symhaptic.rocq.terms import Names, NotPrinted, real_text
@@ -72,6 +73,14 @@ def test_a_relation_stands_beside_what_it_divides_by():
 )
 def test_a_root_that_may_be_imaginary_is_seen(claim, less):
     assert half_said(claim) is less
+
+
+def test_angles_are_taken_apart_into_few():
+    """Of these a and a - 2 b is made all, where a = x (y + 1) and b = x are taken."""
+    angles = [2 * x, 2 * x * (2 * y + 2), 2 * x * (y + 1), 2 * x * y, x * (2 * y + 2), x]
+    made = _Parts([sin(angle) for angle in angles]).angles
+    assert all(expand(sum(n * u for u, n in made[a]) - a) == 0 for a in angles)
+    assert sum(abs(n) for of in made.values() for _, n in of) == 2 + 4 + 2 + (2 + 2) + 2 + 1
 
 
 def test_a_statement_of_roots_that_may_be_imaginary_is_not_called_printed():

@@ -149,6 +149,147 @@ Add Field Rquotients : RealField.Rfield
 Ltac shown := try unfold Qvalue in *; cbn [QArith_base.Qnum QArith_base.Qden] in *.
 Ltac shown_here := try (unfold Qvalue; cbn [QArith_base.Qnum QArith_base.Qden]).
 
+(* -- terms as expressions ------------------------------------------------------------ *)
+
+(* A term, or a function of reals, as one of expressions: its operations are put in their place. *)
+Ltac expression t :=
+  let t := eval pattern R, Rplus, Rminus, Rmult, Rdiv, Ropp, Rinv, Rpow_def.pow, IZR, PI, sqrt, Rabs, cos, sin,
+    tan, atan, exp, ln in t in
+  lazymatch t with ?f _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ =>
+    constr:(f Tree.expr (Tree.Ebinary Tree.Add) (Tree.Ebinary Tree.Sub) (Tree.Ebinary Tree.Mul)
+      (Tree.Ebinary Tree.Div) (Tree.Eunary Tree.Neg) (Tree.Eunary Tree.Inv)
+      (fun a n => Tree.Eunary (Tree.PowerInt (Z.of_nat n)) a) (fun n => Tree.Econst (Tree.Int n))
+      (Tree.Econst Tree.Pi) (Tree.Eunary Tree.Sqrt) (Tree.Eunary Tree.Abs) (Tree.Eunary Tree.Cos)
+      (Tree.Eunary Tree.Sin) (Tree.Eunary Tree.Tan) (Tree.Eunary Tree.Atan) (Tree.Eunary Tree.Exp)
+      (Tree.Eunary Tree.Ln))
+  end.
+(* The same of a term in which terms have numbers: those that stand first are found first. *)
+Ltac numbered f n := lazymatch n with O => f | S ?n => numbered constr:(f (Tree.Evar n)) n end.
+Ltac expressed t vs :=
+  let rec of t ws :=
+    lazymatch ws with
+    | nil => let f := expression t in let n := eval cbv in (List.length vs) in numbered f n
+    | ?w :: ?ws => let t := eval pattern w in t in lazymatch t with ?f _ => of f ws end
+    end in
+  let e := of t vs in eval cbv in e.
+
+(* Rational functions of variables, put to Rocq's field as expressions: what are equal where squares
+   are what rules say, beside what then must not be zero. *)
+Module Fractions.
+Import QArith_base Ring_polynom Field_theory Tree.
+Notation with_numbers f := (f (0 # 1) (1 # 1) Qadd Qtimes Qsubtract Qopp Qeq_bool).
+Notation in_reals f := (f R 0%R 1%R Rplus Rmult Rminus Ropp).
+Notation at_numbers f := (f Q Qvalue nat N.to_nat Rpow_def.pow).
+Definition divided := InitialRing.triv_div (0 # 1) (1 # 1) Qeq_bool.
+Definition part (n : positive) : FExpr Q :=
+  match n with xH => FEinv (FEc (1 # 1)) | _ => FEc (1 # n) end.
+Fixpoint fraction (e : expr) : option (FExpr Q) :=
+  match e with
+  | Evar n => Some (FEX _ (Pos.of_succ_nat n))
+  | Econst (Int n) => Some (FEc (n # 1))
+  | Eunary Inv (Econst (Int (Zpos n))) => Some (part n)
+  | Eunary Neg a => option_map (@FEopp _) (fraction a)
+  | Eunary Inv a => option_map (@FEinv _) (fraction a)
+  | Eunary (PowerInt n) a => option_map (fun p => FEpow p (Z.to_N n)) (fraction a)
+  | Ebinary Div a (Econst (Int (Zpos n))) => option_map (fun p => FEmul p (part n)) (fraction a)
+  | Ebinary o a b =>
+      match fraction a, fraction b with
+      | Some p, Some q =>
+          Some match o with Add => FEadd p q | Sub => FEsub p q | Mul => FEmul p q | Div => FEdiv p q end
+      | _, _ => None
+      end
+  | _ => None
+  end.
+Definition sides (e : expr) : option (FExpr Q * FExpr Q) :=
+  match e with
+  | Ebinary Sub f g =>
+      match fraction f, fraction g with Some p, Some q => Some (p, q) | _, _ => None end
+  | _ => None
+  end.
+(* What a product of names is, which divides by nothing. *)
+Definition rule_of_names : Type := PExpr Q * PExpr Q.
+Fixpoint whole (f : FExpr Q) : option (PExpr Q) :=
+  let both of a b := match whole a, whole b with Some p, Some q => Some (of p q) | _, _ => None end in
+  match f with
+  | FEX n => Some (PEX _ n)
+  | FEc q => Some (PEc q)
+  | FEadd a b => both (@PEadd Q) a b
+  | FEsub a b => both (@PEsub Q) a b
+  | FEmul a b => both (@PEmul Q) a b
+  | FEopp a => option_map (@PEopp Q) (whole a)
+  | FEpow a n => option_map (fun p => PEpow p n) (whole a)
+  | _ => None
+  end.
+Definition rule (e : expr) : option rule_of_names :=
+  match sides e with
+  | Some (p, q) => match whole p, whole q with Some p, Some q => Some (p, q) | _, _ => None end
+  | None => None
+  end.
+Definition equal (rs : list rule_of_names) (f g : FExpr Q) : option (list (PExpr Q)) :=
+  let normal := with_numbers (@norm_subst Q) divided Ring_tac.ring_subst_niter
+    (with_numbers (@mk_monpol_list Q) divided rs) in
+  let p := with_numbers (@Fnorm Q) f in
+  let q := with_numbers (@Fnorm Q) g in
+  if Peq Qeq_bool (normal (PEmul (num p) (denum q))) (normal (PEmul (num q) (denum p)))
+  then Some (Fapp (with_numbers (@Fcons2 Q) divided) (condition p ++ condition q) nil) else None.
+Notation evaluated := (at_numbers (in_reals (@PEeval))).
+Fixpoint hold (xs : list R) (rs : list rule_of_names) : Prop :=
+  match rs with nil => True | cons (p, q) rs => evaluated xs p = evaluated xs q /\ hold xs rs end.
+Lemma held : forall xs rs, hold xs rs -> at_numbers (in_reals (@interp_PElist) (@eq R)) xs rs.
+Proof.
+  intros xs; induction rs as [| [p q] [| r rs] IH]; intro H; [exact I | exact (proj1 H) |].
+  split; [exact (proj1 H) | exact (IH (proj2 H))].
+Qed.
+Notation apart := (at_numbers (in_reals (@PCond) (@eq R))).
+Notation value := (at_numbers (in_reals (@FEeval) Rdiv Rinv)).
+Lemma by_normal_forms : forall xs rs f g cs,
+  hold xs rs -> equal rs f g = Some cs -> apart xs cs -> value xs f = value xs g.
+Proof.
+  intros xs rs f g cs H E C; unfold equal in E; destruct (Peq _ _ _) eqn:P in E; [| discriminate].
+  apply (Rquotients_field_lemma1 Ring_tac.ring_subst_niter xs rs f g (held xs rs H)
+    _ eq_refl _ eq_refl _ eq_refl P).
+  apply Rquotients_lemma5; intros lock L; rewrite L; injection E; intro W; rewrite <- W in C; exact C.
+Qed.
+End Fractions.
+(* A name for each value of a function in the goal, but not for the inverses of numbers. *)
+Ltac named f :=
+  repeat match goal with |- context [f ?a] =>
+    lazymatch constr:(f a) with / IZR _ => fail | ?x => let v := fresh "v" in set (v := x) end
+  end.
+Ltac functions_named := named cos; named sin; named exp; named sqrt; named ln; named tan; named atan; named Rabs.
+Ltac unnamed := repeat match goal with v := _ : R |- _ => unfold v; clear v end.
+Ltac variables_and xs :=
+  match goal with
+  | x : R |- _ => lazymatch xs with context [x] => fail | _ => variables_and constr:(x :: xs) end
+  | _ => xs
+  end.
+(* ring and field, in less time, where rules say what squares are. *)
+Ltac fraction_by xs rs rules_hold :=
+  lazymatch goal with |- ?l = ?r :> R =>
+    let e := expressed (l - r) xs in
+    lazymatch eval vm_compute in (Fractions.sides e) with Some (?e, ?f) =>
+      lazymatch eval vm_compute in (Fractions.equal rs e f) with Some ?cs =>
+        simple refine (Fractions.by_normal_forms xs rs e f cs rules_hold _ _);
+          [vm_cast_no_check (@eq_refl _ (Some cs)) |];
+          protect_fv "field_cond"; fold_field_cond (@eq R); try exact I; unnamed
+      end
+    end
+  end.
+Ltac fraction_named :=
+  let xs := variables_and constr:(PI :: nil) in
+  fraction_by xs (@nil Fractions.rule_of_names) I.
+(* Inverses are names, too. *)
+Ltac polynomial := try unfold Rdiv; functions_named; named Rinv; solve [fraction_named].
+Ltac fraction :=
+  first
+    [ lazymatch goal with |- context [_ / _] => polynomial | |- context [/ _] => polynomial end
+    | functions_named; fraction_named ].
+Ltac expressible :=
+  lazymatch goal with |- ?l = ?r =>
+    let xs := variables_and constr:(PI :: nil) in let e := expressed (l - r) xs in idtac
+  end.
+Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
+
 (* -- logic -------------------------------------------------------------------------- *)
 
 Ltac opened := repeat match goal with H : _ /\ _ |- _ => destruct H end.
@@ -174,10 +315,10 @@ Ltac nz_known :=
   | H : ?c <> 0 |- ?e <> 0 => exact H
   | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; rewrite E; unfold Rdiv; ring]
   | H : ?c <> ?d |- ?e <> 0 => solve [let E := fresh in intro E; apply H; lra]
-  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by ring; exact E]
+  | H : ?c <> 0 |- ?e <> 0 => solve [let E := fresh in intro E; apply H; replace c with e by polynomial; exact E]
   | H : ?c <> 0 |- ?e <> 0 => 
-      solve [let E := fresh in intro E; apply H; replace c with (- e) by ring; rewrite E; ring]
-  | H : ?f ?a <> 0 |- ?f ?b <> 0 => solve [replace b with a by first [ring | field]; exact H]
+      solve [let E := fresh in intro E; apply H; replace c with (- e) by polynomial; rewrite E; ring]
+  | H : ?f ?a <> 0 |- ?f ?b <> 0 => solve [replace b with a by polynomial; exact H]
   end.
 
 Ltac nz_with last :=
@@ -195,7 +336,7 @@ Ltac nz_with last :=
     | solve [apply Ropp_neq_0_compat; nz_with last]
     | solve [apply Rinv_neq_0_compat; nz_with last]
     | match goal with H : ?c <> 0 |- ?e <> 0 =>
-        solve [replace e with (c * c) by ring; apply Rmult_integral_contrapositive_currified; exact H]
+        solve [replace e with (c * c) by polynomial; apply Rmult_integral_contrapositive_currified; exact H]
       end
     | solve [apply Rgt_not_eq; interval]
     | solve [apply Rlt_not_eq; interval]
@@ -220,75 +361,16 @@ Ltac nz := nz_with nz_hard.
 
 Ltac defined := repeat (split; [solve [opened; first [assumption | lra | nz]] |]).
 
-(* -- terms as expressions ------------------------------------------------------------ *)
-
-(* A term, or a function of reals, as one of expressions: its operations are put in their place. *)
-Ltac expression t :=
-  let t := eval pattern R, Rplus, Rminus, Rmult, Rdiv, Ropp, Rinv, Rpow_def.pow, IZR, PI, sqrt, Rabs, cos, sin,
-    tan, atan, exp, ln in t in
-  lazymatch t with ?f _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ =>
-    constr:(f Tree.expr (Tree.Ebinary Tree.Add) (Tree.Ebinary Tree.Sub) (Tree.Ebinary Tree.Mul)
-      (Tree.Ebinary Tree.Div) (Tree.Eunary Tree.Neg) (Tree.Eunary Tree.Inv)
-      (fun a n => Tree.Eunary (Tree.PowerInt (Z.of_nat n)) a) (fun n => Tree.Econst (Tree.Int n))
-      (Tree.Econst Tree.Pi) (Tree.Eunary Tree.Sqrt) (Tree.Eunary Tree.Abs) (Tree.Eunary Tree.Cos)
-      (Tree.Eunary Tree.Sin) (Tree.Eunary Tree.Tan) (Tree.Eunary Tree.Atan) (Tree.Eunary Tree.Exp)
-      (Tree.Eunary Tree.Ln))
-  end.
-(* The same of a term in which terms have numbers: those that stand first are found first. *)
-Ltac numbered f n := lazymatch n with O => f | S ?n => numbered constr:(f (Tree.Evar n)) n end.
-Ltac expressed t vs :=
-  let rec of t ws :=
-    lazymatch ws with
-    | nil => let f := expression t in let n := eval cbv in (List.length vs) in numbered f n
-    | ?w :: ?ws => let t := eval pattern w in t in lazymatch t with ?f _ => of f ws end
-    end in
-  let e := of t vs in eval cbv in e.
-
-(* What is made of variables and of numbers, by which alone it is divided. *)
-Fixpoint polynomial_in (e : Tree.expr) : option (Ring_polynom.PExpr QArith_base.Q) :=
-  match e with
-  | Tree.Evar n => Some (Ring_polynom.PEX _ (Pos.of_succ_nat n))
-  | Tree.Econst (Tree.Int n) => Some (Ring_polynom.PEc (QArith_base.Qmake n 1))
-  | Tree.Eunary Tree.Neg a => option_map (@Ring_polynom.PEopp _) (polynomial_in a)
-  | Tree.Eunary (Tree.PowerInt (Zpos n)) a =>
-      option_map (fun p => Ring_polynom.PEpow p (Npos n)) (polynomial_in a)
-  | Tree.Eunary Tree.Inv (Tree.Econst (Tree.Int (Zpos n))) => Some (Ring_polynom.PEc (QArith_base.Qmake 1 n))
-  | Tree.Ebinary Tree.Div a (Tree.Econst (Tree.Int (Zpos n))) =>
-      option_map (fun p => Ring_polynom.PEmul p (Ring_polynom.PEc (QArith_base.Qmake 1 n))) (polynomial_in a)
-  | Tree.Ebinary o a b =>
-      match o, polynomial_in a, polynomial_in b with
-      | Tree.Add, Some p, Some q => Some (Ring_polynom.PEadd p q)
-      | Tree.Sub, Some p, Some q => Some (Ring_polynom.PEsub p q)
-      | Tree.Mul, Some p, Some q => Some (Ring_polynom.PEmul p q)
-      | _, _, _ => None
-      end
-  | _ => None
-  end.
-Ltac without f := repeat match goal with |- context [f ?a] => generalize (f a); intro end.
-Ltac variables_and xs :=
-  match goal with
-  | x : R |- _ => lazymatch xs with context [x] => fail | _ => variables_and constr:(x :: xs) end
-  | _ => xs
-  end.
-(* ring, in less time: functions and variables are its variables. *)
-Ltac polynomial :=
-  without cos; without sin; without exp; without sqrt; without ln; without tan; without atan; without Rabs;
-  let xs := variables_and constr:(PI :: nil) in
-  lazymatch goal with |- ?l = ?r :> R =>
-    let e := expressed l xs in let f := expressed r xs in
-    lazymatch eval vm_compute in (polynomial_in e, polynomial_in f) with (Some ?p, Some ?q) =>
-      exact (Rquotients_ring_lemma1 0 xs nil p q I ltac:(vm_compute; reflexivity))
-    end
-  end.
-
 (* -- identities --------------------------------------------------------------------- *)
 
 Ltac known_values :=
   rewrite ?Ropp_mult_distr_l_reverse, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0, ?sin_PI, ?cos_PI,
     ?sin_PI2, ?cos_PI2, ?exp_0, ?sqrt_0, ?sqrt_1, ?tan_0, ?tan_PI4.
-Ltac undivided := try unfold Rdiv in *; try unfold Cdiv in *.
-Ltac same_field := first [reflexivity | polynomial | solve [undivided; first [solve [ring] | field; nz]]].
-Ltac quick_field := first [reflexivity | solve [undivided; first [solve [ring] | field; nz_quick]]].
+Ltac other_field nz :=
+  tryif (try unfold Rdiv; functions_named; expressible) then fail else
+  solve [undivided; first [solve [ring] | field; nz]].
+Ltac same_field := first [reflexivity | solve [fraction; nz] | other_field nz].
+Ltac quick_field := first [reflexivity | solve [fraction; nz_quick] | other_field nz_quick].
 Lemma pythagoras : forall x, sin x ^ 2 + cos x ^ 2 - 1 = 0.
 Proof. intro x; generalize (sin2_cos2 x); unfold Rsqr; intro H; nra. Qed.
 
@@ -304,28 +386,39 @@ Lemma sin_45 : sin (PI / 4) = sqrt 2 / 2.
 Proof. rewrite sin_PI4; field [(root_square 2 ltac:(lra))]; apply Rgt_not_eq, sqrt_lt_R0; lra. Qed.
 Lemma cos_45 : cos (PI / 4) = sqrt 2 / 2.
 Proof. rewrite cos_PI4, <- sin_PI4; exact sin_45. Qed.
-(* With the squares of one or two roots. *)
-Ltac rooted_field :=
-  match goal with |- context [sqrt ?x] =>
-    let S := fresh in
-    pose proof (root_square x ltac:(rooted)) as S;
-    first
-      [ solve [ring [S]]
-      | solve [field [S]; nz_quick]
-      | match goal with |- context [sqrt ?y] =>
-          tryif constr_eq x y then fail
-          else let R := fresh in
-            pose proof (root_square y ltac:(rooted)) as R; first [solve [ring [S R]] | solve [field [S R]; nz_quick]]
-        end ]
+(* With the squares of sines, in those of cosines, and of roots. *)
+Definition because (P : Prop) (proof : P) : P := proof.
+Ltac squares xs rs p :=
+  let another v b proof :=
+    lazymatch p with context [v * v] => fail | _ =>
+      let e := expressed (v * v - b) xs in
+      lazymatch eval vm_compute in (Fractions.rule e) with Some ?r =>
+        squares xs constr:(r :: rs) constr:(conj (because (v * v = b) proof) p)
+      end
+    end in
+  match goal with
+  | v := sin ?a, w := cos ?a |- _ => another v (1 - w * w) (sine_square a)
+  | v := sqrt ?a |- _ => another v a (root_square a ltac:(rooted))
+  | _ => constr:((rs, p))
   end.
+Ltac squared :=
+  functions_named;
+  let xs := variables_and constr:(PI :: nil) in
+  let rules := squares xs (@nil Fractions.rule_of_names) I in
+  lazymatch rules with (?rs, ?p) => fraction_by xs rs p end.
+Ltac rooted_field := solve [squared; nz_quick].
+Ltac by_squares :=
+  first [solve [squared; nz] | undivided; field_simplify_eq; [shown; first [lra | nra] | nz ..]].
 Ltac special_values :=
   rewrite ?sin_PI, ?cos_PI, ?sin_PI2, ?cos_PI2, ?sin_0, ?cos_0,
     ?sin_PI6, ?cos_PI6, ?sin_PI3, ?cos_PI3, ?sin_45, ?cos_45.
 Ltac turned :=
   repeat first [rewrite sin_plus | rewrite cos_plus | rewrite sin_neg | rewrite cos_neg];
-  first [polynomial | ring | special_values; first [ring | rooted_field]].
+  first [polynomial | special_values; first [polynomial | rooted_field]].
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
+(* The value of a function of a sum, which is written out. *)
+Ltac by_parts way := transitivity way; [f_equal; solve [fraction; nz] | first [turned | raised]].
 
 (* -- signs -------------------------------------------------------------------------- *)
 
@@ -840,7 +933,7 @@ Ltac Cpowers := Cpushed; Craises; Cexps; Csame_turned.
 (* -- from one form of a proposition to another ---------------------------------------- *)
 
 (* Functions of arguments that are equal, or known values. *)
-Ltac argument := first [ring | solve [field; nz_quick]].
+Ltac argument := solve [fraction; nz_quick].
 Ltac alike f :=
   repeat match goal with |- context [f ?a] =>
     first
@@ -1017,7 +1110,7 @@ Ltac from_known tac :=
 
 Ltac assumed := first [assumption | from_known ltac:(fun _ => same)].
 
-Ltac by_ring _ := first [reflexivity | polynomial | ring].
+Ltac by_ring _ := first [reflexivity | polynomial].
 Ltac by_quick _ := lazymatch goal with |- @eq R _ _ => quick_field end.
 Ltac by_same _ := same.
 
@@ -1277,7 +1370,6 @@ Qed.
 Ltac derived :=
   first
     [ solve [unfold Rminus, Rdiv; polynomial]
-    | solve [unfold Rminus; ring]
     | quick_field
     | solve [unfold tan, cot, cosh, sinh, tanh, Rminus in *; quick_field]
     | same_field ].

@@ -68,30 +68,38 @@ def _slope(proof: Proof, expr: Expr, variable: Symbol, theorem: Theorem) -> tupl
     """A function, its derivative, and how the derivative is shown."""
     claim: Any = theorem.conclusion
     _refused(expr, claim.right)
-    with proof.names.bound(variable) as [v]:
-        names = proof.names
-        body, rate = real_text(expr, names), real_text(claim.right, names)
-        shown = " ".join(same(sp.diff(expr, variable), claim.right, names))
+    with proof.names.bound(variable):
+        shown = " ".join(same(sp.diff(expr, variable), claim.right, proof.names))
     shown = "derived." if shown == "same_field." else shown
-    return f"(fun {v} : R => {body})", f"(fun {v} : R => {rate})", shown
+    return proof.function(variable, expr), proof.function(variable, claim.right), shown
 
 
 def _inside(
-    proof: Proof, variable: Symbol, ends: Sequence[Expr], then: Sequence[Theorem], *last: str
+    proof: Proof,
+    variable: Symbol,
+    ends: Sequence[Expr],
+    then: Sequence[Theorem],
+    last: str,
+    claim: str = "",
 ) -> None:
-    """In the open interval: what the premises say there, and the tactics that use it."""
+    """In the open interval: what the premises say there, and the tactics that use it.
+
+    A claim that is given is shown there, beside the goal, under the name that it has.
+    """
+    proof.say(*[f"assert ({claim}).", "{"] * bool(claim))
     before = dict(proof.scope)
     with proof.names.introduced(variable) as [v]:
         proof.say(f"- intros {v} [Lo Hi].")
         low, high = (Relation(*p) for p in ((ends[0], "<", variable), (variable, "<", ends[1])))
-        for claim in (low, high):
+        for said in (low, high):
             name = proof.new("A")
-            proof.say(f"  assert ({name} : {proof.text(claim)}) by (opened; defined; assumption).")
-            proof.scope[claim] = name
+            proof.say(f"  assert ({name} : {proof.text(said)}) by (opened; defined; assumption).")
+            proof.scope[said] = name
         for premise in then:
             proof.keep(premise)
-        proof.say(*(f"  {line}" for line in last))
+        proof.say(f"  {last}")
     proof.scope = before
+    proof.say(*["}"] * bool(claim))
 
 
 @shows
@@ -105,13 +113,9 @@ def increases(proof: Proof, theorem: Theorem) -> None:
     if needed(expr):
         low, high = (real_text(t, proof.names) for t in ends)
         with proof.names.bound(variable) as [v]:
-            proof.say(
-                f"assert (Q : forall {v} : R, {low} < {v} < {high} -> {_conditions(proof, expr)}).",
-                "{",
-            )
-        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
+            claim = f"forall {v} : R, {low} < {v} < {high} -> {_conditions(proof, expr)}"
+        _inside(proof, variable, ends, defined, "opened; repeat split; nz.", claim=f"Q : {claim}")
         proof.say(
-            "}",
             "split; [intros y L U; generalize (Q y (conj L U)); clear; intros; opened; "
             "repeat split; assumption |].",
         )
@@ -131,15 +135,14 @@ def grows(proof: Proof, theorem: Theorem) -> None:
     expr, variable, x, y, slope, *defined = theorem.given
     expr, ends = term(expr), (term(x), term(y))
     f, g, shown = _slope(proof, expr, variable, slope)
-    low, high = (f"({real_text(t, proof.names)})" for t in ends)
+    low, high = map(proof.real, ends)
     proof.say(f"assert (Ends : {low} < {high}) by (opened; assumption).")
     claims = [c for c in conditions(expr) if variable in c.free]
     if claims:
         with proof.names.introduced(variable) as [v]:
             told = " /\\ ".join(sorted(map(proof.text, claims)))
-        proof.say(f"assert (Q : forall {v} : R, {low} < {v} < {high} -> {told}).", "{")
-        _inside(proof, variable, ends, defined, "opened; repeat split; nz.")
-        proof.say("}")
+        claim = f"forall {v} : R, {low} < {v} < {high} -> {told}"
+        _inside(proof, variable, ends, defined, "opened; repeat split; nz.", claim=f"Q : {claim}")
     proof.say(
         f"assert (Goal : {f} {low} < {f} {high}).",
         "{",
@@ -171,13 +174,12 @@ def above_its_start(proof: Proof, theorem: Theorem) -> None:
     _refused(expr)
     proof.keep(rise)
     proof.keep(start)
-    with proof.names.bound(variable) as [v]:
-        f = f"(fun {v} : R => {real_text(expr, proof.names)})"
+    f = proof.function(variable, expr)
     proof.say(
         "opened.",
         f"assert (Goal : {real_text(start.conclusion.of[2], proof.names)} < "  # type: ignore[attr-defined]
         f"{f} {proof.names[variable]}) by (apply (above_its_start {f} "
-        f"({real_text(lower, proof.names)}) ({real_text(upper, proof.names)})); assumption).",
+        f"{proof.real(lower)} {proof.real(upper)}); assumption).",
         f"cbv beta in Goal; inside {proof.names[variable]}; defined; assumption.",
     )
 
@@ -191,17 +193,16 @@ def in_the_limit(proof: Proof, theorem: Theorem) -> None:
     limit: Any = end.conclusion
     _refused(claim.left, claim.right, limit.of[0])
     proof.keep(end)
-    with proof.names.bound(variable) as [v]:
-        f = f"(fun {v} : R => {real_text(limit.of[0], proof.names)})"
+    f = proof.function(variable, limit.of[0])
     at = "lower" if limit.of[1] == lower else "upper"
-    ends = [f"({real_text(t, proof.names)})" for t in (lower, upper)]
+    ends = [*map(proof.real, (lower, upper))]
     proof.say(f"assert (Ends : {ends[0]} < {ends[1]}) by (opened; assumption).")
-    proof.say(f"assert (Q : forall v, {ends[0]} < v < {ends[1]} -> 0 <= {f} v).", "{")
-    _inside(proof, variable, (lower, upper), [premise], "opened; cbv beta; weakly.")
-    proof.say("}", "opened; defined.")
+    weak = f"Q : forall v, {ends[0]} < v < {ends[1]} -> 0 <= {f} v"
+    _inside(proof, variable, (lower, upper), [premise], "opened; cbv beta; weakly.", claim=weak)
     proof.say(
+        "opened; defined.",
         f"apply (weak_at_the_{at}_end {f} {' '.join(ends)}); "
-        "[exact Ends | intros; apply Q; split; assumption | assumption]."
+        "[exact Ends | intros; apply Q; split; assumption | assumption].",
     )
 
 
@@ -215,18 +216,16 @@ def crosses_zero(proof: Proof, theorem: Theorem) -> None:
     _refused(expr)
     proof.keep(below)
     proof.keep(above)
+    f = proof.function(variable, expr)
+    ends = [*map(proof.real, (lower, upper))]
     with proof.names.bound(variable) as [v]:
-        f = f"(fun {v} : R => {real_text(expr, proof.names)})"
-        told = " /\\ ".join(sorted(map(proof.text, needed(expr)))) or "True"
-        domain = f"forall {v} : R, LOW < {v} < HIGH -> {told}"
-    ends = [f"({real_text(t, proof.names)})" for t in (lower, upper)]
-    limits = " ".join(f"({real_text(t, proof.names)})" for t in (start, end))
-    domain = domain.replace("LOW", ends[0]).replace("HIGH", ends[1])
-    proof.say("opened.", f"assert (W : {domain}).", "{")
-    _inside(proof, variable, (lower, upper), defined, "opened; repeat split; nz.")
+        told = _conditions(proof, expr) or "True"
+        domain = f"W : forall {v} : R, {ends[0]} < {v} < {ends[1]} -> {told}"
+    proof.say("opened.")
+    _inside(proof, variable, (lower, upper), defined, "opened; repeat split; nz.", claim=domain)
     proof.say(
-        "}",
-        f"destruct (crosses_zero {f} {' '.join(ends)} {limits}) as (v & Lo & Hi & Z); "
+        f"destruct (crosses_zero {f} {' '.join(ends)} {proof.real(start)} {proof.real(end)}) "
+        "as (v & Lo & Hi & Z); "
         "[assumption .. | | assumption | assumption |].",
         "- intros v Lo Hi; generalize (W v (conj Lo Hi)); intros; opened; slope.",
         "- generalize (W v (conj Lo Hi)); intros; opened; exists v; cbv beta in Z; "
@@ -241,13 +240,9 @@ def tends(proof: Proof, theorem: Theorem) -> None:
     expr, at, value = (term(theorem.given[i]) for i in (0, 2, 3))
     _refused(expr, at, value)
     names = proof.names
-    a, limit = real_text(at, names), real_text(value, names)
+    a, limit = proof.real(at), proof.real(value)
     there = {variable: at}
     above, below = sp.fraction(sp.together(plain(expr)))
-
-    def function(of: Expr) -> str:
-        with names.bound(variable) as [v]:
-            return f"(fun {v} : R => {real_text(of, names)})"
 
     chains = [_until(below, variable, at)]
     _sine_apart(proof, chains[0][-1].xreplace(there))
@@ -259,26 +254,27 @@ def tends(proof: Proof, theorem: Theorem) -> None:
 
     proof.say("opened; defined.")
     if len(chains[0]) == 1:
-        shown = at_point(expr)
-        proof.say(f"apply (tends_at {function(expr)} ({a}) ({limit})); [slope | {shown}].")
+        f, shown = proof.function(variable, expr), at_point(expr)
+        proof.say(f"apply (tends_at {f} {a} {limit}); [slope | {shown}].")
         return
     order = len(chains[0]) - 1
     chains.insert(0, [sp.diff(above, variable, i) for i in range(order + 1)])
     if not all(is_zero(f.xreplace(there)) for f in chains[0][:-1]):
         raise NotPrinted("a limit that does not exist")
     lead = [chain[-1].xreplace(there) for chain in chains]
-    ends = " ".join(f"({real_text(c / sp.factorial(order), names)})" for c in lead)
-    functions = " ".join(map(function, (expr, above, below)))
-    proof.say(f"apply (tends_quotient {functions} ({a}) {ends} ({limit}) {order}).")
+    ends = " ".join(proof.real(c / sp.factorial(order)) for c in lead)
+    functions = " ".join(proof.function(variable, of) for of in (expr, above, below))
+    proof.say(f"apply (tends_quotient {functions} {a} {ends} {limit} {order}).")
     for chain in chains:
         proof.say("-")
-        for i, (of, slope) in enumerate(pairwise(chain)):
+        made = [proof.function(variable, of) for of in chain]
+        for i, (f, slope) in enumerate(pairwise(made)):
             size = chain[-1].xreplace(there) / sp.factorial(order - i - 1)
             proof.say(
-                f"  apply (order_up {function(of)} {function(slope)} ({a}) "
-                f"({real_text(size, names)}) ({real_text(size / (order - i), names)}) "
-                f"{order - i - 1}); [intros; evar_last; [slope | first [derived | same]] "
-                f"| {at_point(of)} | simpl; same_field |]."
+                f"  apply (order_up {f} {slope} {a} {proof.real(size)} "
+                f"{proof.real(size / (order - i))} {order - i - 1}); "
+                "[intros; evar_last; [slope | first [derived | same]] "
+                f"| {at_point(chain[i])} | simpl; same_field |]."
             )
         proof.say(f"  apply order_none; [slope | {at_point(chain[-1])}].")
     proof.say(

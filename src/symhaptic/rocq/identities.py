@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from math import lcm
+from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
@@ -26,18 +27,22 @@ _AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
 }
 _MOST_TURNS = 12
 
+Made: TypeAlias = dict[Expr, list[tuple[Expr, int]]]
+"""Angles, or exponents, as sums: units, and how often each stands there."""
+
 
 class _Parts:
     """Angles and exponents over a basis, and the variables that stand for their functions."""
 
     def __init__(self, terms: Sequence[Expr]) -> None:
-        angles = {a.args[0] for t in terms for a in t.atoms(sp.sin, sp.cos)}
-        powers = set()
+        powers, turns = {sp.S.One for t in terms if t.has(sp.E)}, set[Expr]()
         for exponential in {a for t in terms for a in t.atoms(sp.exp)}:
             size, angle = polar(exponential)
             powers.add(size)
-            angles.add(angle)
-        self.angles, self.exponents = _units(angles, sp.pi / 2), _units(powers, None)
+            turns |= {sp.cos(angle), sp.sin(angle)}
+        angles = {a.args[0] for t in {*terms, *turns} for a in t.atoms(sp.sin, sp.cos)}
+        self.angles = _fewest(_counted(angles, sp.pi / 2))
+        self.exponents = _counted(powers, None)
         self.values: dict[Expr, Expr] = {}
         """Variables for the functions of the units."""
         self.made: dict[Expr, Expr] = {}
@@ -51,7 +56,7 @@ class _Parts:
     def turn(self, angle: Expr) -> tuple[Expr, Expr]:
         """Cosine and sine of an angle, in the variables."""
         c, s = sp.S.One, sp.S.Zero
-        for unit, count in _counted(angle, self.angles):
+        for unit, count in _found(angle, self.angles):
             if abs(count) > _MOST_TURNS:
                 raise NotPrinted(f"the sine of {count} times an angle")
             known = sp.cos(unit * count), sp.sin(unit * count)
@@ -85,7 +90,7 @@ class _Parts:
             return self.image(sp.exp(size)) * turn
         if expr is sp.E or isinstance(expr, sp.exp):
             found = sp.S.One
-            for unit, count in _counted(_exponent(expr), self.exponents):
+            for unit, count in _found(_exponent(expr), self.exponents):
                 found *= self.variable(sp.exp(unit)) ** count
             return found
         if expr.is_Add or expr.is_Mul:
@@ -113,25 +118,65 @@ def polar(exponential: Expr) -> tuple[Expr, Expr]:
     return size, angle
 
 
-def _units(of: set[Expr], quarter: Expr | None) -> dict[Expr, Expr]:
-    """For each product of symbols the largest unit of which all arguments hold whole multiples."""
-    shares: dict[Expr, int] = {}
-    for angle in of:
-        for monomial, share in _monomials(angle).items():
-            shares[monomial] = lcm(shares.get(monomial, 1), int(share.q))
-    units = {m: m / n for m, n in shares.items()}
-    if quarter is not None and sp.pi in units and shares[sp.pi] in (1, 2):
+def _counted(of: set[Expr], quarter: Expr | None) -> Made:
+    """What each is made of, over one unit for each product of symbols, and how often."""
+    parts = {one: _monomials(one) for one in sorted(of, key=str)}
+    shares: dict[Expr, list[Expr]] = {}
+    for some in parts.values():
+        for monomial, share in some.items():
+            shares.setdefault(monomial, []).append(share)
+    units = {m: m / lcm(*(int(s.q) for s in some)) for m, some in shares.items()}
+    if quarter is not None and units.get(sp.pi) in (sp.pi, quarter):
         units[sp.pi] = quarter
-    return units
+    return {
+        one: [(units[m], int(n * m / units[m])) for m, n in sorted(some.items(), key=str) if n != 0]
+        for one, some in parts.items()
+    }
 
 
-def _counted(of: Expr, units: dict[Expr, Expr]) -> list[tuple[Expr, int]]:
-    parts = _monomials(of)
-    if any(m not in units for m in parts if parts[m]):
-        raise NotPrinted(f"the argument {of}")
-    return [
-        (units[m], int(parts[m] * m / units[m])) for m in sorted(parts, key=str) if parts[m] != 0
-    ]
+def _found(of: Expr, made: Made) -> list[tuple[Expr, int]]:
+    """What one is made of that may be written, or signed, in another way."""
+    for known, counts in {of: made[of]}.items() if of in made else made.items():
+        for sign in (1, -1):
+            if sp.expand(known - sign * of) == 0:
+                return [(unit, sign * count) for unit, count in counts]
+    raise NotPrinted(f"the argument {of}")
+
+
+def _fewest(made: Made) -> Made:
+    """The same angles, of fewer units: one is added to another as long as that helps.
+
+    a u + b v is (a - b) u + b (u + v). Multiples of pi alone stay what they are.
+
+    >>> u, v = sp.symbols("u v")
+    >>> _fewest({2 * (u + v): [(u, 2), (v, 2)], v: [(v, 1)]})
+    {2*u + 2*v: [(u + v, 2)], v: [(v, 1)]}
+    """
+    units = sorted({u for counts in made.values() for u, _ in counts}, key=str)
+    counts = {angle: [dict(some).get(u, 0) for u in units] for angle, some in made.items()}
+    free = [i for i, u in enumerate(units) if u.free_symbols]
+
+    def less(i: int, j: int, k: int) -> dict[Expr, list[int]]:
+        """With k times as many of unit i less as there are of unit j."""
+        return {of: [*n[:i], n[i] - k * n[j], *n[i + 1 :]] for of, n in counts.items()}
+
+    ways = [(i, j, k) for i in free for j in free if i != j for k in (1, -1)]
+    while ways:
+        best = min(ways, key=lambda way: _size(less(*way)))
+        if _size(less(*best)) >= _size(counts):
+            break
+        i, j, k = best
+        counts, units[j] = less(i, j, k), sp.expand(units[j] + k * units[i])
+    for i in free:
+        same = [n[i] * of for of, n in counts.items() if sum(map(abs, n)) == abs(n[i]) == 1]
+        units[i] = same[0] if same else units[i]
+        if units[i].could_extract_minus_sign():
+            counts, units[i] = less(i, i, 2), -units[i]
+    return {of: [(u, k) for u, k in zip(units, n, strict=True) if k] for of, n in counts.items()}
+
+
+def _size(counts: Mapping[Expr, Sequence[int]]) -> int:
+    return sum(abs(n) for some in counts.values() for n in some)
 
 
 def _monomials(of: Expr) -> Mapping[Expr, Expr]:
@@ -184,21 +229,17 @@ def script(terms: Sequence[Expr], difference: Callable[[Image], Expr], names: Na
     write = complex_text if of_complex else real_text
     names.spelled |= {v: write(f, names) for f, v in parts.values.items()}
     lines += _turned(parts, names) + _expansions(parts, names)
-    if of_complex:
-        raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
-        lines.append("Clifted; Csums." if raised else "Clifted.")
-    rules = _rules(parts, of_complex, names)
+    if not of_complex:
+        return [*lines, "by_squares."]
+    raised = any(p.exp.free_symbols for t in terms for p in t.atoms(sp.Pow))
+    lines.append("Clifted; Csums." if raised else "Clifted.")
+    rules = _rules(parts, names)
     lines += [rule.format(f"Sq{i}") for i, rule in enumerate(rules, 1)]
     by = f" [{' '.join(f'Sq{i}' for i in range(1, len(rules) + 1))}]" if rules else ""
-    push, nz = ("cbn [Cpower]; undivided; ", "Cnz") if of_complex else ("undivided; ", "nz")
-    last = (
-        " | field_simplify_eq; [shown; first [lra | nra] | nz ..]"
-        if any(v.is_Pow for v in parts.values)
-        else ""
-    )
     divided = any(sp.denom(p).free_symbols for t in terms for p in sp.Mul.make_args(sp.together(t)))
-    ways = [f"solve [ring{by}]", f"solve [field{by}; {nz}]"]
-    return [*lines, f"{push}first [{' | '.join(ways[::-1] if divided else ways)}{last}]."]
+    ways = [f"solve [ring{by}]", f"solve [field{by}; Cnz]"]
+    ways = ways[::-1] if divided else ways
+    return [*lines, f"cbn [Cpower]; undivided; first [{' | '.join(ways)}]."]
 
 
 def same(left: Expr, right: Expr, names: Names) -> list[str]:
@@ -236,16 +277,14 @@ def _expansions(parts: _Parts, names: Names) -> list[str]:
         argument = _exponent(function)
         pieces = [
             f"{'(- ' if count < 0 else ''}({real_text(unit, names)}){')' if count < 0 else ''}"
-            for unit, count in _counted(argument, parts.angles if turning else parts.exponents)
+            for unit, count in _found(argument, parts.angles if turning else parts.exponents)
             for _ in range(abs(count))
         ]
         said, wanted = real_text(function, names), real_text(image, names)
         name = said[: said.index("(")]
         sum_ = f"{name} ({' + '.join(pieces) or '0'})"
-        divided = "; nz" if sp.denom(argument).free_symbols or argument.has(sp.Add) else ""
         lines += [
-            f"assert (E : {said} = {wanted}) by (transitivity ({sum_}); "
-            f"[f_equal; field{divided} | {'turned' if turning else 'raised'}]).",
+            f"assert (E : {said} = {wanted}) by by_parts ({sum_}).",
             "rewrite ?E in *; clear E.",
         ]
     return lines
@@ -268,21 +307,19 @@ def _turned(parts: _Parts, names: Names) -> list[str]:
     return lines
 
 
-def _rules(parts: _Parts, of_complex: bool, names: Names) -> list[str]:
-    """Tactics that show what the square of a variable is, under a name that is left open."""
-    c, colon, found = ("C", " :> C)%C", []) if of_complex else ("", ")", [])
+def _rules(parts: _Parts, names: Names) -> list[str]:
+    """Tactics that show what the square of a complex variable is, under a name left open."""
+    found = []
     for function in parts.values:
         if function == sp.I:
             found.append("pose proof Ci_square as {}.")
         elif isinstance(function, sp.sin) and sp.cos(function.args[0]) in parts.values:
             angle = real_text(function.args[0], names)
-            found.append(f"pose proof ({c}sine_square ({angle})) as {{}}.")
+            found.append(f"pose proof (Csine_square ({angle})) as {{}}.")
         elif function.is_Pow and function.exp == sp.S.Half:
-            base = (complex_text if of_complex else real_text)(function.base, names)
-            root = real_text(function, names)
-            shown = "[rooted | Cpushed; Csame_field]" if of_complex else "rooted"
+            base, root = complex_text(function.base, names), real_text(function, names)
             found.append(
-                f"assert ({{}} : ({root} * {root} = {base}{colon}) "
-                f"by (apply {c}root_square; {shown})."
+                f"assert ({{}} : ({root} * {root} = {base} :> C)%C) "
+                "by (apply Croot_square; [rooted | Cpushed; Csame_field])."
             )
     return found

@@ -312,7 +312,9 @@ def witnessed(proof: Proof, theorem: Theorem) -> None:
     wanted, values = theorem.conclusion, theorem.given[2]
     assert isinstance(wanted, Exists)
     terms = ", ".join(_values(proof, wanted.over, values))
-    proof.say(f"exists {terms}.", f"finish {proof.have(theorem.premises[0])}.")
+    turns = _evaluated(proof, wanted.body, values)
+    proof.say(f"exists {terms}.", *(f"{turn}." for turn in turns))
+    proof.say(f"finish {proof.have(theorem.premises[0])}.")
 
 
 @shows

@@ -11,14 +11,14 @@ import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from sympy import Symbol
+from sympy import Expr, Symbol
 
 from symhaptic.book.rests import Said, said
 from symhaptic.notation.proposition import And, Proposition
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.propositions import text, typed
-from symhaptic.rocq.terms import Names, NotPrinted
+from symhaptic.rocq.terms import Names, NotPrinted, real_text
 
 
 @dataclass
@@ -163,6 +163,15 @@ class Proof:
         self.say(f"pose proof {term} as {name}.")
         self.know(premise.conclusion, name)
         return name
+
+    def real(self, expr: Expr) -> str:
+        """A real term here, in brackets."""
+        return f"({real_text(expr, self.names)})"
+
+    def function(self, variable: Symbol, expr: Expr) -> str:
+        """A function of reals, in brackets."""
+        with self.names.bound(variable) as [v]:
+            return f"(fun {v} : R => {real_text(expr, self.names)})"
 
     def text(self, claim: Proposition) -> str:
         """A proposition here."""
