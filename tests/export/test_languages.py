@@ -127,6 +127,14 @@ def test_a_module_of_a_crate_without_std(tmp_path):
     run([*clippy, "--", "-D", "warnings"], tmp_path / "user")
 
 
+def test_no_unit_is_a_link_in_the_documentation_of_rust(tmp_path):
+    """Which rustdoc would look for, and not find."""
+    text = (exported("rust", tmp_path) / "src" / "haptic.rs").read_text()
+    told = [line for line in text.splitlines() if line.lstrip().startswith("///")]
+    assert "/// * `delta`: physical damping, b T/m (1)" in told
+    assert not any("[" in line for line in told)
+
+
 IN_NODE = """import { is_stable } from "./out/haptic.mjs";
 import { readFileSync } from "node:fs";
 import vm from "node:vm";

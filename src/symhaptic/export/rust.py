@@ -88,11 +88,11 @@ class Rust(Target):
         return {f"src/{library.name}.rs": "\n".join(wrapped(lines))}
 
     def _documented(self, form: Form) -> list[str]:
-        """In Markdown."""
-        first, *others = describe(form, self.precision)
+        """In Markdown, where square brackets are a link."""
+        about = "\n".join(describe(form, self.precision))
+        first, *others = about.replace("[", "(").replace("]", ")").splitlines()
         arguments = others[: len(form.arguments)]
-        listed = [f"* `{line.replace(': ', '`: ', 1).replace('[', '(').replace(']', ')')}"
-                  for line in arguments]  # fmt: skip
+        listed = [f"* `{line.replace(': ', '`: ', 1)}" for line in arguments]
         return [first[0].upper() + first[1:],
                 *[""] * bool(listed), *listed,
                 *(part for line in others[len(arguments):] for part in ("", line))]  # fmt: skip
