@@ -55,19 +55,18 @@ def derive(page):
         because="where $M$ nearly vanishes at $-1$, each of these terms is small",
     )
     page.say(
-        "The boundary asks for the difference of $m_2$ and $m_0$, too, on which slow motions hang "
-        "where the device has nearly swung whole turns in a period; there both are alike. With "
-        "$k$ for the way by an impulse in the whole period it is made of numbers that are as small "
-        "as it is there:"
+        "The boundary asks for the difference of $m_2$ and $m_0$, too. Where the device swings "
+        "nearly whole turns in a period both are alike, and what little is left decides about slow "
+        "motions. With $k$ for the way by an impulse in the whole period, and $L=1-e$, it is a sum "
+        "of terms that are small there:"
     )
     across = LATE.block.written_out()[5]
     page.show(
-        "The two ends of the numerator are apart by what a whole period does",
+        "The difference of $m_2$ and $m_0$ is made of what vanishes with whole turns",
         "2(m_2-m_0)",
         r"k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0",
         page.same("across", across.left, across.right),
-        because="with $L=1-e$, where $k$, $1-a+e$ and $n_0$ vanish with whole turns and $L$ with "
-        "the damping",
+        because="without damping $k$, $1-a+e$, $n_0$ and $L$ are zero there",
     )
     settle(
         page,

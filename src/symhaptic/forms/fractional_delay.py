@@ -99,10 +99,11 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
 
 
 def across(parts: Parts, rest: Brief, together: Expr, apart: Expr, loss: Expr, kick: Expr) -> Expr:
-    """2 (m_2 - m_0), made of the period's rest and of what belongs to the whole period.
+    """2 (m_2 - m_0) = k (2 k_1 + delta x_1) + (gamma (n_1 + n_0) + 1 - e) x_1 - 2 n_0.
 
-    Next to whole turns m_2 and m_0 are alike, and M is as small as their difference where motions
-    are slow; every term is here.
+    k is the way by an impulse in the whole period; k_1, and x_1 = m_2 by a force, are those in the
+    rest of it.  Where the device swings nearly whole turns m_2 and m_0 are alike, and each of these
+    terms is as small as their difference.
     """
     if not parts.stiffness:
         return (1 - 2 * epsilon) * together + apart
