@@ -15,6 +15,7 @@ from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
 from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
+from symhaptic.rocq.meaning import differs
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
@@ -27,6 +28,7 @@ BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
 PROVED = frozenset(CLASSICAL) | frozenset(ELEMENTARY)
 """Classical rules and axioms that are theorems of Rocq here."""
+HALF = "a root of what may be negative, in complex numbers"
 OPEN = "not checked:"
 """How the comment of a leaf begins that no tactic checks; it is an axiom named ``open_``."""
 
@@ -151,9 +153,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
     named = _named(chapter)
-    half = {said(t) for _, _, t in theorems_of(chapter) if _half_said(t)}
-    # what would say less is not worth its steps
-    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in half):
+    unlike = _unlike(chapter)
+    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in unlike):
         if said(theorem) in known:
             continue
         try:
@@ -170,8 +171,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
-            if said(theorem) in half:
-                file.missing.setdefault(id, "a root of what may be negative, in complex numbers")
+            if said(theorem) in unlike:
+                file.missing.setdefault(id, unlike[said(theorem)])
             elif said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
             else:
@@ -185,8 +186,24 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     return file
 
 
-def _half_said(theorem: Theorem) -> bool:
-    return any(map(half_said, (*theorem.hypotheses, theorem.conclusion)))
+def _unlike(chapter: Chapter) -> dict[Said, str]:
+    """Why a theorem of a chapter is not printed: the text would not say the same."""
+    found = {}
+    for kind, _, theorem in theorems_of(chapter):
+        if any(map(half_said, (*theorem.hypotheses, theorem.conclusion))):
+            found[said(theorem)] = HALF
+        elif kind == "statement" and (wrong := _says_else(theorem)):
+            found[said(theorem)] = wrong
+    return found
+
+
+def _says_else(*theorems: Theorem) -> str | None:
+    """Where the text of theorems is found to say something else than the theorems."""
+    try:
+        claims = ((t.hypotheses, (*t.hypotheses, t.conclusion)) for t in theorems)
+        return next(filter(None, (differs(said, given) for given, said in claims)), None)
+    except NotPrinted as wrong:
+        return str(wrong)
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:
@@ -265,7 +282,12 @@ def _axiom(step: Step, name: str, own: str | None) -> Step:
 
 def _instance(step: Step, theorem: Theorem, known: Mapping[Said, Step], number: int) -> list[Step]:
     """A classical rule, for just this use of it: what its premises say gives what it concludes."""
-    premises = [known[said(p)] for p in theorem.premises if p.rule != "assume"]
+    used = [p for p in theorem.premises if p.rule != "assume"]
+    if any(half_said(c) for t in (theorem, *used) for c in (*t.hypotheses, t.conclusion)):
+        raise NotPrinted(HALF)
+    if wrong := _says_else(theorem, *used):
+        raise NotPrinted(wrong)
+    premises = [known[said(p)] for p in used]
     statement = " -> ".join([*(f"({p.statement})" for p in premises), f"({step.statement})"])
     name = f"rule_{theorem.rule}_{number}"
     rule = replace(step, name=name, kind="Axiom", why=BELIEVED[theorem.rule], statement=statement)

@@ -16,7 +16,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, imaginary, real_text
 
 _AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
     sp.tan: lambda x: sp.sin(x) / sp.cos(x),
@@ -204,7 +204,8 @@ def _multiple(c: Expr, s: Expr, count: int) -> tuple[Expr, Expr]:
 
 
 def plain(expr: Expr) -> Expr:
-    """Without tangents and hyperbolic functions."""
+    """Without tangents, hyperbolic functions and roots of negative numbers."""
+    expr = imaginary(expr)
     changes = {f: _AS_OTHERS[f.func](f.args[0]) for f in expr.atoms(*_AS_OTHERS)}
     return plain(expr.xreplace(changes)) if changes else expr
 
