@@ -72,7 +72,7 @@ def derive(page):
     page.settle("odd:left", chosen(device_exists(sqrt(2), S(2), NUMBERS), never))
 '''
 
-JACKPOT = """From Symhaptic Require Import Prelude Boxes Zeros.
+JACKPOT = """From Symhaptic Require Import Control Boxes Zeros.
 From Symhaptic.{folder} Require Import {chapter}.
 Lemma jackpot : False.
 Proof.

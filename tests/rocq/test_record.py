@@ -107,8 +107,6 @@ def in_kernel(judged):
     meanings = MEANING | set(map(assumptions.rule_of, preludes.known_there()))
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
-    if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros as Schur did
-        found.add(foreign.SCHUR)
     return found & (set(sources()) | meanings)
 
 

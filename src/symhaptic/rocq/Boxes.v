@@ -1,6 +1,6 @@
 (* What is positive on a box, by the pieces of a certificate: Rocq evaluates each of them with the
    intervals of coq-interval, over primitive floats; that what it finds holds is proved once here. *)
-From Symhaptic Require Export Prelude.
+From Symhaptic Require Export Control.
 From Coq Require Export String.
 From Coq Require Import Ascii.
 From Interval Require Import Xreal Interval Primitive_ops Float_full Tree Prog Eval Reify.

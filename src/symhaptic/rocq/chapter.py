@@ -19,14 +19,17 @@ from symhaptic.rocq.meaning import differs
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
+from symhaptic.rocq.zeros import ZEROS
 
-WRITTEN = LOGIC | LEAVES | CLASSICAL
+SHOWN = CLASSICAL | ZEROS
+"""Classical rules that are theorems here."""
+WRITTEN = LOGIC | LEAVES | SHOWN
 MEANT = "what the predicate means: the characteristic polynomial of the model"
 MEANING = frozenset({"loop", "loop_substituted"})
 """Rules that say what a predicate means."""
 BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
-PROVED = frozenset(CLASSICAL) | frozenset(ELEMENTARY)
+PROVED = frozenset(SHOWN) | frozenset(ELEMENTARY)
 """Classical rules and axioms that are theorems of Rocq here."""
 HALF = "a root of what may be negative, in complex numbers"
 OPEN = "not checked:"
@@ -51,7 +54,7 @@ class File:
 
     def written(self, asks: bool = True) -> str:
         """The text: byte by byte the same from run to run; it may ask on what all of it rests."""
-        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *self._checkers()])}."
+        import_ = f"From Symhaptic Require Import {' '.join(['Control', *self._checkers()])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
@@ -72,7 +75,7 @@ class File:
     def _checkers(self) -> list[str]:
         """The files of the checkers that it uses."""
         rules = {step.rule for step in self.steps}
-        return [name for name, (some, *_) in CHECKERS.items() if rules & some]
+        return [name for name, (some, _) in CHECKERS.items() if rules & some]
 
     def named_by(self, id: str) -> set[str]:
         """Every name in the lemmas of a statement, and in those that they use."""
@@ -81,7 +84,6 @@ class File:
         while left:
             step = known[left.pop()]
             words = set(re.findall(r"[\w']+", " ".join([step.name, step.statement, *step.lines])))
-            words |= {axiom for some, _, axiom in CHECKERS.values() if step.rule in some and axiom}
             left += (words - found) & set(known)
             found |= words
         return found
@@ -114,15 +116,15 @@ HOW = (
     "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
     "classical theorems, and what is known of a device; one that is named open_ is a step which "
     "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
-    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
+    "printed, fails. Tactics stand in Prelude.v, what the predicates are in Control.v"
 )
 ALONE = frozenset({"identity", "number", "broken", "tends"}) | BOXED
 """Leaves that use no other lemma."""
 CHECKERS = {
-    "Boxes": (BOXED, "how the pieces of a box are checked", ""),
-    "Zeros": (COUNTED, "how the zeros of a polynomial are counted", "rule_schur"),
+    "Boxes": (BOXED, "how the pieces of a box are checked"),
+    "Zeros": (COUNTED, "how the zeros of a polynomial are counted"),
 }
-"""Programs that are proved in Rocq, by their files: for which rules, what they do, and by what."""
+"""Programs that are proved in Rocq, by their files: for which rules, and what they do."""
 
 
 def _paragraph(text: str) -> str:
@@ -237,7 +239,7 @@ def _step(
         step.pieces = theorem.given[0].pieces
     if theorem.rule == "known":
         return [_axiom(step, rule, own)]
-    if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
+    if theorem.rule in BELIEVED and theorem.rule not in SHOWN:
         return _instance(step, theorem, known, number)
     names = Names("0")  # of a symbol that cancels, any number will do
     try:

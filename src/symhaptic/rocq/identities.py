@@ -266,6 +266,17 @@ def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> boo
     return bool(bare.xreplace({s: _prime(1000 + 7 * i) for i, s in enumerate(symbols)}) == 0)
 
 
+def powers_of_few(functions: Sequence[Expr], names: Names) -> list[str]:
+    """Tactics that tell real exponentials as powers of few of them."""
+    parts = _Parts([f for f in functions if not complex_(f)])
+    for f in functions:
+        if not complex_(f):
+            parts.image(f)
+    names.spelled |= {v: real_text(f, names) for f, v in parts.values.items()}
+    shown = [line for line in _expansions(parts, names) if line.startswith("assert")]
+    return [line.replace("assert (E :", f"assert (X{i} :") for i, line in enumerate(shown)]
+
+
 def _expansions(parts: _Parts, names: Names) -> list[str]:
     """Each function of a sum written in those of its parts."""
     lines = []

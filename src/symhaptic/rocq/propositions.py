@@ -38,6 +38,8 @@ _JOINED: dict[type[Proposition], tuple[str, str]] = {
 }
 DEFINED = {"whole": "whole", "increasing": "increasing", "limit": "tends"}
 """Predicates of real terms that the prelude defines."""
+REAL = frozenset({"degree"})
+"""Predicates of which all terms but a polynomial are real."""
 
 
 def text(claim: Proposition, names: Names) -> str:
@@ -136,7 +138,11 @@ def _predicate(claim: Predicate, names: Names) -> str:
             names.as_complex.add(claim.over[0])
             first = [f"(fun {v} : C => {complex_text(terms[0], names)})%C"]
             names.as_complex.discard(claim.over[0])
-    others = (f"({complex_text(t, names)})%C" for t in terms[len(first) :])
+    real = name in REAL
+    if real and complex_(*terms[len(first) :]):
+        raise NotPrinted(f"the predicate {name} of complex terms")
+    write = real_text if real else complex_text
+    others = (f"({write(t, names)})%{'R' if real else 'C'}" for t in terms[len(first) :])
     return _beside(terms, " ".join([name, *first, *others]), names, claim.over)
 
 
