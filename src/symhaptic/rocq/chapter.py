@@ -15,13 +15,14 @@ from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
 from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
+from symhaptic.rocq.loops import LOOPS
 from symhaptic.rocq.meaning import differs
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
 from symhaptic.rocq.zeros import ZEROS
 
-SHOWN = CLASSICAL | ZEROS
+SHOWN = CLASSICAL | ZEROS | LOOPS
 """Classical rules that are theorems here."""
 WRITTEN = LOGIC | LEAVES | SHOWN
 MEANT = "what the predicate means: the characteristic polynomial of the model"
@@ -169,7 +170,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
             if broken and step.name in broken and step.kind != "Axiom":
                 found[i] = _opened(step, broken[step.name])
         known[said(theorem)] = found[-1]
-        file.steps += found
+        there = {step.name for step in file.steps}
+        file.steps += [step for step in found if step.name not in there]
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
@@ -252,7 +254,7 @@ def _step(
     except NotPrinted as wrong:
         return [_opened(step, str(wrong))]
     step.lines = proof.lines
-    return [step]
+    return [*proof.helpers, step]
 
 
 def _introduce(proof: Proof, over: Sequence[str]) -> None:

@@ -267,14 +267,14 @@ def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> boo
 
 
 def powers_of_few(functions: Sequence[Expr], names: Names) -> list[str]:
-    """Tactics that tell real exponentials as powers of few of them."""
+    """What real exponentials are as powers of few of them, each with how that is shown."""
     parts = _Parts([f for f in functions if not complex_(f)])
     for f in functions:
         if not complex_(f):
             parts.image(f)
     names.spelled |= {v: real_text(f, names) for f, v in parts.values.items()}
     shown = [line for line in _expansions(parts, names) if line.startswith("assert")]
-    return [line.replace("assert (E :", f"assert (X{i} :") for i, line in enumerate(shown)]
+    return [line.removeprefix("assert (E : ").removesuffix(".") for line in shown]
 
 
 def _expansions(parts: _Parts, names: Names) -> list[str]:

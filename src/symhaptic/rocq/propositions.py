@@ -38,8 +38,12 @@ _JOINED: dict[type[Proposition], tuple[str, str]] = {
 }
 DEFINED = {"whole": "whole", "increasing": "increasing", "limit": "tends"}
 """Predicates of real terms that the prelude defines."""
-REAL = frozenset({"degree"})
-"""Predicates of which all terms but a polynomial are real."""
+REAL = {
+    **{"degree": 1, "device": 6, "late_device": 8, "swings": 4, "passive_wall": 5},
+    **{"stable_loop": 5, "stable_substituted": 5, "stable_principal": 5, "pole": 5},
+    "passive_device": 5,
+}
+"""Predicates whose first terms, so many beside a function, are real numbers."""
 
 
 def text(claim: Proposition, names: Names) -> str:
@@ -138,11 +142,11 @@ def _predicate(claim: Predicate, names: Names) -> str:
             names.as_complex.add(claim.over[0])
             first = [f"(fun {v} : C => {complex_text(terms[0], names)})%C"]
             names.as_complex.discard(claim.over[0])
-    real = name in REAL
-    if real and complex_(*terms[len(first) :]):
+    rest, count = terms[len(first) :], REAL.get(name, 0)
+    if complex_(*rest[:count]):
         raise NotPrinted(f"the predicate {name} of complex terms")
-    write = real_text if real else complex_text
-    others = (f"({write(t, names)})%{'R' if real else 'C'}" for t in terms[len(first) :])
+    others = [f"({real_text(t, names)})" for t in rest[:count]]
+    others += [f"({complex_text(t, names)})%C" for t in rest[count:]]
     return _beside(terms, " ".join([name, *first, *others]), names, claim.over)
 
 

@@ -79,12 +79,6 @@ class Lists:
                 self.numbers[rest] = name, constant
                 proof.say(f"destruct {proof.find(whole(of))} as [{name} {proof.new('E')}].")
 
-    def known(self, *polynomials: Expr) -> None:
-        """Exponentials of numbers in coefficients are powers of few."""
-        found = {plain(f) for p in polynomials for f in p.atoms(sp.exp) if not f.free_symbols}
-        for line in powers_of_few(sorted(found, key=str), self.proof.names):
-            self.proof.say(line)
-
     def number(self, exponent: Expr) -> str:
         """An exponent as a natural number, its constant first."""
         constant, rest = sp.expand(exponent).as_coeff_Add()
@@ -125,6 +119,13 @@ class Lists:
                 text = complex_text(turn, self.proof.names)
                 lines.append(f"replace ({text})%C with ({there})%C by a_turn.")
         return lines
+
+
+def known_exponentials(proof: Proof, *terms: Expr) -> None:
+    """Real exponentials of numbers are told as powers of few of them, for ``summed``."""
+    found = {plain(f) for t in terms for f in t.atoms(sp.exp) if not f.free_symbols}
+    for equation in powers_of_few(sorted(found, key=str), proof.names):
+        proof.say(f"assert ({proof.new('X')} : {equation}.")
 
 
 def _inside(theorem: Theorem) -> tuple[Expr, Symbol]:
@@ -194,7 +195,7 @@ def last_coefficient(proof: Proof, theorem: Theorem) -> None:
     rest = powers(*_inside(inside)).over(lowest)
     proof.keep(inside)
     lists = Lists(proof)
-    lists.known(_inside(inside)[0])
+    known_exponentials(proof, _inside(inside)[0])
     lead = lists.number(rest.terms[0][0])
     proof.say(
         "opened; defined; with_inside ltac:(fun p S =>",
@@ -284,7 +285,7 @@ def outpaces(proof: Proof, theorem: Theorem) -> None:
     claim: Any = theorem.conclusion
     proof.keep(inside)
     lists = Lists(proof)
-    lists.known(_inside(inside)[0])
+    known_exponentials(proof, _inside(inside)[0])
     (degree, _), *rest = of.terms
     point = f"(Cexp (Ci * RtoC ({real_text(angle, proof.names)})%R)%C)"
     proof.say(
@@ -305,7 +306,7 @@ def first_minors(proof: Proof, theorem: Theorem) -> None:
     of = powers(*_inside(inside))
     proof.keep(inside)
     lists = Lists(proof)
-    lists.known(_inside(inside)[0])
+    known_exponentials(proof, _inside(inside)[0])
     (degree, _), *rest = of.terms
     proof.say(
         f"with_inside ltac:(fun p S => destruct (first_minors {lists.number(degree)}",
@@ -367,7 +368,7 @@ def _criterion(
     texts = [f"({real_text(c, names)})" for c in coefficients]
     holds = dict(zip("abcd", texts, strict=False))
     inequalities = claim.of[1].of
-    Lists(proof).known(claim.of[0].of[0])
+    known_exponentials(proof, claim.of[0].of[0])
     given = " ltac:(opened; assumption)" if name == "hurwitz_cubic" else ""
     proof.say(
         f"lazymatch goal with |- context [stable ?p] => assert (J := {name} p {' '.join(texts)}"
