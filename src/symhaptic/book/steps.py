@@ -22,7 +22,7 @@ from symhaptic.notation.latex import is_sum, latex
 from symhaptic.proof.ball import bound
 from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
 from symhaptic.proof.counterexample import Witness
-from symhaptic.proof.decide import Comparison
+from symhaptic.proof.decide import Comparison, equal
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
@@ -83,7 +83,7 @@ class Steps(Record):
             raise FalseStep(f"{title}: a step needs two sides")
         how: str | Comparison = ""
         for left, right in itertools.pairwise(chain):
-            how = self._proved(title, left, right)
+            how = self._proved(title, *self._meant(left, right))
         self._defined(name, chain[0])
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
@@ -91,6 +91,16 @@ class Steps(Record):
         lines = [(left if i == 0 else "", "=", right) for i, right in enumerate(rights)]
         self._equation(title, lines, "proved", how, because, boxed, paper=paper)
         return chain[-1]
+
+    def _meant(self, left: Form, right: Form) -> tuple[Form, Form]:
+        """Two forms; with the page's definitions of their symbols put in if they need them."""
+        known = {name: meaning for name, meaning in self.definitions if name.is_Symbol}
+        used = {s for form in (left, right) for part in parts(form) for s in part.free_symbols}
+        if not used & set(known) or equal(left, right):
+            return left, right
+        for _ in known:
+            left, right = (_put_in(form, known) for form in (left, right))
+        return left, right
 
     def show(
         self,
@@ -336,6 +346,12 @@ class Steps(Record):
         self.blocks.append(
             Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
         )
+
+
+def _put_in(form: Form, known: Mapping[Expr, Expr]) -> Form:
+    if isinstance(form, (Expr, sp.MatrixBase)):
+        return form.xreplace(known)
+    return [_put_in(part, known) for part in form]
 
 
 def _sign(relation: Expr) -> str:

@@ -23,7 +23,8 @@ from symhaptic.proof.points import Point, points
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.roots import BITS, Algebraic, NoSuchRoot, rational_polynomial, real_roots
 from symhaptic.proof.series import limit
-from symhaptic.proof.sign import Fact, NotShown
+from symhaptic.proof.box import NotShown
+from symhaptic.proof.sign import Fact
 from symhaptic.proof.units import UnitError, dimension_of
 
 REFUSALS = (NotShown, NoSuchRoot, UnitError, Unsupported, Undefined)

@@ -24,7 +24,6 @@ from symhaptic.proof.recheck import recheck
 from symhaptic.proof.refute import defined_somewhere
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
 
 
@@ -126,7 +125,7 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
     sides = (*_cancelled(larger, difference), *_cancelled(-smaller, difference))
     try:
         found = boxes.search(difference, box, defined=sides, steps=steps)
-    except (Unsupported, NotShown) as wrong:
+    except (Unsupported, boxes.NotShown) as wrong:
         return Verdict(Kind.UNDECIDED, str(wrong))
     if found is None:
         return Verdict(
