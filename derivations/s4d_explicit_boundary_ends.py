@@ -21,7 +21,7 @@ E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0
 NU, FIRST = N_0 / TOTAL, (1 - E + gamma * N_0) / TOTAL
 SECOND = 1 / TOTAL - (1 - NU) * FIRST
-SLOPE = r"\frac{\mathrm{d}\beta}{\mathrm{d}\alpha}"
+SLOPE = r"\frac{d\beta}{d\alpha}"
 
 
 def derive(page):
