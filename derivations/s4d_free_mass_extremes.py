@@ -69,9 +69,7 @@ def derive(page):
         4 * tau**2 * BRACKET / sin(theta),
         name=r"\frac{d\alpha}{d\theta}",
     )
-    page.step(
-        "The slope of $g$ is a sum", -diff(bend, theta), FALL, name=r"-\frac{dg}{d\theta}"
-    )
+    page.step("The slope of $g$ is a sum", -diff(bend, theta), FALL, name=r"-\frac{dg}{d\theta}")
     page.lemma("The function $g$ falls along the arc: each term is positive", falls)
     page.step("The function $g$ starts from 2", bend.subs(theta, 0), S(2), name="g(0)")
     page.step(
