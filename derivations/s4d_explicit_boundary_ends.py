@@ -119,10 +119,10 @@ def without_spring(page, slope):
         because="it is the $d+\\tfrac12$ of (25) for $\\delta\\to0$ only",
     )
     page.lemma(
-        "For $\\delta>0$ the start of the boundary without a spring is flatter than the line of (25)",
+        "Without a spring the boundary starts flatter than the line of (25), for $\\delta>0$",
         exceeds(excess),
-        because="the difference is the one in the slope above, so the boundary falls below the line "
-        "at once",
+        because="this is the difference in the slope above, so the boundary falls below the line at "
+        "once",
     )
 
 

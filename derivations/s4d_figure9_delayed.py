@@ -28,7 +28,7 @@ def derive(page):
         because="for the numbers of any device whose $N$ does not vanish there",
     )
     page.say(
-        "The damping $\\delta=0.02$ makes the regions largest. With it the stiffest stable walls are:"
+        "The regions are largest with the damping $\\delta=0.02$. It allows these stiffnesses:"
     )
     for late in (1, 2):
         for spring in (S.Zero, STIFF):

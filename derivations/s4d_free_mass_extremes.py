@@ -85,13 +85,14 @@ def derive(page):
 
 def signs():
     """0 < d beta/d theta and 0 < -dg/d theta for 0 <= d, 0 < theta and (d+1) theta < pi/2."""
-    steps, up, room = assume(d >= 0), assume(theta > 0), assume(ANGLE < pi / 2)
+    turn = ANGLE
+    steps, up, room = assume(d >= 0), assume(theta > 0), assume(turn < pi / 2)
     quarter, half = fact(Relation(S.Zero, "<", pi / 2)), Rational(1, 2)
     size = positive(d + 1 > 0, steps, [1])
-    angle, part = positive(ANGLE > 0, [size, up]), positive(d * theta >= 0, [steps, up])
+    angle, part = positive(turn > 0, [size, up]), positive(d * theta >= 0, [steps, up])
     side = positive(theta < pi / 2, [room], [part])
-    sine = closed(sign_of(sin, ANGLE), angle, positive(ANGLE < pi, [room], [quarter]))
-    cosine = closed(sign_of(cos, ANGLE), positive(ANGLE > -pi / 2, [angle], [quarter]), room)
+    sine = closed(sign_of(sin, turn), angle, positive(turn < pi, [room], [quarter]))
+    cosine = closed(sign_of(cos, turn), positive(turn > -pi / 2, [angle], [quarter]), room)
     small = closed(sign_of(sin, theta), positive(theta < pi, [side], [quarter]))
     wide = closed(sign_of(cos, theta), positive(theta > -pi / 2, up, [quarter]), side)
     low = positive(theta / 2 > -pi / 2, [half, up], [quarter])

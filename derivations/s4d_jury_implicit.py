@@ -64,7 +64,7 @@ def free_mass(page):
         boxed=True,
     )
     page.say(
-        "So $\\alpha$ lies between 0 and the larger root of a quadratic, whose roots have different "
+        "So $\\alpha$ lies between 0 and the larger root of a quadratic. Its roots have different "
         "signs if $4-4\\beta-\\beta^2>0$, that is for $0<\\beta<2\\sqrt2-2$:"
     )
     middle = beta**2 + 12

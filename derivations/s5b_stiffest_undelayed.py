@@ -6,27 +6,27 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 
 from sympy import Rational, S, sqrt
 
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, of_ratio
+from symhaptic.book.lemmas.undelayed_stiffness import (
+    LARGEST,
+    SOFT,
+    all_softer_reach,
+    none_reaches,
+)
 from symhaptic.bounds.walls import most, over, passive
 from symhaptic.model import boundary, jury, plant
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
+from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, w
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.ranges import IN_23, RANGES
-from symhaptic.proof import box
-from symhaptic.proof.plants import BALLS, LATE, NUMBERS, named
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.tactics import example
 
 RISE = n_1 + n_0
-WIDE = {gamma: (0, Rational(1, 100)), delta: (0, Rational(1, 10))}
-
-IN_WIDE = r"0\le\gamma\le0.01,\ 0\le\delta\le0.1"
-
-GIVEN = named({s: s for s in NUMBERS})
 
 
 def derive(page):
-    first, second, third, minor = jury.criterion(jury.coefficients(0)).expressions
+    minor = jury.criterion(jury.coefficients(0)).expressions[-1]
     arm = {a: 1 + e - gamma * RISE}
     page.say(
         "Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\\Delta_2>0$ "
@@ -38,69 +38,41 @@ def derive(page):
     page.step(
         "The minor has two products", minor.subs(arm).subs(e, 1 - loss), split, name=r"\Delta_2"
     )
-    bounded(page, first, second, third, minor)
-    reached(page, minor, second, third)
+    reached(page, minor.subs(arm))
     ratio(page)
 
 
-def bounded(page, first, second, third, minor):
-    """Stable walls have 1 + n_1 beta > 0."""
-    arm, loss = {a: 1 + e - gamma * RISE}, RISE * s_1 - gamma * n_0
-    between = (8 - first - second - third).subs(arm).subs(e, 1 - loss)
+def reached(page, minor):
+    """The largest stiffness, which every stiffness below reaches."""
+    root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
+    page.define("The stiffness below is given by a root of the arm's numbers", w, root)
     page.step(
-        "The fourth coefficient, as all add up to 8",
-        between,
-        4 - RISE * (alpha + gamma) - 4 * n_0 * beta,
-        name="c_2",
+        "The minor is a margin less a square",
+        minor,
+        n_0 * (1 + n_1 * beta) * (LARGEST - alpha)
+        - RISE * (n_0 * (1 + n_1 * beta) - w) ** 2 / (n_0 * n_1**2),
+        name=r"\Delta_2",
+        because="a stable wall has $1+n_1\\beta>0$",
     )
-    parts = n_0 * (1 + n_1 * beta) * between
-    parts += (1 - n_0 * beta) * ((n_1 - n_0) ** 2 * beta + RISE**2 * s_1 - 4 * n_0)
-    proof = page.same("least damping", RISE * minor.subs(arm).subs(e, 1 - loss), parts)
-    text = r"n_0(1+n_1\beta)c_2+(1-n_0\beta)\bigl((n_1-n_0)^2\beta+(n_1+n_0)^2s_1-4n_0\bigr)"
-    page.show(
-        "The minor is also a sum with the fourth coefficient", r"(n_1+n_0)\Delta_2", text, proof
+    page.lemma(
+        "Without delay and with a soft spring no stable wall reaches this stiffness",
+        none_reaches(SOFT),
+        because="for either root $w$; the positive one bounds more",
     )
-    damping = (RISE * (1 - e) + gamma * n_0 * RISE).subs(BALLS)
-    page.positive(
-        "Beside soft springs $1+n_1\\beta$ is positive",
-        box.positive(4 * LATE - damping, WIDE, GIVEN),
-        IN_WIDE,
-        name="4n_0-(n_1+n_0)^2s_1",
-        because="the plant's numbers in balls; all $c_k$ of a stable wall are positive, so that "
-        "$1+n_1\\beta\\le0$ would make $\\Delta_2$ negative",
+    page.lemma(
+        "Without delay and with a soft spring every smaller stiffness is stable with one damping",
+        all_softer_reach(SOFT),
+        because="at $n_0(1+n_1\\beta)=w$ the square vanishes, and the other inequalities hold",
     )
-
-
-def reached(page, minor, second, third):
-    """The largest stiffness, and that it is reached."""
-    arm = {a: 1 + e - gamma * RISE}
-    device = plant.Sampled(n_1, n_0, arm[a], e)
-    largest = boundary.largest_undelayed(device)
-    best = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
-    margin = n_0 * x * (largest - alpha) - RISE * (n_0 * x - best) ** 2 / (n_0 * n_1**2)
-    page.show(
-        "With $x=1+n_1\\beta>0$ the minor is a margin less a square",
-        r"\Delta_2",
-        r"n_0x(\alpha_{\max}-\alpha)-\frac{(n_1+n_0)(n_0x-w)^2}{n_0n_1^2},\quad "
-        r"w=\sqrt{n_0(n_0+en_1-\gamma n_0n_1)}",
-        page.same("margin", minor.subs(arm).subs(beta, (x - 1) / n_1), margin),
-    )
+    device = plant.Sampled(n_1, n_0, 1 + e - gamma * RISE, e)
     page.step(
         "The largest stable stiffness without delay has a closed form",
-        largest,
-        (RISE - best) ** 2 / (n_0 * n_1**2) - gamma,
+        boundary.largest_undelayed(device),
+        LARGEST,
         name=r"\alpha_{\max}(0)",
-        because="if it is reached: at $n_0x=w$, just below it, the other inequalities must hold",
+        because="for every spring up to ten times and every damper up to five times the largest of "
+        "the paper's range (23); $\\alpha_{\\max}$ itself is never stable",
         boxed=True,
-    )
-    top = {alpha: (RISE - best) ** 2 / (n_0 * n_1**2) - gamma, beta: (best / n_0 - 1) / n_1}
-    for name, title, plane in (("c_1", "second", second), ("c_3", "third", third)):
-        fact = box.positive(plane.subs(top).subs(BALLS), WIDE, GIVEN)
-        page.positive(f"There the {title} of them is positive", fact, IN_WIDE, name=name)
-    page.say(
-        "and $p_1(1)=(n_1+n_0)(\\alpha+\\gamma)$ is positive. So this holds for every spring up to "
-        "ten times and every damper up to five times the largest of the paper's range (23), and "
-        "$\\alpha_{\\max}$ itself is never stable."
     )
 
 
@@ -110,17 +82,16 @@ def ratio(page):
         "The largest passive stiffness without delay is $\\alpha=2\\delta$, by (11). On the range "
         "of the paper:"
     )
-    device = plant.Sampled(*(s.subs(BALLS) for s in (n_1, n_0, a, e)))
-    largest = boundary.largest_undelayed(device)
-    page.positive(
-        "The stiffest stable wall is more than 17.8 times as stiff",
-        box.positive(largest - Rational(356, 10) * delta, RANGES, GIVEN),
-        IN_23,
-        name=r"\alpha_{\max}(0)-17.8\cdot2\delta",
-        because="$\\eta<1/17.8<0.0562$; at $\\delta=0$ no stiffness is passive at all",
+    page.lemma(
+        "Inside (23) and without delay a wall with $\\alpha=0.68+1.604\\delta$ is stable",
+        stable_wall(0, UNDELAYED, RANGES),
+        because="so the stiffest one has more than 17.8 times $2\\delta$, $\\eta<1/17.8<0.0562$; "
+        "at $\\delta=0$ no stiffness is passive at all",
     )
-    low = box.positive(Rational(72, 100) - largest, RANGES, GIVEN)
-    page.positive("No stable wall is stiffer than 0.72", low, IN_23, name=r"0.72-\alpha_{\max}(0)")
+    page.lemma(
+        "Inside (23) and without delay all stable walls have $\\alpha<0.72$",
+        no_stiffer(0, (Rational(72, 100), Rational(83, 100)), RANGES),
+    )
     end = Rational(1, 50)
     plants = [(Rational(1, 1000), end), (S.Zero, end), (S.Zero, Rational(201, 10000))]
     ratios = [over(most(*arm, 0), passive(arm[1], 0)) for arm in plants]
