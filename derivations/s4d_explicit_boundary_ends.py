@@ -121,7 +121,7 @@ def without_spring(page, slope):
     page.lemma(
         "Without a spring the boundary starts flatter than the line of (25), for $\\delta>0$",
         exceeds(excess),
-        because="this is the difference in the slope above, so the boundary falls below the line at "
+        because="this is the difference in the slope above; the boundary falls below the line at "
         "once",
     )
 
