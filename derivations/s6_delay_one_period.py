@@ -4,33 +4,26 @@ The conclusion of the paper has less than 22 % for stability, read from two figu
 which arms that holds.
 """
 
-from sympy import Rational, S, symbols, tan
+from sympy import Rational, S
 
-from symhaptic.book.lemmas.stiffness_claims import one_period
-from symhaptic.bounds.walls import DEVICE, STIFFNESS, most, over
-from symhaptic.model import boundary
-from symhaptic.notation import delta, gamma, phi, t
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, stable_wall
+from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, one_period
+from symhaptic.bounds.walls import most, over
+from symhaptic.notation import delta, gamma
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
-from symhaptic.proof import box
-from symhaptic.proof.plants import BALLS, NUMBERS, named
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.tactics import example
 
-GIVEN = named({s: s for s in NUMBERS})
-MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)
-FIRST, SECOND = symbols("alpha_1 alpha_2")
-
 
 def derive(page):
-    page.say("With the maximum of the curve for $d=1$, over $\\varphi=2\\theta$, and (23):")
-    curve = STIFFNESS.subs(t, tan(phi / 4)).subs(BALLS)
-    whole = {**RANGES, phi: (0, Rational(42, 10))}
-    page.positive(
-        "One period of delay leaves less than 22 %",
-        box.positive(Rational(22, 100) * MOST - curve, whole, GIVEN),
-        IN_23 + r",\ 0\le\theta\le\tfrac{2\pi}3",
-        name=r"0.22\,\alpha_{\max}(0)-\alpha(\theta)|_{d=1}",
+    page.lemma(
+        "Inside (23) and without delay a wall with $\\alpha=0.68+1.604\\delta$ is stable",
+        stable_wall(0, UNDELAYED, RANGES),
+    )
+    page.lemma(
+        "Inside (23) and one period late all stable walls have less than 22 \\% of this stiffness",
+        no_stiffer(1, (Rational("0.22") * UNDELAYED[0], Rational("0.424")), RANGES),
     )
     arms = [(STIFF, DAMPED), (S.Zero, DAMPED), (S.Zero, Rational(3, 100))]
     shares = [over(most(*arm, 1), most(*arm, 0)) for arm in arms]

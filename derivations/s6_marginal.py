@@ -4,28 +4,25 @@ The conclusion of the paper says so of both, inside the range (23). We compare t
 stiffness with and without them.
 """
 
-from sympy import Rational, S, symbols
+from sympy import Rational, S
 
-from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, hardly, none_pushes
+from symhaptic.book.lemmas.marginal import AT_ONCE, LONG, NEAR, hardly, none_pushes
+from symhaptic.book.lemmas.near_tip import none_above, wall_below
+from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.book.lemmas.stability import stable_at
+from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.undamped_robust import excluded
-from symhaptic.bounds.walls import DEVICE, most, over
-from symhaptic.model import boundary
+from symhaptic.bounds.walls import most, over
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.ranges import DAMPED, IN_23, RANGES, STIFF
-from symhaptic.proof import box
-from symhaptic.proof.certificate import Known
-from symhaptic.proof.enclosed import given
-from symhaptic.proof.plants import BALLS, NUMBERS, named
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.roots import decimals
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import conjoined, placed, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
-GIVEN = named({s: s for s in NUMBERS})
-MOST = boundary.largest_undelayed(DEVICE).subs(BALLS)
-FIRST, SECOND = symbols("alpha_1 alpha_2")
+UNDAMPED = {**RANGES, delta: (S.Zero, S.Zero)}
+BRAKED = {**RANGES, delta: (DAMPED, DAMPED)}
 
 
 def derive(page):
@@ -51,24 +48,24 @@ def damping(page):
         "largest stable damping; but that falls with the delay, as $2\\tan\\frac\\pi{4(d+1)}$, and "
         "at $d=40$ it is only twice as large as $\\delta=0.02$."
     )
-    page.positive(
-        "Without delay a damper adds less than 4.2 %",
-        box.positive(Rational(1042, 1000) * Rational(6848, 10**4) - MOST, RANGES, GIVEN),
-        IN_23,
-        name=r"1.042\cdot0.6848-\alpha_{\max}(0)",
+    page.lemma(
+        "Inside (23) and without delay all stable walls have $\\alpha<0.7135$",
+        no_stiffer(0, (Rational(7135, 10**4), NEAR), RANGES),
     )
-    page.positive(
-        "Without damping the stiffest wall has at least 0.6848",
-        box.positive(MOST - Rational(6848, 10**4), {**RANGES, delta: (0, 0)}, GIVEN),
-        r"0\le\gamma\le0.001,\ \delta=0",
-        name=r"\alpha_{\max}(0)-0.6848",
+    page.lemma(
+        "Without delay and damping the wall $\\alpha=0.6848$, $\\beta=0.8282$ is stable, for "
+        "$\\gamma\\le0.001$",
+        of_arm(stable_wall(0, (Rational(6848, 10**4), NEAR), UNDAMPED), {delta: S.Zero}),
+        because="so a damper adds less than 4.2 \\%",
     )
-    known = {FIRST: most(STIFF, STIFF, 40), SECOND: most(STIFF, DAMPED, 40)}
-    page.positive(
-        "At $d=40$ it makes the wall eleven times as stiff",
-        box.positive(SECOND - 11 * FIRST, {}, Known(given(known))),
-        r"\gamma=0.001,\ \delta_1=0.001,\ \delta_2=0.02",
-        name=r"\alpha_{\max}(\delta_2)-11\,\alpha_{\max}(\delta_1)",
+    page.say("At $d=40$ it makes the wall eleven times as stiff:")
+    page.lemma(
+        "For $\\gamma=\\delta=0.001$ all stable walls are softer than this at $d=40$",
+        none_above((STIFF, STIFF), 40)[1],
+    )
+    page.lemma(
+        "For $\\gamma=0.001$, $\\delta=0.02$ this wall is stable at $d=40$",
+        wall_below((STIFF, DAMPED), 40)[1],
     )
     page.lemma(
         "Without a damper no wall that does not pull is stable beside the spring with "
@@ -105,28 +102,27 @@ def spring(page):
         ["$d=0$", "$d=1$", "$d=40$"],
         [rows],
     )
-    free = MOST
-    page.positive(
-        "Without delay the stiffest wall stays between 0.71 and 0.7133",
-        box.positive(
-            (free - Rational(71, 100)) * (Rational(7133, 10**4) - free),
-            {**RANGES, delta: (DAMPED, DAMPED)},
-            GIVEN,
-        ),
-        r"0\le\gamma\le0.001,\ \delta=0.02",
-        name=r"(\alpha_{\max}-0.71)(0.7133-\alpha_{\max})",
+    page.lemma(
+        "Without delay, $\\delta=0.02$, the wall $\\alpha=0.71$, $\\beta=0.8243$ is stable for "
+        "$\\gamma\\le0.001$",
+        of_arm(stable_wall(0, (Rational(71, 100), NEAR), BRAKED), {delta: DAMPED}),
+    )
+    page.lemma(
+        "Without delay, $\\delta=0.02$, $\\gamma\\le0.001$, all stable walls have $\\alpha<0.7133$",
+        of_arm(no_stiffer(0, (Rational(7133, 10**4), NEAR), BRAKED), {delta: DAMPED}),
     )
     page.say(
-        "But in a long delay it is everything: with it the wall $\\alpha=0.00059$ is stable for "
-        "every delay, without it none is. At $d=1000$:"
+        "But in a long delay it is everything: with it one wall is stable for every delay, and "
+        "without it none is. At $d=1000$ the spring makes it sixteen times as stiff:"
     )
-    known = {FIRST: most(S.Zero, DAMPED, 1000)}
-    gap = box.positive(Rational(59, 10**5) - 16 * FIRST, {}, Known(given(known)))
-    page.positive(
-        "At $d=1000$ the spring makes it sixteen times as stiff",
-        gap,
-        r"\delta=0.02",
-        name=r"0.00059-16\,\alpha_{\max}(1000)",
+    page.lemma(
+        "For $\\gamma=0.001$, $\\delta=0.02$ the wall $\\alpha=0.00059$, $\\beta=0$ is stable for "
+        "every whole delay",
+        stable_behind_every_delay(),
+    )
+    page.lemma(
+        "For $\\gamma=0$, $\\delta=0.02$ all stable walls are softer than this at $d=1000$",
+        none_above((S.Zero, DAMPED), 1000, Rational(1, 10**4))[1],
     )
     claim = CLAIMED["s6-stiffness-marginal"](())
     symbols, known_of, then = taken_apart(claim)
@@ -145,3 +141,8 @@ def spring(page):
         note=r"of whole delays; for $d=0$, $\delta=0.02$ less than 0.5\%, and 0.3\% at $d=1$; at "
         r"$d=1000$, $\delta=0.02$ the spring makes sixteen times the stiffness stable",
     )
+
+
+def of_arm(theorem, values):
+    """A theorem of a box of arms, for the one damper that the box has."""
+    return numbers_known(placed(theorem, values))
