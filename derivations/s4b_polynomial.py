@@ -38,26 +38,22 @@ def derive(page):
         "In these numbers the wall has no unit",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
-        name=r"\tfrac{T^2}{m}H(z)z^{-d}",
+        name=r"\tfrac{T^2}{m}Hz^{-d}",
     )
     page.step(
         "The closed loop is a quotient with one denominator",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
-        name=r"\tfrac{m}{T^2}G_x(z)",
+        name=r"\tfrac{m}{T^2}G_x",
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
         paper="16",
     )
     page.say("The denominator is monic and never degenerates:")
-    page.show(
+    page.step(
         "The characteristic polynomial is (18)",
-        "p_1(z)",
+        loop.closing(plant.Sampled(n_1, n_0, a, e)),
         short,
-        page.same(
-            "the model",
-            loop.characteristic(split=c_1),
-            short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
-        ),
+        name="p_1(z)",
         boxed=True,
         paper="18",
     )
