@@ -372,36 +372,6 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
     return tuple(c for part in of.parts for c in conjuncts(part))
 
 
-def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
-    """A claim that says what is printed: each printed relation is one that it concludes, and none
-    that it supposes.
-
-    Raises :class:`ValueError` where one is not.
-    """
-    said, supposed = [claim], set[Proposition]()
-    for part in said:
-        said += _concluded(part)
-        supposed |= set(conjuncts(part.of[0])) if isinstance(part, Implies) else set()
-    for relation in printed:
-        if proposition(relation) not in said or proposition(relation) in supposed:
-            raise ValueError(f"the print {relation} is not in the claim, or not what it concludes")
-    return claim
-
-
-def _concluded(of: Proposition) -> tuple[Proposition, ...]:
-    """What a proposition concludes: not its conditions, nor what it denies or leaves open.
-
-    Of an equivalence a side is, where the other is a predicate: what the named property means.
-    """
-    if isinstance(of, (And, ForAll)):
-        return of.parts
-    if isinstance(of, Implies):
-        return of.of[1:]
-    if isinstance(of, Iff):
-        return tuple(p for p, q in (of.of, of.of[::-1]) if isinstance(q, Predicate))
-    return ()
-
-
 def both(parts: Iterable[Any]) -> Proposition:
     """The conjunction of propositions; of one, that one."""
     found = tuple(proposition(p) for p in parts)
