@@ -58,7 +58,7 @@ def begin(page, stiffness, damping):
         theta,
         S.Zero,
         S.NegativeOne,
-        name=r"\alpha/\gamma",
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.limit(
         "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
@@ -111,12 +111,12 @@ def end(page):
         "For odd half swings, $x=-1$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
-        name=r"\alpha(\theta)/\gamma",
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.step(
         "For $x=-1$ the damping stays finite, too",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
-        name=r"(\alpha(\theta)+2\beta(\theta))/\gamma",
+        name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
         because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
     )

@@ -35,9 +35,6 @@ def derive(page):
         boundary.wall(DEVICE)[0],
     )
     conclusion(page, curve)
-    page.settle(
-        "stiffest-wall", curve, *facts, note="$d\\le48$ with a spring, all $d$ without a spring"
-    )
 
 
 def sizes(page):

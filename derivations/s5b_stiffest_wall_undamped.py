@@ -88,4 +88,3 @@ def derive(page):
         r"without damping too the largest stable stiffness for $d\ge1$ is that of the boundary up "
         r"to $\theta=\pi/(d+\frac12)$, where the inequalities on the first arc hold",
     )
-    page.settle("stiffest-wall-undamped", curve, damping)

@@ -72,7 +72,6 @@ def derive(page):
         "weaker-damping",
         r"for $d\in\{0,1,2,4,8\}$ and (23) $\alpha_{\max}/\delta$ falls as $\delta$ grows",
     )
-    page.settle("weaker-damping", *facts)
     page.say("For long delays it is the other way around. At $d=200$ without a spring:")
     one, two = symbols("eta_1 eta_2")
     known = {

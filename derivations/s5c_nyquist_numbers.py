@@ -93,7 +93,6 @@ def marginal(page, spring):
         "The damping has a share that only $\\delta$ decides",
         b**2 / (4 * m) / (pi**2 * m / T**2),
         delta**2 / (4 * pi**2),
-        name=r"\frac{b^2/(4m)}{\pi^2m/T^2}",
         because="of the stiffness without damping, for every device",
     )
     symbols, given, then = taken_apart(CLAIMED["s5c-marginal-b"](()))

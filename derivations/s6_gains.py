@@ -30,7 +30,7 @@ def derive(page):
         r"for a free mass and $d\ge10$ endlessly fast sampling gives at most $(1+1/d)^2$ times the "
         "stable stiffness",
     )
-    page.settle("faster-sampling", *stable(page))
+    list(stable(page))
     settled(page)
     heavier(page)
 
@@ -68,16 +68,16 @@ def passive(page):
         "With $T=t_d/d$ the stiffness (11) is a number over the delay",
         (stiffness * t_d / b).subs(T, t_d / d),
         2 * d * tan(pi / (4 * (d + 1))),
-        name=r"Kt_d/b",
+        name=r"K_{\max}t_d/b",
     )
     in_h = scaled.subs(d, 1 / h - 1)
     page.limit(
-        "With endlessly fast sampling $Kt_d/b$ tends to $\\pi/2$",
+        "With endlessly fast sampling $K_{\\max}t_d/b$ tends to $\\pi/2$",
         in_h,
         h,
         S.Zero,
         pi / 2,
-        name=r"Kt_d/b",
+        name=r"K_{\max}t_d/b",
         because="",
     )
     page.say("with $h=1/(d+1)$. How much is missing at a finite rate?")

@@ -96,7 +96,7 @@ def text(
     for entry in entries:
         verdict = entry.verdict
         detail = verdict.value or verdict.condition or ""
-        if verdict.claimed in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
+        if verdict.kind in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
             detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
@@ -106,9 +106,6 @@ def text(
     plural = "" if len(entries) == 1 else "s"
     kinds = f": {counted(entries)}" if entries else ""
     lines.append(f"{len(entries)} statement{plural}{kinds}")
-    argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
-    if argued:
-        lines.append(f"{argued} argued: words join what was checked, which is not a pass")
     if any(e.rocq.extent != foreign.NOT for e in entries):
         lines.append(f"checked by Rocq, too: {foreign.counted(e.rocq for e in entries)}")
     open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]

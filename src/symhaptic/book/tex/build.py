@@ -45,7 +45,6 @@ MEANINGS = (
     (Kind.MISPRINT, "false as printed, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
-    (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
 RESERVED = (
@@ -149,7 +148,7 @@ def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
 
 def _errors(entries: list[Entry]) -> str:
     """How many entries the errata have."""
-    kinds = [entry.verdict.claimed for entry in entries if entry.source is PAPER]
+    kinds = [entry.verdict.kind for entry in entries if entry.source is PAPER]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
         f"Of {len(kinds)} statements of the paper {wrong} are wrong as printed and "

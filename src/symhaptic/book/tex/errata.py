@@ -23,7 +23,7 @@ def errata(entries: Iterable[Entry], chapters: Mapping[str, int]) -> list[tuple[
     listed = [entry for entry in entries if entry.source is PAPER]
     found = []
     for kind, title in CLASSES:
-        of_kind = [entry for entry in listed if entry.verdict.claimed is kind]
+        of_kind = [entry for entry in listed if entry.verdict.kind is kind]
         if of_kind:
             found.append((title, [_erratum(entry, chapters) for entry in of_kind]))
     return found
@@ -36,7 +36,7 @@ def _erratum(entry: Entry, chapters: Mapping[str, int]) -> str:
         rows.append(("right for", condition(verdict)))
     right = correction(verdict)
     if right:
-        rows.append(("right" if verdict.claimed is Kind.MISPRINT else "what holds", right))
+        rows.append(("right" if verdict.kind is Kind.MISPRINT else "what holds", right))
     shown = "; ".join(shown_by(verdict))
     if shown:
         rows.append(("shown by", shown))
@@ -45,5 +45,5 @@ def _erratum(entry: Entry, chapters: Mapping[str, int]) -> str:
     place = chapters.get(entry.derivation or "")
     head = f"{{{reference(statement.id)}}}{{{escaped(statement.location)}}}"
     body = "".join(f"\\erratumrow{{{label}}}{{{text}}}" for label, text in rows)
-    kind = f"\\kind{{{verdict.claimed}}}{{{verdict.claimed}}}"
+    kind = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
     return f"\\erratum{head}{{{kind}}}{{{place}}}{{{body}}}"

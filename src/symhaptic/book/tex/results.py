@@ -40,7 +40,7 @@ def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, 
     ]
     theirs = [entry for entry in found.values() if entry.source is PAPER]
     listed = {
-        kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind]
+        kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.kind is kind]
         for kind, _ in CLASSES
     }
     titles = dict(CLASSES)
