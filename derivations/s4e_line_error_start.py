@@ -32,8 +32,8 @@ def derive(page):
         S.Zero,
         -GAP / (d + HALF),
         name=r"(\alpha_{\text{lin}}-\alpha)",
-        because="by $g=s_1-\\delta-\\frac12\\gamma$ over $d+\\frac12$, while $\\alpha+\\gamma\\to0$: "
-        "with $g>0$, that is for every arm with spring and damping up to (30), "
+        because="with $g=s_1-\\delta-\\frac12\\gamma$, while $\\alpha+\\gamma\\to0$: "
+        "for $g>0$, that is for every arm with spring and damping up to (30), "
         "$\\varepsilon\\to-\\infty$. With "
         "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch too short for Fig. 10",
     )

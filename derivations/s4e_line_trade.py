@@ -43,7 +43,7 @@ def derive(page):
         S.Zero,
         apart,
         name=r"\Delta/h^4",
-        because="where $\\theta^2$ stands for $\\alpha$, and $\\Delta$ is the surplus over the line, "
+        because="where $\\theta^2$ stands for $\\alpha$ and $\\Delta$ is the surplus over the line "
         "as for the tangent: the parabola is $\\beta=(d+\\frac12)\\alpha-\\delta+\\Delta$",
     )
     page.step(
