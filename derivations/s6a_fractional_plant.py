@@ -65,8 +65,9 @@ def derive(page):
         "\\gamma(1-\\varepsilon)^2,\\delta(1-\\varepsilon)\\bigr)$, and what is left of the force "
         "before is decayed, $m_0=\\varepsilon^2e^{-\\delta(1-\\varepsilon)}\\,n_0\\bigl(\\gamma"
         "\\varepsilon^2,\\delta\\varepsilon\\bigr)$. One function is enough for both, "
-        "$n_0(\\gamma,\\delta)=e^{-\\delta}\\,n_1(\\gamma,-\\delta)$: what is left of a force at the "
-        "end of a period is what the mirrored motion, with negative damping, has at its beginning."
+        "$n_0(\\gamma,\\delta)=e^{-\\delta}\\,n_1(\\gamma,-\\delta)$: what is left of a force at "
+        "the end of a period is what the mirrored motion, with negative damping, has at its "
+        "beginning."
     )
 
     def shortened(time):
