@@ -8,7 +8,7 @@ number that was derived.
 
 from sympy import S, symbols
 
-from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.stable_device import (
     CONDITIONS,
     DERIVED,
@@ -29,7 +29,7 @@ from symhaptic.forms.entire_device import (
 )
 from symhaptic.model import plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import a, c, delta, e, function, gamma, n_0, n_1, z
+from symhaptic.notation import a, c, delta, e, gamma, n_0, n_1, z
 
 OWN = (
     (PlantN1, "A function is the way under a force that is held for a period"),
@@ -61,7 +61,7 @@ def derive(page):
     )
     page.define("The spring by the difference of the poles", gamma, SPRING)
     for own, title in OWN:
-        page.define(title, name(own), in_poles(own(gamma, delta)))
+        page.define(title, upright(own(gamma, delta)), in_poles(own(gamma, delta)))
     exact = plant.sampled(plant.normalised(FULL), split=c)
     device = {n_1: exact.n1, n_0: exact.n0, a: exact.a, e: exact.e}
     page.say(
@@ -71,7 +71,7 @@ def derive(page):
     for place, left, factor, own, title in NUMBERS:
         derived = DERIVED.numbers[place].xreplace(device)
         page.same(title, computed()[place].xreplace(GIVEN), derived.xreplace(GIVEN))
-        page.step(title, derived, factor * name(own), name=left)
+        page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
         "Digits are kept by the functions, and not by these formulas. Where $\\gamma$ and "
         "$\\delta$ are near $10^{-6}$, the numerator of PlantN1 is a difference of numbers next "
@@ -81,15 +81,15 @@ def derive(page):
         "and $1-e$ is computed as $\\delta$ times the function that follows."
     )
     loss, free = Decay.definition(delta), Creep.definition(delta)
-    page.define("A function is the loss of speed over the damping", name(Decay), loss)
-    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=name(Decay))
+    page.define("A function is the loss of speed over the damping", upright(Decay(delta)), loss)
+    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=upright(Decay(delta)))
     page.limit(
         "Without a spring the way under a force is that of a mass with a damper",
         computed()[0].xreplace(GIVEN),
         c,
         delta,
         free,
-        name=name(PlantN1),
+        name=upright(PlantN1(gamma, delta)),
         because="so that $\\gamma$ tends to 0",
     )
     page.limit("Of a free mass this way is one half", free, delta, S.Zero, S.Half)
@@ -100,7 +100,7 @@ def derive(page):
         c,
         S.Zero,
         critical,
-        name=name(PlantN1),
+        name=upright(PlantN1(gamma, delta)),
     )
     settle(
         page,
@@ -143,9 +143,3 @@ def _conditions(page):
         "the computed inequalities are those of the derived device: $n_1$, $n_0$, $1-a+e$ and "
         "$1-e$ are the derived ones",
     )
-
-
-def name(of):
-    """A function upright, with its arguments."""
-    arguments = (delta,) if of is Decay else (gamma, delta)
-    return function(rf"\mathrm{{{of.__name__}}}")(*arguments)

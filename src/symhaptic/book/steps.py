@@ -192,7 +192,6 @@ class Steps(Record):
         self.certificates += number.certificates
         return number.ball
 
-
     def limit(
         self,
         title: str,
