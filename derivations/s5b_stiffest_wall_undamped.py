@@ -45,31 +45,21 @@ def derive(page):
         name="F",
         because="$\\chi=(d+1)\\theta$ before $\\theta_r$ and $(d+1)\\theta+\\pi$ behind it",
     )
-    curve = page.same(
-        "the arc",
+    page.step(
+        "The boundary's stiffness has one factor that turns",
         boundary.wall(SWING)[0],
         (a - 2 * cos(theta)) * cos((d + 1) * theta) / (2 * n_0 * cos(theta / 2) ** 2),
-    )
-    page.show(
-        "The boundary's stiffness has one factor that turns",
-        r"\alpha(\theta)",
-        r"\frac{(a-2\cos\theta)\cos(d+1)\theta}{2n_0\cos^2\frac\theta2}",
-        curve,
+        name=r"\alpha(\theta)",
         because="positive for $\\theta_r<\\theta<\\frac\\pi{2(d+1)}$, with its maximum at a "
         "$\\theta_*$ there, if $(d+1)\\theta_r<\\frac\\pi2$",
     )
-    damping = page.same(
-        "its damping",
+    page.step(
+        "The boundary's damping has the sine of that turn",
         boundary.wall(SWING)[0] + 2 * boundary.wall(SWING)[1],
         (a - 2 * cos(theta))
         * sin((d + 1) * theta)
         / (2 * n_0 * cos(theta / 2) ** 2 * tan(theta / 2)),
-    )
-    page.show(
-        "The boundary's damping has the sine of that turn",
-        r"\alpha+2\beta",
-        r"\frac{(a-2\cos\theta)\sin(d+1)\theta}{2n_0\cos^2\frac\theta2\tan\frac\theta2}",
-        damping,
+        name=r"\alpha(\theta)+2\beta(\theta)",
         because="positive up to there, so that $0<\\kappa<\\frac\\pi2$",
     )
     page.say(

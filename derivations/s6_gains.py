@@ -4,21 +4,33 @@ The conclusion of the paper: much faster sampling does not gain much where the d
 and more mass gains nothing. Here the delay $t_d=dT$ is kept while $T$ shrinks.
 """
 
-from sympy import Rational, S, cos, diff, pi, sin, tan
+from sympy import Ne, Rational, S, cos, diff, pi, sin, tan
 
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
-from symhaptic.bounds.walls import most, over
+from symhaptic.bounds import walls
+from symhaptic.bounds.walls import most
 from symhaptic.model import plant, wall
-from symhaptic.notation import B, K, T, b, d, delta, function, gamma, h, k, m, phi, psi, t_d, z
+from symhaptic.notation import B, K, T, b, chi, d, delta, gamma, h, k, m, phi, psi, t_d
+from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER
-from symhaptic.proof import box, sign
+from symhaptic.proof import box
 from symhaptic.proof.certificate import Known
 from symhaptic.proof.enclosed import given, value
 from symhaptic.proof.roots import zero
+from symhaptic.proof.theorems.analysis import grows
+from symhaptic.proof.theorems.familiar import sign_of
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened
-from symhaptic.proof.theorems.tactics import counterexample, example, for_all
+from symhaptic.proof.theorems.leaves import number
+from symhaptic.proof.theorems.tactics import (
+    closed,
+    counterexample,
+    example,
+    for_all,
+    over,
+    positive,
+)
 
 LONG = phi**2 * cos(phi)
 
@@ -30,7 +42,7 @@ def derive(page):
         r"for a free mass and $d\ge10$ endlessly fast sampling gives at most $(1+1/d)^2$ times the "
         "stable stiffness",
     )
-    list(stable(page))
+    stable(page)
     settled(page)
     heavier(page)
 
@@ -81,18 +93,24 @@ def passive(page):
         because="",
     )
     page.say("with $h=1/(d+1)$. How much is missing at a finite rate?")
-    up, end = sign.assume(psi), sign.assume(pi / 2 - psi)
-    low = sign.Interval(psi, S.Zero, (end, sign.number(S.One)))
-    sine = sign.sine(up, sign.combined(pi - psi, [end], [sign.number(pi / 2)]))
-    chord = sin(psi) - psi * cos(psi)
-    above = sign.integrated(chord, low, sign.combined(diff(chord, psi), [up, sine]))
-    page.positive(
-        "The tangent is above its angle",
-        above,
-        r"0<\psi<\tfrac\pi2",
+    page.lemma(
+        "The tangent is above its angle for $0<\\psi<\\pi/2$",
+        tangent(),
         because="so $Kt_d/b\\ge\\frac\\pi2\\frac d{d+1}$ with $\\psi=\\frac\\pi4h$: the gain is at "
         "most $1+\\frac1d$, for any device",
     )
+
+
+def tangent():
+    """Psi < tan(psi) for 0 < psi < pi/2."""
+    up, chord = positive(psi > 0, psi > 0), sin(psi) - psi * cos(psi)
+    quarter = number(Relation(S.Zero, "<", pi / 2))
+    before = positive(chi < pi / 2, chi < psi, psi < pi / 2)
+    sine = closed(sign_of(sin, chi), positive(chi < pi, [before], [quarter]))
+    slope = positive(diff(chord, psi).subs(psi, chi) > 0, [chi > 0, sine])
+    grown = grows(chord.subs(psi, chi), chi, S.Zero, psi, slope)
+    cosine = closed(sign_of(cos, psi), positive(psi > -pi / 2, up, [quarter]))
+    return closed(over(tan(psi) > psi, grown, cosine), positive(Ne(cos(psi), 0), [cosine]))
 
 
 def stable(page):
@@ -106,16 +124,19 @@ def stable(page):
     angle = zero(2 * cos(phi) - phi * sin(phi), phi, S.One, Rational(11, 10))
     limit = value(LONG, {phi: angle})
     now = {n: most(S.Zero, S.Zero, n) for n in (1, 10)}
+    then = {n: walls.over(n**2 * S.One, walls.over(S.One, found)) for n, found in now.items()}
     page.enclosed(
         "Endlessly fast sampling gains a free mass these factors",
         [
-            (rf"d={n}:\quad\text{{gain}}", over(limit, over(n**2 * S.One, over(S.One, now[n]))))
-            for n in now
+            (
+                rf"d={n}:\quad\text{{gain}}",
+                walls.over(limit, walls.over(n**2 * S.One, walls.over(S.One, now[n]))),
+            )
+            for n in then
         ],
     )
-    gap = box.positive(h - 2 * K, {}, Known(given({h: limit, K: now[1]})))
-    ten = box.positive(121 * K - h, {}, Known(given({h: limit, K: now[10]})))
-    return [ten, gap]
+    box.positive(h - 2 * K, {}, Known(given({h: limit, K: now[1]})))
+    box.positive(121 * K - h, {}, Known(given({h: limit, K: now[10]})))
 
 
 def heavier(page):
@@ -123,11 +144,9 @@ def heavier(page):
     device = plant.sampled(plant.Plant(), T)
     physical = device.denominator + device.numerator * wall.delayed()
     grown = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
-    proof = page.same("the same loop", physical.xreplace(grown), physical)
-    page.show(
-        "Twice the mass and twice everything else is the same loop",
-        r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}",
-        function("p")(z),
-        proof,
-        because="the roots, and with them every motion, stay as they are; so does $K/m$",
+    page.same("the same loop", physical.xreplace(grown), physical)
+    page.say(
+        "With twice the mass, twice the spring and damper of the device and a wall twice as stiff "
+        "and twice as damped, the polynomial $p(z)$ of the loop is the same. The roots, and with "
+        "them every motion, stay as they are; so does $K/m$."
     )
