@@ -110,7 +110,7 @@ class Print:
     def _shown(self, number: int) -> Theorem:
         last = self.stages[-1][number]
         found = identity(last.left, last.right)
-        place = sp.Dummy("place")
+        place = sp.Dummy("z")  # a complex one: a root need not be real by its form
         for (name, meaning), before in zip(self.used[::-1], self.stages[-2::-1], strict=True):
             known = assume(Relation(name, "=", meaning))
             equation = combined(Relation(meaning, "=", name), [known, sp.S.NegativeOne])
