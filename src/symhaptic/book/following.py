@@ -17,6 +17,7 @@ from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
 from symhaptic.notation import B, K, alpha, beta
+from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import (
     ForAll,
     Proposition,
@@ -212,9 +213,8 @@ def settled(
         right, case = of_print(derived, definitions), claimed.counterexample(at)
         if case is None:
             raise NotShown(f"{wrong}; and no point is found at which the print fails") from None
-        found = Judged(
-            right.theorem(), example=right.example(), unless=(case,), instead=right.claim
-        )
+        shown = tuple(f"{latex(r.left)} = {latex(r.right)}" for r in right.printed)
+        found = Judged(right.theorem(), right.example(), (case,), shown, instead=right.claim)
         return found, claimed
 
 
