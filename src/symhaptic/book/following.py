@@ -17,6 +17,7 @@ from sympy import Expr, Symbol
 from sympy.core.function import AppliedUndef
 
 from symhaptic.notation import B, K, alpha, beta
+from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import (
     ForAll,
     Proposition,
@@ -110,7 +111,7 @@ class Print:
     def _shown(self, number: int) -> Theorem:
         last = self.stages[-1][number]
         found = identity(last.left, last.right)
-        place = sp.Dummy("place")
+        place = sp.Dummy("z")  # a complex one: a root need not be real by its form
         for (name, meaning), before in zip(self.used[::-1], self.stages[-2::-1], strict=True):
             known = assume(Relation(name, "=", meaning))
             equation = combined(Relation(meaning, "=", name), [known, sp.S.NegativeOne])
@@ -212,9 +213,8 @@ def settled(
         right, case = of_print(derived, definitions), claimed.counterexample(at)
         if case is None:
             raise NotShown(f"{wrong}; and no point is found at which the print fails") from None
-        found = Judged(
-            right.theorem(), example=right.example(), unless=(case,), instead=right.claim
-        )
+        shown = tuple(f"{latex(r.left)} = {latex(r.right)}" for r in right.printed)
+        found = Judged(right.theorem(), right.example(), (case,), shown, instead=right.claim)
         return found, claimed
 
 

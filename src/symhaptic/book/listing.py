@@ -101,6 +101,8 @@ def text(
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
         lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
+        for definition in verdict.definitions:
+            lines.append(f"{'':{width}}  {'by':10}  {definition}, defined in {entry.derivation}")
     lines += [f"DIFFERS  {line}" for line in surprises]
     lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"

@@ -111,6 +111,7 @@ class Page(Steps):
         settlement = Settlement(
             judged,
             self.claimed.get(id) or CLAIMED.get(id),
+            forms,
             values=self._quoted(value),
             quoted=statement.quoted,
             note=note,

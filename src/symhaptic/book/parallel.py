@@ -25,6 +25,9 @@ from symhaptic.book.ledger import Entry, of_derivation
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
 
+FORKED = "fork" if sys.platform.startswith("linux") else "spawn"
+"""A forked worker has imported SymPy already; elsewhere than on Linux forking is not safe."""
+
 PAUSE = 0.5
 """Seconds between two reports of progress."""
 
@@ -76,13 +79,13 @@ def each(
     done = 0
     with ExitStack() as pools:
         if waiting:
-            pool = pools.enter_context(_pool(min(workers, len(waiting))))
+            pool = pools.enter_context(_pool(min(workers, len(waiting)), FORKED))
             pools.callback(pool.shutdown, wait=False, cancel_futures=True)
             running = {pool.submit(_run, work, paths[i]): i for i in waiting}
         while running or own:
             while own and len(apart) < workers:
                 i = own.pop(0)
-                apart[i] = pools.enter_context(_pool(1))
+                apart[i] = pools.enter_context(_pool(1, "spawn"))
                 running[apart[i].submit(_run, work, paths[i])] = i
             told(done, paths[min(running.values())])
             for future in wait(running, PAUSE, FIRST_COMPLETED).done:
@@ -105,9 +108,7 @@ def _run(work: Callable[[Path], Result], path: Path) -> Result | BadChapter:
         return BadChapter(path, "KeyboardInterrupt: no message")
 
 
-def _pool(size: int) -> ProcessPoolExecutor:
-    # a forked worker has imported SymPy already; elsewhere than on Linux forking is not safe
-    how = "fork" if sys.platform.startswith("linux") else "spawn"
+def _pool(size: int, how: str) -> ProcessPoolExecutor:
     gc.freeze()
     return ProcessPoolExecutor(size, multiprocessing.get_context(how), _begin)
 

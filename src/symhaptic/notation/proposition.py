@@ -172,8 +172,8 @@ class Relation(Proposition):
         return Relation(terms[0], self.sign, terms[1])
 
     def evaluated(self) -> Proposition:
-        """With its terms as SymPy writes them; between numbers of which one has no value, false."""
-        if not self.free and any(without_value(t.sympy) for t in self.trees):
+        """With its terms as SymPy writes them; false if one has no value, whatever the symbols."""
+        if any(without_value(t.sympy) and not t.sympy.free_symbols for t in self.trees):
             return FALSE
         return super().evaluated()
 

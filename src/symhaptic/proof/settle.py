@@ -36,6 +36,7 @@ class Settlement:
     judged: Judged | None = None
     claim: Claim | None = None
     derived: tuple[Expr, ...] = ()
+    """The form that is handed out as the derived one, or that is compared with the print."""
     external: str | None = None
     values: tuple[Expr | arb, ...] = ()
     quoted: tuple[Quoted, ...] = ()
@@ -71,13 +72,17 @@ class Settlement:
         assert self.judged is not None
         if self.claim is None:
             raise Unfounded("the statement has no claim that a theorem could show")
-        right = None
+        right, lines = None, printed
         try:
             if self.judged.corrected is not None and self.judged.instead is None:
-                right = self.claim(tuple(p for line in self.judged.corrected for p in read(line)))
-            return self.judged.decide(self.claim(printed), right)
+                lines = tuple(p for line in self.judged.corrected for p in read(line))
+                right = self.claim(lines)
+            found = self.judged.decide(self.claim(printed), right)
         except (NoTerm, ValueError) as wrong:
             raise Unfounded(f"no claim can be made of the print: {wrong}") from None
+        if self.derived and self.judged.instead is None and not compare(lines, self.derived).equal:
+            raise Unfounded("the derived form is another than what the theorem is about")
+        return found
 
     def _compared(self, printed: Printed) -> Verdict:
         """Compare the print of a definition, or of what rests on data outside, with our form."""

@@ -154,7 +154,7 @@ def _read(part: Any) -> Any:
     """Arguments with propositions for SymPy's relations, which decide themselves when copied."""
     if isinstance(part, Relational):
         return proposition(part)
-    if isinstance(part, (tuple, list)):
+    if isinstance(part, (tuple, list, frozenset, Iterator)):
         return tuple(map(_read, part))
     if isinstance(part, Mapping):
         return {key: _read(value) for key, value in part.items()}
@@ -361,7 +361,7 @@ def instance(theorem: Theorem, values: Terms) -> Judgement:
     if not isinstance(claim, ForAll) or set(values) != set(claim.over):
         raise NotShown(f"{claim} is not for all {', '.join(map(str, values))}")
     given = conjuncts(claim.body.parts[0]) if isinstance(claim.body, Implies) else ()
-    said = {t for p in given if isinstance(p, (Relation, Predicate)) for t in p.terms}
+    said = {s for p in given if isinstance(p, (Relation, Predicate)) for s in p.free & {*p.terms}}
     sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
     _real({s: v for s, v in values.items() if s not in sided})
     extra = conditions(*(term(v) for s, v in values.items() if s not in said))
