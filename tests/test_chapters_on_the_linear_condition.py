@@ -38,7 +38,7 @@ from symhaptic.notation.proposition import proposition
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear_error import BETWEEN, corner, rises, short_periods
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof import sign
+from symhaptic.proof import box
 from symhaptic.proof.mutants import wrong
 from symhaptic.proof.roots import NoSuchRoot, between_decimals, real_roots, rounded
 from symhaptic.proof.theorems.judge import taken_apart
@@ -330,10 +330,10 @@ def test_the_error_is_not_shown_to_rise_without_one_of_the_hypotheses(dropped):
 def test_no_threshold_is_shown_beyond_the_damping_where_it_is_false(damping):
     """linear-two-percent: a box that has the damping of 2 per cent in it is not shown."""
     delay = [high for _, high in BETWEEN.values()].index(damping)
-    with pytest.raises(sign.NotShown):
+    with pytest.raises(box.NotShown):
         within(delay, damping)
     arms = {spring: (STIFF, STIFF), damper: (BETWEEN[delay][0], DAMPED)}
-    with pytest.raises(sign.NotShown):
+    with pytest.raises(box.NotShown):
         beyond(delay, SPRINGS[delay], sp.S.Zero, arms)
 
 
@@ -361,7 +361,7 @@ def test_no_smaller_constant_than_that_of_the_limit_is_shown(monkeypatch, delay)
     too_small = sp.Rational((3, 30)[delay], 12) * sp.Rational(9, 10)
     monkeypatch.setattr(linear_second_order, "ABOVE", too_small * linear_second_order.A**2)
     monkeypatch.setattr(linear_second_order, "CONSTANT", too_small)
-    with pytest.raises((NotShown, sign.NotShown)):
+    with pytest.raises((NotShown, box.NotShown)):
         linear_second_order.positive_above.__wrapped__(delay)
 
 

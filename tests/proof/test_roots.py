@@ -8,7 +8,7 @@ from sympy import Rational, S, cos, pi, sin, sqrt, tan
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import FalseStep
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.roots import (
@@ -125,14 +125,9 @@ def test_roots_next_to_the_circle_are_narrow():
     assert largest_root((z**3 - 1) * (z - sp.exp(-1))).contains(1)
 
 
-def test_page_does_not_print_a_bound_that_is_too_small():
-    page = Page("test")
-    page.inside("roots", z**2 - Rational(99951, 100000) ** 2)
-    assert page.blocks[-1].lines[0][2] == "0.9996"
-    page.outside("roots", z**2 - Rational(100029, 100000) ** 2)
-    assert page.blocks[-1].lines[0][2] == "1.0002"
-    with pytest.raises(FalseStep, match="not shown to be inside"):
-        page.inside("roots", z**2 - 1)
+def test_a_bound_is_never_too_small_or_too_large():
+    assert bound(arb(99951) / 100000, above=True) == "0.9996"
+    assert bound(arb(100029) / 100000, above=False) == "1.0002"
 
 
 def test_page_names_the_smallest_positive_root_only():

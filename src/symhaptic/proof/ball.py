@@ -111,30 +111,19 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
     raise Unsupported(f"no ball for {kind.__name__}: {expr}")
 
 
-def largest_root(
-    polynomial: Expr,
-    at: Mapping[Expr, Expr] | None = None,
-    given: Mapping[Expr, Expr] | None = None,
-    keep: Callable[[acb], bool] = lambda root: True,
-) -> arb:
+def largest_root(polynomial: Expr, keep: Callable[[acb], bool] = lambda root: True) -> arb:
     """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
 
-    Of its roots only those are looked at whose ball is one to ``keep``.
+    Of its roots only those are looked at whose ball is one to ``keep``.  Its coefficients are
+    numbers; python-flint isolates the roots of every polynomial whose coefficients lie in their
+    balls.  Raises :class:`Unsupported` where roots are too close to be told apart.
 
-    Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
-    python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
-    Raises :class:`Unsupported` where roots are too close to be told apart.
-
-    >>> x, y, z = sp.symbols("x y z")
-    >>> bool(largest_root(z**2 - y, {x: 2}, {y: sp.exp(-x)}) < 0.37)
+    >>> z = sp.Symbol("z")
+    >>> bool(largest_root(z**2 - sp.exp(-2)) < 0.37)
     True
     """
-    point, meant = dict(at or {}), dict(given or {})
-    exponents = {s: v for s, v in point.items() if s in polynomial.free_symbols and v.is_Integer}
-    polynomial = polynomial.subs(exponents)
-    variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
-    named: dict[Expr, Expr] = {}
-    coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
+    variable, named = set(polynomial.free_symbols), dict[Expr, Expr]()
+    coefficients = sp.Poly(_by_name(polynomial, variable, named), *variable).all_coeffs()
     if coefficients == [0]:
         raise Unsupported(f"{polynomial} is zero, and every number a root of it")
     if all(c.is_Rational for c in coefficients):
@@ -144,8 +133,7 @@ def largest_root(
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
-            values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
-            values |= {name: _ball(v, values) for v, name in named.items()}
+            values: dict[Expr, Expr | acb | arb] = {n: _ball(v, {}) for v, n in named.items()}
             balls = [_ball(c, values) for c in reversed(coefficients)]
             if balls[-1].contains(0):
                 continue
