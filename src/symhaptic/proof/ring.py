@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import random
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache
-from math import comb
+from functools import cache, reduce
+from math import comb, prod
+from operator import mul
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, nmod_mat
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction
@@ -75,6 +77,8 @@ class Ring:
         """A power of a generator, and the number that it is by its relation."""
         self.small: int | None = None
         """Index of the variable in which polynomials are cut off, in a series."""
+        self.turn: tuple[int, int] | None = None
+        """Index and order of the root of unity, if there is one."""
 
     def sum(self, left: Fractional, right: Fractional) -> Fractional:
         """Over a common divisor; in a series nothing that vanishes with the variable is shared,
@@ -210,3 +214,115 @@ class Ring:
             rest = (*monomial[:index], 0, *monomial[index + 1 :])
             split.setdefault(int(monomial[index]), {})[rest] = value
         return {power: self.ctx.from_dict(part) for power, part in split.items()}
+
+    # -- zero divisors ------------------------------------------------------------------
+
+    def invertible(self, poly: fmpq_mpoly) -> bool:
+        """Whether a reduced polynomial is shown to have an inverse modulo the relations.
+
+        A relation such as w^2 = x^2 has a reducible polynomial: w - x is not zero, and
+        (w - x)(w + x) is.  Multiplication by the polynomial is a linear map; it has an inverse
+        where its determinant is not zero.  The determinant is computed modulo a prime, with numbers
+        for the generators without a relation: not zero there, it is not zero.  False where there
+        are too many roots for that.
+        """
+        used = self._roots_in(poly)
+        if poly.is_zero() or not used:
+            return not poly.is_zero()
+        if prod(max(relation) for i, relation in self.relations if i in used) > _LARGEST:
+            return False
+        return any(self._determinant(poly, used, seed) for seed in range(2))
+
+    def _roots_in(self, poly: fmpq_mpoly) -> set[int]:
+        """The roots on which a polynomial depends, and those on which they depend."""
+        relations = {i: r for i, r in self.relations if self.turn is None or i != self.turn[0]}
+        used: set[int] = set()
+        left = [poly]
+        while left:
+            new = {i for i, n in enumerate(left.pop().degrees()) if n > 0 and i in relations} - used
+            used |= new
+            left += (c for i in new for c in relations[i].values())
+        return used
+
+    def _determinant(self, poly: fmpq_mpoly, used: set[int], seed: int) -> bool:
+        """Whether that of the multiplication by a polynomial is not zero for some numbers."""
+        prime, root = _prime(self.turn[1] if self.turn else 1)
+        dice = random.Random(seed)
+        numbers = [dice.randrange(2, prime) for _ in self.names]
+        if self.turn:
+            numbers[self.turn[0]] = root
+        matrices: dict[int, nmod_mat] = {}
+        size = 1
+
+        def at(poly: fmpq_mpoly) -> nmod_mat:
+            total = nmod_mat(size, size, prime)
+            one = nmod_mat(size, size, _diagonal([[1]], size), prime)
+            for monomial, value in poly.to_dict().items():
+                spend(1 + size**3 // _DIGIT)
+                number = int(value.p) * pow(int(value.q), -1, prime)
+                powers = [(i, int(n)) for i, n in enumerate(monomial) if n]
+                for i, n in powers:
+                    number = number if i in used else number * pow(numbers[i], n, prime)
+                factors = (matrices[i] ** n for i, n in powers if i in used)
+                total += reduce(mul, factors, one) * (number % prime)
+            return total
+
+        for i, relation in self.relations:
+            if i not in used:
+                continue
+            degree = max(relation)
+            try:
+                leading = at(relation[degree]).inv()
+            except ZeroDivisionError:
+                return False
+            below = {p: -at(c) * leading for p, c in relation.items() if p < degree}
+            matrices = {
+                j: nmod_mat(size * degree, size * degree, _diagonal(m.tolist(), degree), prime)
+                for j, m in matrices.items()
+            }
+            matrices[i] = nmod_mat(
+                size * degree, size * degree, _companion(below, degree, size), prime
+            )
+            size *= degree
+        return int(at(poly).det()) != 0
+
+
+_LARGEST = 64
+"""Zero divisors are looked for in extensions up to this degree."""
+
+
+def _diagonal(block: list[list[int]], times: int) -> list[int]:
+    """The entries of a matrix with the same block so many times on its diagonal."""
+    size = len(block)
+    rows = (
+        [0] * (size * k) + row + [0] * (size * (times - 1 - k))
+        for k in range(times)
+        for row in block
+    )
+    return [int(entry) for row in rows for entry in row]
+
+
+def _companion(below: Mapping[int, nmod_mat], degree: int, size: int) -> list[int]:
+    """The entries of the companion matrix of a monic polynomial with matrices as coefficients."""
+    blank = [[0] * size for _ in range(size)]
+    blocks = [[blank] * degree for _ in range(degree)]
+    for k in range(degree - 1):
+        blocks[k + 1][k] = [[int(i == j) for j in range(size)] for i in range(size)]
+    for power, matrix in below.items():
+        blocks[power][degree - 1] = matrix.tolist()
+    return [
+        int(entry) for row in blocks for i in range(size) for block in row for entry in block[i]
+    ]
+
+
+@cache
+def _prime(order: int) -> tuple[int, int]:
+    """A prime number of 62 bits, and a root of unity of this order modulo it."""
+    prime = 2**61 // order * order + 1
+    while not sp.isprime(prime):
+        prime += order
+    for base in range(2, prime):
+        root = pow(base, (prime - 1) // order, prime)
+        if all(pow(root, order // factor, prime) != 1 for factor in sp.primefactors(order)):
+            return prime, root
+    raise AssertionError("a prime number has primitive roots")
