@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from symhaptic.proof.checks import Check
 from symhaptic.proof.decide import compare
 from symhaptic.proof.points import Point
-from symhaptic.proof.refute import differ
+from symhaptic.proof.refute import differs
 from symhaptic.proof.seal import Sealed
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import Fact
@@ -62,7 +62,7 @@ def check_opposed(printed: tuple[Expr, ...], theirs: Value, point: Point) -> Non
         return
     ours = _value(printed, point)
     if isinstance(ours, Expr) and isinstance(theirs, Expr):
-        if differ(ours, theirs, {}) is None:
+        if not differs(ours, theirs, {}):
             raise Unfounded("nothing differs at the counterexample")
     elif ours is theirs:
         raise Unfounded(f"at the counterexample both are {ours}")

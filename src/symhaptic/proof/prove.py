@@ -13,7 +13,6 @@ from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof import box as boxes
 from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of, spend_reading
-from symhaptic.proof.ball import is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
 from symhaptic.proof.certificate import Box, Positive
 from symhaptic.proof.decide import compare, named
@@ -21,7 +20,7 @@ from symhaptic.proof.names import admissible, renamed, shared
 from symhaptic.proof.points import Point
 from symhaptic.proof.program import Uncheckable, program, value
 from symhaptic.proof.recheck import recheck
-from symhaptic.proof.refute import defined_somewhere
+from symhaptic.proof.refute import where_defined
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import NotShown
@@ -82,21 +81,20 @@ def _same(lhs: Form, rhs: Form) -> Verdict:
             "allowed, or {x: (0, 1)} with an interval for each symbol"
         )
     spend_reading(*forms)
-    names = shared("prove", {s for form in forms for s in form.free_symbols})
     if any(_complex_part_of_unknown(form) for form in forms):
         return Verdict(Kind.UNDECIDED, "an unknown function need not be real")
-    result = compare(left, right, anywhere=True)
-    if result.equal is None:
-        return Verdict(Kind.UNDECIDED, result.method)
+    names = shared("prove", {s for form in forms for s in form.free_symbols})
+    try:
+        result = compare(left, right, anywhere=True)
+        if result.equal is None:
+            return Verdict(Kind.UNDECIDED, result.method)
+        point = result.point or where_defined(*(renamed(form, names) for form in forms))
+    except (Uncheckable, Unsupported) as unknown:
+        return Verdict(Kind.UNDECIDED, str(unknown))
+    if point is None:
+        return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
     if not result.equal:
-        return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
-    for pair in zip(parts(left), parts(right), strict=True):
-        try:
-            defined = defined_somewhere(renamed(form, names) for form in pair)
-        except Uncheckable as unknown:
-            return Verdict(Kind.UNDECIDED, str(unknown))
-        if not defined:
-            return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
+        return Verdict(Kind.REFUTED, result.method, counterexample=named(point))
     return Verdict(Kind.PROVED, result.method)
 
 
@@ -123,9 +121,8 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
     if isinstance(relation, (sp.StrictGreaterThan, sp.GreaterThan)):
         smaller, larger = larger, smaller
     difference = larger - smaller
-    sides = (*_cancelled(larger, difference), *_cancelled(-smaller, difference))
     try:
-        found = boxes.search(difference, box, defined=sides, steps=steps)
+        found = boxes.search(difference, box, defined=(smaller, larger), steps=steps)
     except (Unsupported, NotShown) as wrong:
         return Verdict(Kind.UNDECIDED, str(wrong))
     if found is None:
@@ -144,14 +141,6 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
     if not _denied(smaller, larger, box, found.point, strict):
         return Verdict(Kind.UNDECIDED, "a point seems to deny it, and is not confirmed")
     return Verdict(Kind.REFUTED, "ball arithmetic at a point", counterexample=named(found.point))
-
-
-def _cancelled(side: sp.Expr, difference: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The side, unless it is real by its form, and all its terms stand in the difference, whose
-    balls show them: of what is not real, parts may cancel."""
-    left = sp.Add.make_args(difference)
-    kept = all(term.is_Rational or term in left for term in sp.Add.make_args(side))
-    return () if kept and is_real(side) else (side,)
 
 
 def _denied(smaller: sp.Expr, larger: sp.Expr, box: Box, point: Point, strict: bool) -> bool:

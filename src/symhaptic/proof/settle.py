@@ -21,7 +21,7 @@ from symhaptic.proof.counterexample import Truth, check_opposed, truth_at
 from symhaptic.proof.decide import compare, equal, named
 from symhaptic.proof.names import carrying
 from symhaptic.proof.points import Point
-from symhaptic.proof.refute import differ
+from symhaptic.proof.refute import differs
 from symhaptic.proof.shape import misfit
 from symhaptic.proof.sign import Recipe
 from symhaptic.proof.theorems.judge import Judged
@@ -260,7 +260,7 @@ class Settlement:
         for ours, theirs in zip(self.read(printed), self.read(self.derived), strict=True):
             if isinstance(ours, sp.Eq) and isinstance(theirs, sp.Eq) and ours.lhs == theirs.lhs:
                 ours, theirs = ours.rhs, theirs.rhs
-            if differ(ours, theirs, self.unless) is not None:
+            if differs(ours, theirs, self.unless):
                 return self.unless
         return None
 
