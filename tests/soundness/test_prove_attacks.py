@@ -365,15 +365,13 @@ FORGED = {
     "1/x": Zero(1 / x, x, (-S.One, S.One), arb("0 +/- 0.5"), 96),
     "atan 1/x": Zero(atan(1 / x), x, (-S.One, S.One), arb("0 +/- 0.5"), 96),
     "|x|/x": Zero(sqrt(x**2) / x, x, (-S.One, S.One), arb("0 +/- 0.5"), 96),
-    "im log x": Zero(kept(im, log(x)) - 1, x, (-S.One, S.One), arb("0 +/- 0.5"), 96),
+    "a zero of im log x": Zero(kept(im, log(x)) - 1, x, (-S.One, S.One), arb("0 +/- 0.5"), 96),
     "x^3": Zero(x**3, x, (-S.One, S.One), arb("0 +/- 0.5"), 96),  # the slope vanishes
     "x beyond": Zero(x, x, (S.One, S(2)), arb("0 +/- 0.5"), 96),
     "a maximum of im 1/x": Largest(
         kept(im, 1 / x), positive(1 - kept(im, 1 / x)), {x: S.One}, S.Zero, S.One
     ),
-    "a maximum of 1/x - 1/x": Largest(
-        cancelled(1 / x), positive(S.One), {x: S.One}, S.Zero, S.One
-    ),
+    "a maximum of 1/x - 1/x": Largest(cancelled(1 / x), positive(S.One), {x: S.One}, S.Zero, S.One),
     "a maximum outside": Largest(x, positive(2 - x), {x: S(2)}, S(2), S(2)),
     "a maximum not reached": Largest(x, positive(2 - x), {x: S.One}, S(2), S(2)),
 }

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -170,6 +171,7 @@ def _is_entry(entry: Any) -> bool:
         and is_statement(entry.statement)
         and is_verdict(entry.verdict)
         and type(entry.seconds) in (int, float)
+        and isfinite(entry.seconds)
         and type(entry.own) is bool
         and (entry.claim is None or isinstance(entry.claim, Proposition))
         and (entry.judged is None or is_judged(entry.judged))
