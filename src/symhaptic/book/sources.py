@@ -157,8 +157,8 @@ def of_source(source: Source) -> dict[str, Statement]:
 
 
 NO_ID = (
-    "the id {!r} is not allowed; allowed are a letter or digit and up to 99 further letters, digits "
-    "and : . _ + -, all of ASCII, since other letters can look the same"
+    "the id {!r} is not allowed; allowed are a letter or digit and up to 99 further letters, "
+    "digits and : . _ + -, all of ASCII, since other letters can look the same"
 )
 
 

@@ -123,7 +123,7 @@ def largest_root(
     coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
     if coefficients == [0]:
         raise Unsupported(f"{polynomial} is zero, and every number a root of it")
-    if all(c.is_Rational for c in coefficients):
+    if not named and all(c.is_Rational for c in coefficients):
         exact = from_leading(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before, found = ctx.prec, None
@@ -133,7 +133,8 @@ def largest_root(
             values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
             values |= {name: _ball(v, values) for v, name in named.items()}
             balls = [_ball(c, values) for c in reversed(coefficients)]
-            if balls[-1].contains(0):
+            # SymPy may have cancelled a constant that has no value
+            if balls[-1].contains(0) or not all(_ball(v, values).is_finite() for v in named):
                 continue
             isolated = acb_poly(balls)
             # next to the circle isolated roots are not told from it, narrow ones are
