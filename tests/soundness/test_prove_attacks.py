@@ -4,9 +4,11 @@ Where a side has no value at a point of the box, or at no point at all, there is
 it.  ``ZERO`` is zero by Pythagoras, which SymPy does not see.
 """
 
+import time
+
 import pytest
 import sympy as sp
-from flint import arb
+from flint import arb, ctx
 from sympy import (
     Abs,
     Add,
@@ -36,6 +38,7 @@ from sympy import (
 
 from symhaptic import enclose, enclose_maximum, prove, recheck
 from symhaptic.proof.certificate import Known, Largest, Positive, Zero
+from symhaptic.proof.program import program
 from symhaptic.proof.verdict import Kind
 
 x, y, z = sp.symbols("x y z")
@@ -156,6 +159,8 @@ def test_a_box_on_which_a_side_is_not_defined_shows_nothing(name):
         (kept(Lt, INTEGER, 2), {INTEGER: UNIT}),
         (kept(Lt, sp.Symbol("p", positive=True), 2), {sp.Symbol("p", positive=True): AROUND}),
         (kept(Lt, sp.Symbol("q", imaginary=True), 2), {sp.Symbol("q", imaginary=True): UNIT}),
+        (kept(Lt, sp.Symbol("i", infinite=True), 2), {sp.Symbol("i", infinite=True): UNIT}),
+        (x < 2, {sp.Symbol("A", commutative=False): UNIT, x: UNIT}),
     ],
     ids=str,
 )
@@ -398,6 +403,49 @@ def test_where_both_sides_are_defined_the_same_is_enclosed(relation, box):
     verdict = prove(relation, box)
     assert verdict.kind == Kind.ENCLOSED
     assert recheck(verdict.certificate)
+
+
+def test_a_list_is_refuted_where_all_of_it_is_defined():
+    nothing = 1 / ZERO
+    assert prove([y, nothing], [y + 1, nothing]).kind == Kind.UNDECIDED
+    assert prove([y, Lt(I + x, 1, evaluate=False)], [y + 1, x]).kind == Kind.UNDECIDED
+    point = prove([y, log(x)], [y + 1, log(x)]).counterexample
+    assert set(point) == {"x", "y"}
+    assert sp.sympify(point["x"]) != 0
+
+
+def test_what_takes_sympy_long_or_breaks_it_is_answered():
+    """29 s, and an AttributeError, in SymPy 1.14."""
+    begin = time.perf_counter()
+    for left, right in (
+        (sp.acos(x), sqrt(sp.acos(x) ** 2)),
+        (Eq(sp.acos(x), y), sp.Ne(sqrt(sp.acos(x) ** 2), y)),
+        (sp.arg(acosh(z)), sp.arg(exp(acosh(z)))),
+        (sp.arg(exp(acosh(z))), acosh(z)),
+        (log(exp(acosh(x))), acosh(x)),
+    ):
+        assert not prove(left, right)
+    assert prove(sp.acos(x), sqrt(sp.acos(x) ** 2) + 1).kind == Kind.REFUTED
+    assert time.perf_counter() - begin < 5
+
+
+@pytest.mark.parametrize(
+    ("number", "real", "imaginary"),
+    [
+        # mpmath 1.3 at 30 digits
+        (sp.acos(2), "0", "1.31695789692481670862504634731"),
+        (sp.asin(2), "1.57079632679489661923132169164", "-1.31695789692481670862504634731"),
+        (acosh(-2), "1.31695789692481670862504634731", "3.14159265358979323846264338328"),
+        (sp.atanh(2), "0.549306144334054845697622618461", "-1.57079632679489661923132169164"),
+        (sp.asinh(2 * I), "1.31695789692481670862504634731", "1.57079632679489661923132169164"),
+    ],
+    ids=str,
+)
+def test_on_a_cut_an_inverse_function_has_the_value_that_mpmath_gives_it(number, real, imaginary):
+    found = sp.im(number, evaluate=False), re(number, evaluate=False)
+    for part, text in zip(found, (imaginary, real), strict=True):
+        with ctx.workprec(100):
+            assert abs(program(part, [])().real - arb(text)) < arb(10) ** -28
 
 
 def test_what_is_defined_somewhere_is_still_proved():

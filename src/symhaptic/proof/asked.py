@@ -27,6 +27,8 @@ Ends: TypeAlias = Mapping[sp.Symbol, tuple[object, object]]
 _TO_READ = 20
 """Steps for each part of a formula."""
 
+_SYMBOLS = (sp.Symbol, sp.Dummy)
+
 _DEEP = 100
 """Lists within lists."""
 
@@ -78,7 +80,7 @@ def _known(caller: str, form: Any) -> Any:
         if id(part) in seen:
             continue
         seen.add(id(part))
-        if not _made_here(type(part)):
+        if not _made_here(type(part)) or (part.is_Symbol and type(part) not in _SYMBOLS):
             raise TypeError(
                 f"{caller}: {type(part).__name__} is a class of which nothing is known; "
                 "formulas of SymPy are allowed"
@@ -136,7 +138,7 @@ def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
     if not isinstance(ends, Mapping):
         raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
     for symbol in ends:
-        if not (isinstance(symbol, sp.Symbol) and _made_here(type(symbol))):
+        if type(symbol) not in _SYMBOLS:
             raise TypeError(f"{caller}: box: {symbol!r} is no symbol")
     names = shared(caller, {s for form in forms for s in form.free_symbols} | set(ends))
     box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
@@ -170,7 +172,8 @@ def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
     beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
         high.is_positive and symbol.is_extended_nonpositive
     )
-    if beyond or symbol.is_integer or symbol.is_real is False or symbol.is_antihermitian:
+    unlike = symbol.is_integer or symbol.is_antihermitian or not symbol.is_commutative
+    if beyond or unlike or False in (symbol.is_real, symbol.is_finite):
         raise ValueError(
             f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
         )

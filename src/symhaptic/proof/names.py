@@ -57,7 +57,7 @@ def renamed(form: Expr, names: Names) -> Expr:
 
     >>> x, y = sp.symbols("x y")
     >>> renamed(sp.Add(1 / x, -1 / y, evaluate=False), {y: x})
-    1/x - 1/x
+    -1/x + 1/x
     """
     return replaced(form, names.get) if names else form
 

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
-from flint import ctx
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
@@ -14,13 +13,12 @@ from sympy.logic.boolalg import BooleanAtom
 from symhaptic.proof import box as boxes
 from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of, spend_reading
 from symhaptic.proof.budget import STEPS, Exhausted, budget
-from symhaptic.proof.certificate import Box, Positive
+from symhaptic.proof.certificate import Positive
 from symhaptic.proof.decide import compare, named
 from symhaptic.proof.names import admissible, renamed, shared
-from symhaptic.proof.points import Point
-from symhaptic.proof.program import Uncheckable, program, value
+from symhaptic.proof.program import Uncheckable
 from symhaptic.proof.recheck import recheck
-from symhaptic.proof.refute import where_defined
+from symhaptic.proof.refute import truth, where_defined
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.sign import NotShown
@@ -88,7 +86,7 @@ def _same(lhs: Form, rhs: Form) -> Verdict:
         result = compare(left, right, anywhere=True)
         if result.equal is None:
             return Verdict(Kind.UNDECIDED, result.method)
-        point = result.point or where_defined(*(renamed(form, names) for form in forms))
+        point = where_defined(*(renamed(form, names) for form in forms), at=result.point)
     except (Uncheckable, Unsupported) as unknown:
         return Verdict(Kind.UNDECIDED, str(unknown))
     if point is None:
@@ -135,25 +133,9 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
             return Verdict(Kind.UNDECIDED, "found by balls, and not confirmed when checked again")
         pieces = f"{found.pieces} piece" + ("s" if found.pieces > 1 else "")
         return Verdict(Kind.ENCLOSED, f"ball arithmetic on {pieces}", certificate=found)
-    strict = isinstance(relation, (sp.StrictLessThan, sp.StrictGreaterThan))
-    if found.touches and not strict:
+    if found.touches and isinstance(relation, (sp.LessThan, sp.GreaterThan)):
         return Verdict(Kind.UNDECIDED, "both sides are equal somewhere")
-    if not _denied(smaller, larger, box, found.point, strict):
+    known = all(admissible(symbol, at) for symbol, at in found.point.items())
+    if not known or truth(relation, found.point) is not False:
         return Verdict(Kind.UNDECIDED, "a point seems to deny it, and is not confirmed")
     return Verdict(Kind.REFUTED, "ball arithmetic at a point", counterexample=named(found.point))
-
-
-def _denied(smaller: sp.Expr, larger: sp.Expr, box: Box, point: Point, strict: bool) -> bool:
-    """Whether both sides are real at a point of the box, and the larger one not larger."""
-    if not all(admissible(symbol, at) for symbol, at in point.items()):
-        return False
-    symbols = list(box)
-    with ctx.workprec(256):
-        at = [value(point[s]) for s in symbols]
-        try:
-            low, high = (program(side, symbols)(*at) for side in (smaller, larger))
-        except Uncheckable:
-            return False
-        if not all(x.is_finite() and x.imag.contains(0) for x in (low, high)):
-            return False
-        return bool(high.real <= low.real) if strict else bool(high.real < low.real)

@@ -136,7 +136,7 @@ def differs(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> bool:
 def _differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> bool:
     """The same; raises :class:`Uncheckable` for a function without balls."""
     if isinstance(left, Relational) or isinstance(right, Relational):
-        truths = (_truth(form, at) for form in (left, right))
+        truths = (truth(form, at) for form in (left, right))
         return set(truths) == {True, False}
     if not (isinstance(left, Expr) and isinstance(right, Expr)):
         return {left, right} == {sp.true, sp.false}
@@ -150,10 +150,15 @@ def _differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> bool:
     return False
 
 
-def _truth(form: Expr, at: Mapping[Expr, Expr]) -> bool | None:
-    """The truth of a relation at a point; None where it is undefined, or not known.
+def truth(form: Expr, at: Mapping[Expr, Expr]) -> bool | None:
+    """The truth of a relation at a point; None where a side is undefined, or it is not known.
 
-    That two sides are equal is not seen by balls but known from the normal form.
+    That two sides are equal is not seen by balls but known from the normal form.  Raises
+    :class:`Uncheckable` for a function without balls.
+
+    >>> x = sp.Symbol("x")
+    >>> truth(x < 1, {x: sp.S.One}), truth(1 / x < 1, {x: sp.S.Zero}) is None
+    (False, True)
     """
     if form in (sp.true, sp.false):
         return bool(form)
@@ -202,28 +207,28 @@ def _number(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     return found
 
 
-def where_defined(*forms: Expr) -> Point | None:
+def where_defined(*forms: Expr, at: Point | None = None) -> Point | None:
     """A point at which all sides of some forms are defined, those of an inequality real.
 
-    Raises :class:`Uncheckable` or :class:`Unsupported` for a function without balls.
+    Some symbols have values already (``at``).  Raises :class:`Uncheckable` or
+    :class:`Unsupported` for a function without balls.
 
     >>> x = sp.Symbol("x")
     >>> where_defined(1 / x), where_defined(1 / sp.Add(x, -x, evaluate=False))
     ({x: 1}, None)
     """
-    sides: list[Expr] = []
-    ordered: list[bool] = []
-    for form in map(_with_lines, forms):
-        both = form.args if isinstance(form, Relational) else (form,)
-        known = [side for side in both if isinstance(side, Expr)]
-        sides += known
-        order = isinstance(form, Relational) and not isinstance(form, (sp.Eq, sp.Ne))
-        ordered += [order] * len(known)
+    known, sides, ordered = at or {}, list[Expr](), list[Expr]()
+    for form in forms:
+        placed = replaced(_with_lines(form), known.get)
+        both = placed.args if isinstance(placed, Relational) else (placed,)
+        sides += (side for side in both if isinstance(side, Expr))
+        if isinstance(placed, Relational) and not isinstance(placed, (sp.Eq, sp.Ne)):
+            ordered += both
     size = sum(map(size_of, sides))
     for point in points(*sides):
         spend(10 * size)
         for numbers in _balls(sides, point, _FEW_BITS):
-            each = zip(sides, numbers, ordered, strict=True)
-            if all(_real([side], [x]) for side, x, real in each if real):
-                return point
+            found = dict(zip(sides, numbers, strict=True))
+            if _real(ordered, [found[side] for side in ordered]):
+                return {**known, **point}
     return None
