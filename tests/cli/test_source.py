@@ -441,3 +441,30 @@ def test_another_counterexample_is_told(notes):
     run = symhaptic("verify", "--source", notes, "--strict")
     assert run.returncode == 1
     assert "DIFFERS  drift:start: the counterexample is {'F': '2', 'v'" in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("imported", "called"),
+    [
+        ("from symhaptic.proof import box", "box.positive"),
+        ("from symhaptic.proof.box import positive", "positive"),
+        ("import symhaptic.proof.box as b", "b.positive"),
+    ],
+)
+def test_a_sign_has_one_verdict_however_its_rule_is_imported(tmp_path, imported, called):
+    path = tmp_path / "own.py"
+    path.write_text(
+        f'''"""A title."""
+from sympy import Gt, pi
+{imported}
+
+
+def derive(page):
+    page.positive("By balls", {called}(pi - 3, {{}}), r"\\pi")
+    page.state("mine", "a sign", r"\\pi-3>0")
+    page.settle("mine", Gt(pi - 3, 0, evaluate=False))
+'''
+    )
+    run = symhaptic("verify", "--strict", "mine", "--derivation", path)
+    assert run.returncode == 0, run.stdout
+    assert run.stdout.startswith("mine  proved")

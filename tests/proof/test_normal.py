@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sympy import I, Rational, cos, cosh, exp, pi, re, sin, sinh, sqrt, tan
+from sympy import I, Rational, S, cos, cosh, exp, pi, re, sin, sinh, sqrt, tan
 
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -135,6 +135,31 @@ def test_division_by_a_zero_divisor_is_refused(name):
         is_zero(5 / ZERO_DIVISORS[name])
     with pytest.raises((Unsupported, Undefined)):
         is_zero(x - 1 / (2 + 1 / ZERO_DIVISORS[name]))
+
+
+@settings(max_examples=80, deadline=None, derandomize=True)
+@given(
+    st.sampled_from([x**2, x**2 + 1, x, S(4), S(2), x**4, (x + y) ** 2, x * y]),
+    st.tuples(*[st.sampled_from([x, -x, y, x + y, x**2, S(0), S(1), S(2), 1 + x**2])] * 2),
+)
+def test_a_divisor_is_allowed_where_its_norm_is_not_zero(base, parts):
+    """The norm of a + b w with w^2 = c is a^2 - b^2 c."""
+    first, second = parts
+    of = root(base)
+    divisor = sp.Add(first, sp.Mul(second, of, evaluate=False), evaluate=False)
+    quotient = sp.Pow(divisor, -1, evaluate=False)
+    if sp.expand(first**2 - second**2 * base) == 0:
+        with pytest.raises((Unsupported, Undefined)):
+            is_zero(quotient)
+    else:
+        assert not is_zero(quotient)
+
+
+def test_a_denominator_that_is_the_prime_is_refused():
+    prime = next(p for p in range(2**61 + 1, 2**61 + 10_000, 4) if sp.isprime(p))
+    for number in (Rational(1, prime), Rational(1, 2**61 - 1)):
+        with suppress(Unsupported):
+            assert not is_zero(1 / (sqrt(x) + number))
 
 
 @pytest.mark.parametrize(

@@ -231,7 +231,10 @@ class Ring:
             return not poly.is_zero()
         if prod(max(relation) for i, relation in self.relations if i in used) > _LARGEST:
             return False
-        return any(self._determinant(poly, used, seed) for seed in range(2))
+        try:
+            return any(self._determinant(poly, used, seed) for seed in range(2))
+        except (ValueError, ZeroDivisionError):  # a denominator is zero modulo the prime
+            return False
 
     def _roots_in(self, poly: fmpq_mpoly) -> set[int]:
         """The roots on which a polynomial depends, and those on which they depend."""
@@ -271,10 +274,7 @@ class Ring:
             if i not in used:
                 continue
             degree = max(relation)
-            try:
-                leading = at(relation[degree]).inv()
-            except ZeroDivisionError:
-                return False
+            leading = at(relation[degree]).inv()
             below = {p: -at(c) * leading for p, c in relation.items() if p < degree}
             matrices = {
                 j: nmod_mat(size * degree, size * degree, _diagonal(m.tolist(), degree), prime)
