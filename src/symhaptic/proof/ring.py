@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache, reduce
+from functools import cache
 from math import comb, prod
-from operator import mul
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, nmod_mat
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, nmod_mpoly, nmod_mpoly_ctx
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction
@@ -221,98 +220,67 @@ class Ring:
         """Whether a reduced polynomial is shown to have an inverse modulo the relations.
 
         A relation such as w^2 = x^2 has a reducible polynomial: w - x is not zero, and
-        (w - x)(w + x) is.  Multiplication by the polynomial is a linear map; it has an inverse
-        where its determinant is not zero.  The determinant is computed modulo a prime, with numbers
-        for the generators without a relation: not zero there, it is not zero.  False where there
-        are too many roots for that.
+        (w - x)(w + x) is.  A polynomial has an inverse if its norm is not zero.  The norm is
+        computed modulo a prime, with numbers for the generators without a relation: what is not
+        zero there is not zero.  False where there are too many roots for that.
         """
-        used = self._roots_in(poly)
-        if poly.is_zero() or not used:
-            return not poly.is_zero()
-        if prod(max(relation) for i, relation in self.relations if i in used) > _LARGEST:
-            return False
-        try:
-            return any(self._determinant(poly, used, seed) for seed in range(2))
-        except (ValueError, ZeroDivisionError):  # a denominator is zero modulo the prime
-            return False
-
-    def _roots_in(self, poly: fmpq_mpoly) -> set[int]:
-        """The roots on which a polynomial depends, and those on which they depend."""
-        relations = {i: r for i, r in self.relations if self.turn is None or i != self.turn[0]}
-        used: set[int] = set()
-        left = [poly]
-        while left:
-            new = {i for i, n in enumerate(left.pop().degrees()) if n > 0 and i in relations} - used
+        roots = [(i, r) for i, r in self.relations if self.turn is None or i != self.turn[0]]
+        used, left = set[int](), [poly]
+        for part in left:
+            new = {i for i, _ in roots if part.degrees()[i] > 0} - used
             used |= new
-            left += (c for i in new for c in relations[i].values())
-        return used
+            left += (c for i, relation in roots if i in new for c in relation.values())
+        relations = [(i, relation) for i, relation in roots if i in used]
+        if poly.is_zero() or not relations:
+            return not poly.is_zero()
+        if prod(max(relation) for _, relation in relations) > _LARGEST:
+            return False
+        divisors = [poly, *(relation[max(relation)] for _, relation in relations)]
+        try:
+            return any(
+                all(self._norm(d, relations, random.Random(seed)) for d in divisors)
+                for seed in range(2)
+            )
+        except ValueError:  # a denominator is zero modulo the prime
+            return False
 
-    def _determinant(self, poly: fmpq_mpoly, used: set[int], seed: int) -> bool:
-        """Whether that of the multiplication by a polynomial is not zero for some numbers."""
-        prime, root = _prime(self.turn[1] if self.turn else 1)
-        dice = random.Random(seed)
+    def _norm(
+        self,
+        poly: fmpq_mpoly,
+        relations: list[tuple[int, dict[int, fmpq_mpoly]]],
+        dice: random.Random,
+    ) -> bool:
+        """Whether the norm over the roots is not zero for some numbers."""
+        prime, turn = _prime(self.turn[1] if self.turn else 1)
         numbers = [dice.randrange(2, prime) for _ in self.names]
         if self.turn:
-            numbers[self.turn[0]] = root
-        matrices: dict[int, nmod_mat] = {}
-        size = 1
+            numbers[self.turn[0]] = turn
+        place = {i: k for k, (i, _) in enumerate(relations)}
+        roots = nmod_mpoly_ctx.get(("w", len(relations)), modulus=prime, ordering="lex")
 
-        def at(poly: fmpq_mpoly) -> nmod_mat:
-            total = nmod_mat(size, size, prime)
-            one = nmod_mat(size, size, _diagonal([[1]], size), prime)
+        def at(poly: fmpq_mpoly) -> nmod_mpoly:
+            found: dict[tuple[int, ...], int] = {}
             for monomial, value in poly.to_dict().items():
-                spend(1 + size**3 // _DIGIT)
-                number = int(value.p) * pow(int(value.q), -1, prime)
-                powers = [(i, int(n)) for i, n in enumerate(monomial) if n]
-                for i, n in powers:
-                    number = number if i in used else number * pow(numbers[i], n, prime)
-                factors = (matrices[i] ** n for i, n in powers if i in used)
-                total += reduce(mul, factors, one) * (number % prime)
-            return total
+                number, powers = int(value.p) * pow(int(value.q), -1, prime), [0] * len(place)
+                for i, n in enumerate(monomial):
+                    if i in place:
+                        powers[place[i]] = int(n)
+                    elif n:
+                        number = number * pow(numbers[i], int(n), prime) % prime
+                found[tuple(powers)] = (found.get(tuple(powers), 0) + number) % prime
+            return roots.from_dict(found)
 
-        for i, relation in self.relations:
-            if i not in used:
-                continue
-            degree = max(relation)
-            leading = at(relation[degree]).inv()
-            below = {p: -at(c) * leading for p, c in relation.items() if p < degree}
-            matrices = {
-                j: nmod_mat(size * degree, size * degree, _diagonal(m.tolist(), degree), prime)
-                for j, m in matrices.items()
-            }
-            matrices[i] = nmod_mat(
-                size * degree, size * degree, _companion(below, degree, size), prime
-            )
-            size *= degree
-        return int(at(poly).det()) != 0
+        norm = at(poly)
+        for i, relation in reversed(relations):
+            spend(_DIGIT * (1 + len(norm)))
+            root = roots.gen(place[i])
+            modulus = sum((at(c) * root**n for n, c in relation.items()), roots.constant(0))
+            norm = modulus.resultant(norm, place[i])
+        return not norm.is_zero()
 
 
 _LARGEST = 64
 """Zero divisors are looked for in extensions up to this degree."""
-
-
-def _diagonal(block: list[list[int]], times: int) -> list[int]:
-    """The entries of a matrix with the same block so many times on its diagonal."""
-    size = len(block)
-    rows = (
-        [0] * (size * k) + row + [0] * (size * (times - 1 - k))
-        for k in range(times)
-        for row in block
-    )
-    return [int(entry) for row in rows for entry in row]
-
-
-def _companion(below: Mapping[int, nmod_mat], degree: int, size: int) -> list[int]:
-    """The entries of the companion matrix of a monic polynomial with matrices as coefficients."""
-    blank = [[0] * size for _ in range(size)]
-    blocks = [[blank] * degree for _ in range(degree)]
-    for k in range(degree - 1):
-        blocks[k + 1][k] = [[int(i == j) for j in range(size)] for i in range(size)]
-    for power, matrix in below.items():
-        blocks[power][degree - 1] = matrix.tolist()
-    return [
-        int(entry) for row in blocks for i in range(size) for block in row for entry in block[i]
-    ]
 
 
 @cache
