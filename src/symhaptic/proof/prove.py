@@ -29,10 +29,11 @@ def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> V
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
     ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
-    are defined, for real values of the symbols and any real exponent; symbols that are called as
-    those of ``symhaptic.notation`` refute in the domains that they have there, such as ``y`` in
-    [0, 1].  ``prove(relation, box)`` takes an inequality and a closed interval for each of its
-    symbols, ``{x: (0, 1)}``; both of its sides must be defined and real on the whole box.
+    are defined, for real values of the symbols and any real exponent, and there is such a point;
+    symbols that are called as those of ``symhaptic.notation`` refute in the domains that they have
+    there, such as ``y`` in [0, 1].  ``prove(relation, box)`` takes an inequality and a closed
+    interval for each of its symbols, ``{x: (0, 1)}``; both of its sides, as they are written, must
+    be defined and real on the whole box, its ends included.
 
     Symbols of one name are one symbol, of which all is assumed that is of any of them.
 
