@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import InitVar, dataclass, field, replace
 from functools import wraps
+from importlib import import_module
 from typing import Any, ParamSpec
 
 import sympy as sp
@@ -130,6 +131,7 @@ def remade(of: Recipe) -> Fact:
 
     Raises :class:`ValueError` where there is no such rule, or it gives none.
     """
+    import_module("symhaptic.proof.box")  # which registers its rule
     if of.rule != "assume" and of.rule not in _RULES:
         raise ValueError(f"{of.rule!r} is no rule for a sign")
     make = assume if of.rule == "assume" else _RULES[of.rule]
