@@ -11,6 +11,7 @@ from symhaptic.book.record import FalseStep
 from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.recheck import recheck
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.roots import (
     NoSuchRoot,
     algebraic,
@@ -108,6 +109,15 @@ def test_decimals_are_cut_off_and_never_guessed():
         for unknown in (arb(2, 1e-3), arb(-1) / 3, arb("1 +/- 1e-30")):
             with pytest.raises(NoSuchRoot):
                 decimals(unknown, 6)
+
+
+def test_a_polynomial_has_no_root_where_a_coefficient_has_no_value():
+    nothing = 1 / (sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1)
+    cancelled = sp.Add(z * nothing, -z * nothing, z, -2, evaluate=False)
+    zero = sp.Mul(0, nothing, z, evaluate=False)
+    for polynomial in (cancelled, sp.Add(zero, z, -2, evaluate=False), nothing * z - 2):
+        with pytest.raises(Unsupported, match="not isolated"):
+            largest_root(polynomial)
 
 
 def test_largest_root_with_coefficients_that_are_no_fractions():

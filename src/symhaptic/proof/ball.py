@@ -19,6 +19,7 @@ from sympy import Expr
 from symhaptic.notation.exact import fraction, from_leading
 from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.normal import Field, is_zero
+from symhaptic.proof.program import CALLS, raised
 from symhaptic.proof.rewriting import Unsupported, conjugated
 
 PRECISIONS = (64, 256, 1024)
@@ -26,23 +27,6 @@ PRECISIONS = (64, 256, 1024)
 
 NARROW = 1e-30
 """The width of a root's ball next to the circle."""
-
-_FUNCTIONS: dict[type, Callable[[acb], acb]] = {
-    sp.exp: lambda x: x.exp(),
-    sp.sin: lambda x: x.sin(),
-    sp.cos: lambda x: x.cos(),
-    sp.tan: lambda x: x.tan(),
-    sp.cot: lambda x: x.cot(),
-    sp.sinh: lambda x: x.sinh(),
-    sp.cosh: lambda x: x.cosh(),
-    sp.tanh: lambda x: x.tanh(),
-    sp.log: lambda x: x.log(),
-    sp.atan: lambda x: x.atan(),
-    sp.Abs: lambda x: acb(abs(x)),
-    sp.re: lambda x: acb(x.real),
-    sp.im: lambda x: acb(x.imag),
-    sp.conjugate: lambda x: acb(x.real, -x.imag),
-}
 
 _CONSTANTS: dict[type, Callable[[], acb]] = {
     type(sp.I): lambda: acb(0, 1),
@@ -95,7 +79,7 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
             return found ** int(power) if power else 0 * found + 1  # of nothing it is nothing
         if power == sp.S.Half:
             return _ball(base, at).sqrt()
-        return _ball(base, at).pow(_ball(power, at))
+        return raised(_ball(base, at), _ball(power, at))
     args = [_ball(a, at) for a in expr.args]
     if kind is sp.Add:
         return sum(args[1:], args[0])
@@ -104,8 +88,10 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
         for factor in args[1:]:
             product *= factor
         return product
-    if kind in _FUNCTIONS and len(args) == 1:
-        return _FUNCTIONS[kind](args[0])
+    if kind in CALLS and len(args) == 1:
+        found = CALLS[kind](args[0])
+        assert isinstance(found, acb)
+        return found
     if kind in _CONSTANTS:
         return _CONSTANTS[kind]()
     raise Unsupported(f"no ball for {kind.__name__}: {expr}")
@@ -126,7 +112,7 @@ def largest_root(polynomial: Expr, keep: Callable[[acb], bool] = lambda root: Tr
     coefficients = sp.Poly(_by_name(polynomial, variable, named), *variable).all_coeffs()
     if coefficients == [0]:
         raise Unsupported(f"{polynomial} is zero, and every number a root of it")
-    if all(c.is_Rational for c in coefficients):
+    if not named and all(c.is_Rational for c in coefficients):
         exact = from_leading(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before, found = ctx.prec, None
@@ -135,7 +121,8 @@ def largest_root(polynomial: Expr, keep: Callable[[acb], bool] = lambda root: Tr
         try:
             values: dict[Expr, Expr | acb | arb] = {n: _ball(v, {}) for v, n in named.items()}
             balls = [_ball(c, values) for c in reversed(coefficients)]
-            if balls[-1].contains(0):
+            # SymPy may have cancelled a constant that has no value
+            if balls[-1].contains(0) or not all(_ball(v, values).is_finite() for v in named):
                 continue
             isolated = acb_poly(balls)
             # next to the circle isolated roots are not told from it, narrow ones are

@@ -23,7 +23,7 @@ from symhaptic.proof.budget import size_of
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
-from symhaptic.proof.program import Uncheckable, program
+from symhaptic.proof.program import WITHOUT_SERIES, Uncheckable, program
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Unsupported
 
@@ -38,8 +38,6 @@ _DEPTH = 160
 
 _SYMBOLS = 10
 """So many have a digit in a certificate."""
-
-_NOT_ANALYTIC = (sp.Abs, sp.re, sp.im, sp.conjugate)
 
 _WORK = 10_000_000
 """So many operations are done before giving up, whatever the number of pieces."""
@@ -257,7 +255,7 @@ def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[
     def slopes() -> list[Value]:
         return [_values(derivative(expr, s), box, None, work) for s in box]
 
-    return (lambda: []) if given or expr.has(*_NOT_ANALYTIC) else slopes
+    return (lambda: []) if given or expr.has(*WITHOUT_SERIES) else slopes
 
 
 def _away(piece: Piece, middle: Sequence[arb], slopes: Callable[[], list[Value]]) -> arb:

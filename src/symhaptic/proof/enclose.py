@@ -88,8 +88,8 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
 
     ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value not below
     ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.  Raises
-    :class:`ValueError` where there is no largest value, or where to find it would need more than
-    so many ``steps`` of arithmetic.
+    :class:`ValueError` where the expression is not defined and real on the whole box, where there
+    is no largest value, or where to find it would need more than so many ``steps`` of arithmetic.
 
     >>> x, y = sp.symbols("x y")
     >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)
