@@ -78,10 +78,8 @@ def witnesses(page):
     """One wall of the line above and one below the crossing, for each delay."""
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     for delay, low, high in ((0, Rational(4, 100), Rational(6, 100)), (1, S(1) / 100, S(2) / 100)):
-        for shown, word, stiffness in (
-            (stable_at, "stable", low),
-            (unstable_at, "not stable", high),
-        ):
+        sides = (stable_at, "stable", low), (unstable_at, "not stable", high)
+        for shown, word, stiffness in sides:
             damping = linear.on_the_line(stiffness, delay).subs(arm)
             at = {alpha: stiffness, beta: damping, d: S(delay), **arm}
             where = f"For $d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"

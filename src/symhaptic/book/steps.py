@@ -186,15 +186,15 @@ class Steps(Record):
     ) -> Expr:
         """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series.
 
-        The conditions under which this was shown are written behind it.
+        The conditions under which this was shown are written below it.
         """
         theorem = self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         inner = rf"\bigl({inner}\bigr)" if name is None and is_sum(inner) else inner
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         given = ",\\ ".join(chains(sorted(theorem.hypotheses, key=written)))
-        right = rf"{latex(value)}\qquad({given})" if given else value
-        self._equation(title, [(left, "=", right)], "proved", "exact series", because)
+        why = "; ".join(filter(None, [f"for ${given}$" if given else "", because]))
+        self._equation(title, [(left, "=", value)], "proved", "exact series", why)
         return value
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
