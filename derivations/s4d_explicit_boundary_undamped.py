@@ -58,7 +58,7 @@ def begin(page, stiffness, damping):
         theta,
         S.Zero,
         S.NegativeOne,
-        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
+        name=r"\alpha/\gamma",
     )
     page.limit(
         "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
