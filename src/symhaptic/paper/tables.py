@@ -54,6 +54,14 @@ TABLES = (
         "Table I",
         "the normalisation rules",
         tuple(row.dimensionless for row in TABLE_I if row.dimensionless is not None),
+        quote="replacing all physical parameters by their dimensionless counterparts (see Table I)",
     ),
-    Statement("tab2", "Table II", "mass, stiffness and damping of human arms in the literature"),
+    Statement(
+        "tab2",
+        "Table II",
+        "mass, stiffness and damping of human arms in the literature",
+        quote="Table II lists several values for mass, stiffness, and damping of human arms that "
+        "were used in literature, comprising various grasps and different directions of "
+        "movement.",
+    ),
 )
