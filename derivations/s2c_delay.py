@@ -5,19 +5,19 @@ We ask whether only their sum matters, and whether a delay that is no multiple o
 period can be treated like one that is.
 """
 
-from sympy import S
+from sympy import Ne, S
 
 from symhaptic.book.lemmas.sampled import late_answer, lumped
 from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
-from symhaptic.notation import d, d_1, d_2, function, l, z
+from symhaptic.notation import T, d, d_1, d_2, function, l, t_d, z
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import q
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import weakened
-from symhaptic.proof.theorems.tactics import for_all
+from symhaptic.proof.theorems.tactics import closed, example, for_all, over, positive
 
 
 def derive(page):
@@ -54,6 +54,7 @@ def derive(page):
         example=shown_at(claim, point),
         note="the delays of device and sensor need not be whole; those of the computation are",
     )
+    _not_negative(page)
     page.say(
         "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
         "one period but arrives $d<1$ periods late; where is the mass when it is sampled next?"
@@ -98,4 +99,16 @@ def derive(page):
         r"$\tfrac12\cdot\tfrac5{18}$",
         note="the paper calls the substitution an approximation; the exact form for fractional "
         "delays is the modified z-transform",
+    )
+
+
+def _not_negative(page):
+    """A delay that is zero is allowed."""
+    symbols, given, _ = taken_apart(CLAIMED["s2c-positive-delay"](()))
+    period = positive(Ne(T, 0), T > 0)
+    page.settle(
+        "s2c-positive-delay",
+        for_all(symbols, given, closed(over(t_d / T >= 0, t_d >= 0, T > 0), period)),
+        example=example({t_d: S.Zero, T: S.One}, given),
+        note="zero is allowed, as in Fig. 7",
     )

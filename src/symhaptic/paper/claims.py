@@ -27,6 +27,12 @@ CLAIMS = (
         "considers discrete-time systems with multiples of the original sampling rate.",
     ),
     Statement(
+        "s2c-positive-delay",
+        _II_C,
+        r"no delay is less than zero: $t_d\ge0$, and so $d\ge0$",
+        quote=r"This delay is assumed to be constant and positive $t_d \geq 0$.",
+    ),
+    Statement(
         "s2d-arm-in-force",
         "Sec. II-D",
         "without a model of the arm, its mass, damper and spring are part of $F_E$",
@@ -402,6 +408,13 @@ CLAIMS = (
         quote=r"For $\delta = 0$, the whole stable region is limit stable at the Nyquist frequency"
         r" $\gamma = \pi^2$, as the system has a pole at $z = -1$ independent of time delay "
         "$d$.",
+    ),
+    Statement(
+        "s5c-nyquist-spring",
+        _V_C,
+        r"without damping, $\gamma=\pi^2$ is the spring of the Nyquist frequency, by (29)",
+        quote="the whole stable region is limit stable at the Nyquist frequency "
+        r"$\gamma = \pi^2$",
     ),
     Statement(
         "s5c-pole-inside",

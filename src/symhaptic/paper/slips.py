@@ -13,12 +13,6 @@ SLIPS = (
         "for designing stable haptic systems.",
     ),
     Statement(
-        "s2c-positive-delay",
-        "Sec. II-C",
-        r"the delay is positive, $t_d\ge0$",
-        quote=r"This delay is assumed to be constant and positive $t_d \geq 0$.",
-    ),
-    Statement(
         "s4c-et-al",
         "Table II",
         "three articles by two authors are given as by one author and others",
@@ -53,11 +47,5 @@ SLIPS = (
         "Sec. V-C",
         r"$\gamma\le[\pi^2,\pi^2+0.0001]$",
         quote=r"results $\gamma \leq [\pi^2, \pi^2 + 0.0001]$ as limit for the physical stiffness",
-    ),
-    Statement(
-        "s5c-nyquist-spring",
-        "Sec. V-C",
-        r"the Nyquist frequency is $\gamma=\pi^2$",
-        quote=r"the whole stable region is limit stable at the Nyquist frequency $\gamma = \pi^2$",
     ),
 )

@@ -141,6 +141,17 @@ def _up_to_nyquist(printed: Printed) -> Proposition:
     return ForAll((T, gamma, delta, omega), implied(given, both([same, calm])))
 
 
+@claims("s5c-nyquist-spring")
+def _undamped_at_nyquist(printed: Printed) -> Proposition:
+    """By (29), an undamped device oscillates at the Nyquist frequency just if gamma is pi^2."""
+    [turns] = transcribed("eq29")
+    given = [T > 0, gamma >= 0, turns.xreplace({delta: sp.S.Zero})]
+    reached, spring = sp.Eq(omega * T, sp.pi), sp.Eq(gamma, sp.pi**2)
+    return ForAll(
+        (T, omega, gamma), implied(given, Iff((proposition(reached), proposition(spring))))
+    )
+
+
 EXAMPLE = example("eq31")
 """Example 5.1."""
 DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)

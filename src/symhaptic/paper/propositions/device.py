@@ -140,6 +140,12 @@ def _sampled_delay(printed: Printed) -> Proposition:
     return held((d, T_s, X_d), given, Relation(X_d, "=", line.rhs * X))
 
 
+@claims("s2c-positive-delay")
+def _not_negative(printed: Printed) -> Proposition:
+    """By t_d >= 0, and in periods; zero is allowed, as in Fig. 7."""
+    return ForAll((t_d, T), implied([t_d >= 0, T > 0], t_d / T >= 0))
+
+
 @claims("s2c-rational-delay")
 def _rational_delay(printed: Printed) -> Proposition:
     """Of a delay d, q times which is whole, the answer is z^-d times that without delay.
