@@ -100,8 +100,6 @@ MISLEADING: dict[str, str] = {
     "$710\\,\\mathrm{s}^{-2}$ of (21) is still inside; the arm that the paper leaves out is not.",
     "s6-human-10000": "Compare stiffness per mass. Against the arm alone the spring of Example "
     "5.1 is 1740 times as stiff.",
-    "s4e-two-percent": "The error depends on delay and spring: with one period of delay it "
-    "reaches 2\\,\\% at $\\delta=0.0148$ already. Do not read 0.015 as a threshold.",
     "s4e-stiffness-free": "In the model that gives (24) a spring in a damped hand would allow a "
     "little more stiffness; leaving it out is on the safe side of that model.",
     "s3c-lower-part": "None for a device: the lower part is a straight line. Who re-derives (8) "

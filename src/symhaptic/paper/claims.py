@@ -301,7 +301,8 @@ CLAIMS = (
     Statement(
         "s4e-two-percent",
         _IV_E,
-        r"for $\delta>0.015$ the error exceeds 2\% also for negative $\beta$",
+        r"for $\gamma=0.001$ and each $\delta>0.015$ of (23) the error exceeds 2\% for some wall "
+        r"of the boundary with $\beta<0$",
         quote=r"for damping values larger than $\delta > 0.015$, there are cases in which the "
         r"relative error is larger than 2\% also for negative $\beta$",
     ),
