@@ -80,8 +80,6 @@ UNSAFE: dict[str, str] = {
 }
 
 MISLEADING: dict[str, str] = {
-    "s4d-explicit-only-undelayed": "No grid is needed: the boundary is explicit for every plant "
-    "and delay (\\texttt{stability\\_boundary}).",
     "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays "
     "with a spring in the hand the stable limit is far above (11) again.",
     "s5a-smaller-delta": "With little damping passivity gives away more and more stiffness, for "

@@ -203,7 +203,7 @@ CLAIMS = (
     Statement(
         "s4d-explicit-only-undelayed",
         _IV_D,
-        r"an explicit boundary exists for $d=0$, $\gamma=0$ only",
+        r"in the literature the boundary is explicit for $d=0$, $\gamma=0$ and implicit for $d=1$",
         quote=r"An explicit solution for the case $d = 0$ and $\gamma = 0$, i.e., without time "
         "delay and physical stiffness, was derived by Gil et al. [15]. Already for a delay "
         "of $d = 1$, only an implicit solution could be determined [12].",

@@ -21,7 +21,7 @@ USE = (
     ("Passive or not in short: without delay, and for light damping", ("eq6", "eq9")),
     (
         "The boundary of the stable walls, for every device and delay",
-        ("s4d-explicit-only-undelayed",),
+        ("explicit-boundary",),
     ),
     ("The linear limit of stability", ("eq24", "eq25")),
     ("Passive walls are stable", ("s5a-subset",)),
