@@ -22,8 +22,8 @@ UNSAFE: dict[str, str] = {
     "delay up.",
     "eq9": "The same line as (8): round a fractional delay up, and keep inside the range of "
     "damping that is printed.",
-    "eq10": "Do not use it for more virtual damping than $B=bd/(2d+3)$. Without delay that is "
-    "none at all: every $B>0$ then costs stiffness, by (6).",
+    "eq10": "As (9). Do not use it for more virtual damping than $B=bd/(2d+3)$: without delay "
+    "every $B>0$ costs stiffness, by (6).",
     "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no "
     "boundary. Without delay use (6).",
     "eq27": "As (7).",
@@ -109,7 +109,7 @@ HARMLESS: dict[str, str] = {
     "s3a-undelayed": "None in practice; see (6).",
     "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) "
     "leaves out; the bound $b\\ge KT/2+B$ holds all the same.",
-    "eq20": "None: for an arm that does not pull both sides are zero.",
+    "eq20": "None: for an arm without a spring both sides are zero.",
     "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ "
     "is no discrete system.",
     "s5c-interval": "None: $\\gamma=\\pi^2$ will do as the limit for a device.",
