@@ -24,6 +24,7 @@ from symhaptic.notation import (
     m,
     omega,
     omega_hat,
+    x,
     y,
 )
 from symhaptic.notation.proposition import (
@@ -225,10 +226,14 @@ def _damping_hardly_matters(printed: Printed) -> Proposition:
 
 @claims("s5c-human-10000")
 def _far_stiffer_than_an_arm(printed: Printed) -> Proposition:
-    """Where (30) is an equation gamma is about 10000 times the largest of (23), and less."""
+    """Where (30) is an equation gamma is nearly 10000 times x, the largest gamma of (23).
+
+    Nearly: at least 9500 times and less than 10000 times.
+    """
     [limit] = transcribed("eq30")
     damped = [r for r in transcribed("eq23") if delta in r.free_symbols]
     [about] = quoted("s5c-human-10000")
     times = number(about)
-    near = [ABOUT[0] * times * STIFFEST <= gamma, gamma < times * STIFFEST]
-    return ForAll((gamma, delta), implied([*damped, sp.Eq(*limit.args)], both(near)))
+    near = [ABOUT[0] * times <= gamma / x, gamma / x < times]
+    given = [*damped, sp.Eq(*limit.args), sp.Eq(x, STIFFEST)]
+    return ForAll((gamma, delta, x), implied(given, both(near)))

@@ -146,7 +146,7 @@ def _line_is_the_lower_boundary(printed: Printed) -> Proposition:
 
 @claims("eq9", "eq10")
 def _linear_condition_decides(printed: Printed) -> Proposition:
-    """For the damping that is named in (9) it decides which walls are passive; (10) says the same."""
+    """For the damping that (9) names it decides which walls are passive; (10) says the same."""
     return ForAll(WALL, implied([*LOOP, *RANGE], Iff((both(printed), PASSIVE))))
 
 
