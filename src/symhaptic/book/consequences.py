@@ -71,10 +71,8 @@ UNSAFE: dict[str, str] = {
     "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole "
     "delay is safe.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
-    "s4a-exact-instants": "For a fractional delay simulate the held force as it arrives, not "
-    "$z^{-d}$.",
-    "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution "
-    "can be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
+    "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
+    "unstable. Use the modified z-transform (\texttt{is\_stable} with that delay).",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
     "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
 }
@@ -113,8 +111,6 @@ HARMLESS: dict[str, str] = {
     "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ "
     "is no discrete system.",
     "s5c-interval": "None: $\\gamma=\\pi^2$ will do as the limit for a device.",
-    "s2c-positive-delay": "None: no delay is allowed, and treated.",
-    "s5c-nyquist-spring": "None.",
 }
 
 SLIPS: dict[str, str] = {

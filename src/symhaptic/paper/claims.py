@@ -20,7 +20,8 @@ CLAIMS = (
     Statement(
         "s2c-rational-delay",
         _II_C,
-        "a rational delay reduces to a whole one by substituting $z$",
+        "with $z=w^q$ the loop of a rational delay $d=p/q$ has whole powers of $w$ only, and this is "
+        "an approximation",
         quote="any discrete-time transfer function with rational delay factor can be transferred "
         "into a transfer function with a whole number for the delay factor by appropriately"
         " substituting the discrete-time variable $z$. Note that this approximation [...] "
