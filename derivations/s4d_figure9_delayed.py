@@ -8,6 +8,7 @@ region around it is smaller. How much?
 from sympy import Rational, S, cancel, cos, pi, sin
 
 from symhaptic.book.figures.stability import delayed
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import drawn, right_of_the_line
 from symhaptic.model import plant
 from symhaptic.model.passivity import on_circle
@@ -78,9 +79,14 @@ def derive(page):
         "to be stable by their roots. That none is stiffer says one point of the circle: of a "
         "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
     )
+    page.lemma(
+        "Walls that no boundary parts from a stable wall are stable",
+        enclosed_walls_are_stable(),
+        because="on the way between two walls the zeros are continuous, and none crosses the "
+        "circle; for every plant and every whole delay",
+    )
     page.settle(
         "fig9",
         drawn(),
-        note="for $d=2$ the spring takes over a percent of the width; that all walls inside "
-        "a curve are stable is not claimed",
+        note="for $d=2$ the spring takes over a percent of the width",
     )

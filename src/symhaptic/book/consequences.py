@@ -61,18 +61,13 @@ UNSAFE: dict[str, str] = {
     "times what 0.001 does. Do not give it away.",
     "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
     "free device to (23) changes the limit many times over.",
-    "s5a-subset": "Passive walls are stable if $K\\ge0$, $K+k>0$, the device is damped, and the "
-    "delay is that of the passivity condition. For a fractional delay the exact condition is "
-    "needed.",
+    "s6-subset": "Passive walls are stable if the device is damped and $K+k>0$. For a fractional "
+    "delay the exact condition of passivity is needed, not (5).",
     "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
     "spring of the hand harmless. Do not rely on a device without damping.",
-    "fig11": "Read the curves for 0.25 and 0.5 periods neither as limits of passivity nor as "
-    "those of (18); the passive ones for the next whole delay are safe.",
-    "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole "
-    "delay is safe.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
     "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
-    "unstable. Use the modified z-transform (\texttt{is\_stable} with that delay).",
+    "unstable. Use the modified z-transform (\texttt{is\\_stable} with that delay).",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
     "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
 }

@@ -20,7 +20,7 @@ CLAIMS = (
     Statement(
         "s2c-rational-delay",
         _II_C,
-        "with $z=w^q$ the loop of a rational delay $d=p/q$ has whole powers of $w$ only, and this is "
+        "with $z=w^q$ the loop of a rational delay $d=p/q$ has whole powers of $w$ only, which is "
         "an approximation",
         quote="any discrete-time transfer function with rational delay factor can be transferred "
         "into a transfer function with a whole number for the delay factor by appropriately"
@@ -319,7 +319,7 @@ CLAIMS = (
     Statement(
         "s5a-subset",
         _V_A,
-        r"the passive region lies inside the stable one for all $d\ge0$",
+        r"for $\gamma=0.001$, $\delta=0.02$ and every delay a passive wall is stable",
         quote="the passive region is a subset of the corresponding stable region for the given "
         r"set of parameters, $\gamma = 0.001$, $\delta = 0.02$, and for time delays $d \geq "
         "0$",
@@ -392,7 +392,7 @@ CLAIMS = (
     Statement(
         "s5c-robust-subset",
         _V_C,
-        "the passive region lies inside the robustly stable one",
+        "for every damper and every delay a passive wall is stable with every spring",
         quote="The passive region is located completely inside the robustly stable region "
         "independent of time delay and physical damping.",
     ),
@@ -424,6 +424,13 @@ CLAIMS = (
         r"for $\delta>0$ the pole that lay at $z=-1$ is inside the unit circle",
         quote=r"For positive physical damping, $\delta > 0$ this pole moves inside the unit "
         "circle.",
+    ),
+    Statement(
+        "s6-subset",
+        _VI,
+        "for every arm and every delay a passive wall is stable",
+        quote="For any time delay, the passive regions are completely contained in the stable "
+        "regions.",
     ),
     Statement(
         "s6-stable-22",
