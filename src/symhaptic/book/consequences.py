@@ -52,8 +52,6 @@ UNSAFE: dict[str, str] = {
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
     "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall "
     "with $K\\ge0$ stays passive that way.",
-    "s4d-left-bound": "With delay and a stiff grip, softening the wall can destabilise it: some "
-    "springs are stable with a wall of a certain stiffness only.",
     "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a "
     "very stiff grip it can be: do not count on added damping there.",
     "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "

@@ -212,7 +212,8 @@ CLAIMS = (
     Statement(
         "s4d-left-bound",
         _IV_D,
-        r"the stable region has the vertical left bound $\alpha=-\gamma$",
+        r"for the arms of (23) no stable wall has $\alpha\le-\gamma$, and without delay the region "
+        r"ends on this line",
         (r"\alpha = -\gamma",),
         quote=r"The stable regions have a vertical straight bound at $\alpha = -\gamma$.",
     ),

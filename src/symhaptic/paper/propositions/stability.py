@@ -7,7 +7,7 @@ d = p/q periods.  A region is larger than another where it holds all of its wall
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, I, S, Symbol, cos, exp, pi, sin
+from sympy import Expr, I, Rational, S, Symbol, cos, exp, pi, sin
 
 from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
 from symhaptic.notation.proposition import (
@@ -16,14 +16,16 @@ from symhaptic.notation.proposition import (
     ForAll,
     Iff,
     Not,
+    Or,
     Predicate,
     Proposition,
     Relation,
     both,
     implied,
     proposition,
+    whole,
 )
-from symhaptic.paper.propositions.comparison import LOOP, STABLE
+from symhaptic.paper.propositions.comparison import LOOP, STABLE, transcribed
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -197,22 +199,42 @@ def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
 OTHER = Symbol("alpha_1")
 
 
-REACH = Symbol("y")
-"""How far up and down a line is reached."""
+PIECE = Rational(1, 4), Rational(1, 2)
+"""Dampings beta between which the line is reached."""
 
 
 @claims("s4d-left-bound")
 def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """On the printed line: no wall to its left or on it is stable; and a piece of it is a bound.
+    """For the arms of (23) no stable wall lies on the printed line or left of it, for whole delays.
 
-    The piece has some length: for each beta between its ends, some walls are stable that lie as
-    near to the line as one likes.  For every spring, damper and delay.
+    Without delay, as in Fig. 7, it is a bound: for 1/4 <= beta <= 1/2 walls as near to it as one
+    likes are stable.
     """
     [line] = map(proposition, printed)
+    stable = STABLE.at({alpha: OTHER})
+    right = ForAll((OTHER, beta, d), implied([whole(d), stable], alpha < OTHER))
+    near = Exists((OTHER,), both([alpha + MOST > OTHER, stable.at({d: S.Zero})]))
+    between = [MOST > 0, beta >= PIECE[0], beta <= PIECE[1]]
+    piece = ForAll((MOST, beta), implied(between, near))
+    given = [*transcribed("eq23"), line]
+    return ForAll((alpha, gamma, delta), implied(given, both([right, piece])))
+
+
+REACH = Symbol("y")
+"""How far up and down a line is reached."""
+
+
+def damped_region_ends_on_the_line() -> Proposition:
+    """For a damped arm the region ends on alpha = -gamma: without delay, and for d = 1.
+
+    No stable wall lies on it or left of it; and for each beta between -y and y, for some y, some
+    walls are stable that lie as near to it as one likes.  For d = 1 the spring is soft.
+    """
     stable = STABLE.at({alpha: OTHER})
     right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
     near = Exists((OTHER,), both([alpha + MOST > OTHER, stable]))
     between = [MOST > 0, beta >= -REACH, beta <= REACH]
     piece = Exists((REACH,), both([REACH > 0, ForAll((MOST, beta), implied(between, near))]))
-    given = [*PLANT, d >= 0, line]
+    soft = [both([delta > 0, sp.Eq(d, 0)]), both([delta > 0, sp.Eq(d, 1), gamma < 2 * delta])]
+    given = [*PLANT, sp.Eq(alpha, -gamma), Or(tuple(soft))]
     return ForAll((alpha, gamma, delta, d), implied(given, both([right, piece])))
