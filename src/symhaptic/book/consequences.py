@@ -52,8 +52,6 @@ UNSAFE: dict[str, str] = {
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
     "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall "
     "with $K\\ge0$ stays passive that way.",
-    "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a "
-    "very stiff grip it can be: do not count on added damping there.",
     "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "
     "stiffness at one period and a third at eight. At forty, with a spring, 0.02 bears eleven "
     "times what 0.001 does. Do not give it away.",

@@ -234,7 +234,8 @@ CLAIMS = (
     Statement(
         "s4d-delta-grows",
         _IV_D,
-        r"$\delta$ enlarges the stable region in every direction but the left",
+        r"without delay and inside (23) $\delta$ enlarges the stable region in every direction but "
+        "the left",
         quote=r"physical damping $\delta$ increases the stable region toward each direction. "
         r"Except the left vertical bound of the stable region is uninfluenced by $\delta$.",
     ),

@@ -27,6 +27,7 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.paper.propositions.comparison import LOOP, STABLE, transcribed
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED
 from symhaptic.paper.reading import Printed
 
 PLANT = (gamma >= 0, delta >= 0)
@@ -107,15 +108,25 @@ def reached() -> Proposition:
 def _damping_enlarges_the_region(printed: Printed) -> Proposition:
     """What is stable with a damper is so with a larger one, and the region grows to each side.
 
-    From a stable wall in any direction: where the stable walls end, right of alpha = -gamma, the
-    wall that is no longer stable is so with the larger damper.  On the left nothing is gained: no
-    wall is stable that is not right of alpha = -gamma.
+    For the arms of (23) without delay, as in Fig. 7, of which it is said.  From a stable wall in
+    any direction: where the stable walls end, right of alpha = -gamma, the wall that is no longer
+    stable is so with the larger damper.  On the left nothing is gained: no wall is stable that is
+    not right of alpha = -gamma.
     """
     more = STABLE.at({delta: HEAVIER})
     wider = ForAll(START, implied([alpha > -gamma, reached()], more))
     kept = implied([more], alpha > -gamma)
-    given = [*PLANT, d >= 0, delta < HEAVIER]
-    return ForAll((*LOOP, HEAVIER), implied(given, both([implied([STABLE], more), wider, kept])))
+    then = both([implied([STABLE], more), wider, kept]).at({d: S.Zero})
+    given = [*transcribed("eq23"), delta < HEAVIER, HEAVIER <= DAMPED]
+    return ForAll((alpha, beta, gamma, delta, HEAVIER), implied(given, then))
+
+
+def damping_can_destabilise() -> Proposition:
+    """With a stiff spring, gamma = 5, a wall is stable with a damper and not with a larger one."""
+    wall = {gamma: S(5), d: S.Zero}
+    lost = Not((STABLE.at({delta: HEAVIER}),))
+    some = both([delta < HEAVIER, STABLE.at(wall), lost.at(wall)])
+    return Exists((alpha, beta, delta, HEAVIER), some)
 
 
 PHYSICAL = (K, B, T, m, b, k, d)
