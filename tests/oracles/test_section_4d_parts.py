@@ -218,9 +218,13 @@ def test_with_the_same_damper_half_the_period_gives_less_than_four_times_the_sti
     assert not any(oracle.stable(0.713, beta, 0, 0.01, 0) for beta in np.linspace(-1, 3, 401))
     assert oracle.stable(1e-3, 2.02, 0, 0.02, 0)
     assert not any(oracle.stable(a, 2.02, 0, 0.01, 0) for a in np.geomspace(1e-8, 1, 200))
-    # a spring of one swing per period hides the mass from the held force: n_1 = n_0 = 0
-    assert oracle.stable(0.1, 1.0, 0, 0, 0)
-    assert not any(oracle.stable(0.1, b, 4 * np.pi**2, 0, 0) for b in np.linspace(-3, 3, 61))
+    # a spring of (23), and a quarter of it: half the period, or four times the mass
+    assert oracle.stable(0.686, 0.8283, 0.00025, 0, 0)
+    betas = np.linspace(0.8, 0.86, 6001)
+    assert oracle.moduli(0.686, betas, 0.001, 0, 0).max(axis=-1).min() > 1.00005
+    assert oracle.stable(-0.00095, 2.00006, 0.001, 0, 0)
+    alphas = np.linspace(-0.00025, 0.01, 2001)
+    assert oracle.moduli(alphas, 2.00006, 0.00025, 0, 0).max(axis=-1).min() > 1
     # in SI units: m = 0.1 kg, b = 2 Ns/m; at T = 1 ms the stable wall, at 0.5 ms four times it
     m, b, T = 0.1, 2.0, 1e-3
     K, B = 0.713 * m / T**2, 0.825 * m / T

@@ -220,14 +220,14 @@ CLAIMS = (
     Statement(
         "s4d-quadratic-in-period",
         _IV_D,
-        "twice the sampling frequency gives four times the stable stiffness",
+        "twice the sampling frequency gives the same device four times the stable stiffness",
         quote="a double sampling frequency with constant delay factor $d$ (i.e., half time delay "
         r"$t_d = d \cdot T$) enables a four times higher virtual stiffness $K$",
     ),
     Statement(
         "s4d-damping-bound",
         _IV_D,
-        "the upper bound of $B$ is linear in $m$ and $1/T$",
+        "with the same damper and spring the upper bound of $B$ is linear in $m$ and $1/T$",
         quote="This bound for the virtual stiffness $B$ (as non-normalized parameter) depends "
         "linearly on the mass $m$ and the sampling rate $1/T$.",
     ),
@@ -453,7 +453,7 @@ CLAIMS = (
     Statement(
         "s6-sampling",
         _VI,
-        "passive stiffness is linear, stable stiffness quadratic in $1/T$",
+        "of one device, passive stiffness is linear and stable stiffness quadratic in $1/T$",
         quote="While the dependency of the passive stiffness is linear, the stable stiffness is "
         "quadratically depending on the sampling rate.",
     ),
@@ -480,7 +480,7 @@ CLAIMS = (
     Statement(
         "s6-mass",
         _VI,
-        "the mass scales the stable region, not the passive one",
+        "with the same damper and spring the mass scales the stable region, not the passive one",
         quote="The moving mass [...] is proportionally scaling the stable region, while it has no"
         " influence on passivity. For stability, a doubling of mass enables a doubling of "
         "virtual stiffness and damping.",

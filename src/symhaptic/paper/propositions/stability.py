@@ -175,8 +175,8 @@ def lost_by_damping() -> Exists:
     return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
 
 
-SOON, HEAVY, DAMPER, SPRING = Symbol("T'"), *MORE
-"""Period, mass, damper and spring of another loop."""
+SOON, HEAVY = Symbol("T'"), MORE[0]
+"""Period and mass of another loop."""
 
 
 STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
@@ -187,23 +187,25 @@ STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
 def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
     """Some B makes K stable at T where some B makes K' = 4 K stable at T/2, and only there.
 
-    The paper does not say what becomes of the operator: its damper and spring may change.
+    Arm and device are the same, m, b and k.
     """
     before = Exists((B,), in_units(K, B, T, m, b, k))
-    after = Exists((B,), in_units(STIFFER, B, T / 2, m, DAMPER, SPRING))
-    given = [*LOOPS, DAMPER >= 0, SPRING >= 0, sp.Eq(STIFFER, 4 * K)]
-    symbols = (K, T, m, b, k, d, STIFFER, DAMPER, SPRING)
-    return ForAll(symbols, implied(given, Iff((before, after))))
+    after = Exists((B,), in_units(STIFFER, B, T / 2, m, b, k))
+    given = [*LOOPS, sp.Eq(STIFFER, 4 * K)]
+    return ForAll((K, T, m, b, k, d, STIFFER), implied(given, Iff((before, after))))
 
 
 @claims("s4d-damping-bound")
 def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
-    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'."""
+    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'.
+
+    With the same damper and spring, b and k.
+    """
     before = Exists((K,), in_units(K, B, T, m, b, k))
     scaled = B * (HEAVY / SOON) / (m / T)
-    after = Exists((K,), in_units(K, STRONGER, SOON, HEAVY, DAMPER, SPRING))
-    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0, sp.Eq(STRONGER, scaled)]
-    symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER, DAMPER, SPRING)
+    after = Exists((K,), in_units(K, STRONGER, SOON, HEAVY, b, k))
+    given = [*LOOPS, SOON > 0, HEAVY > 0, sp.Eq(STRONGER, scaled)]
+    symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER)
     return ForAll(symbols, implied(given, Iff((before, after))))
 
 
