@@ -88,8 +88,8 @@ def _settled(page):
     )
     page.say(
         "A damped arm with any spring needs none of these estimates without delay, nor one with "
-        "$\\gamma<2\\delta$ for one period. A wall that pulls, with little virtual damping, is "
-        "passive then, so that it is stable (\\chapter{s5a_passive_is_stable}):"
+        "$\\gamma<2\\delta$ for one period. A wall that pulls, with little virtual damping, "
+        "satisfies (5) then, so that it is stable (\\chapter{s5a_passive_is_stable}):"
     )
     found = page.lemma("The region of a damped arm ends on the line", left_bound(), boxed=True)
     claim = damped_region_ends_on_the_line()
