@@ -35,7 +35,7 @@ def derive(page):
     )
     page.show("The delayed boundary has this damping", r"\beta|N|^2\sin\theta", across, root)
     page.say(
-        "The drawn arcs lie within $0\\le\\theta\\le\\pi/(d+1)$. On all of this, with the damping "
+        "Take the angles $0\\le\\theta\\le\\pi/(d+1)$. On all of these, with the damping "
         "$\\delta=0.02$ that makes the regions largest:"
     )
     for late, bound in ((1, Rational(17, 100)), (2, Rational(8, 100))):
@@ -51,7 +51,7 @@ def derive(page):
     page.say(
         "So the spring's $0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ "
         "for $d=2$, after $1/690$ without delay. Does the region reach the line "
-        "$\\alpha=-\\gamma$, as drawn? For $d=1$ it does, as shown before. For $d=2$ take "
+        "$\\alpha=-\\gamma$? For $d=1$ it does, as shown before. For $d=2$ take "
         "$\\beta=\\tfrac14$ on the line, where one root lies at 1 and moves inside as $\\alpha$ "
         "grows. The other roots, at the four limits:"
     )

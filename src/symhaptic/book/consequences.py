@@ -108,7 +108,7 @@ SLIPS: dict[str, str] = {
     "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
     "s1-conclusion": "None.",
     "s5b-ratio-panels": "None: read (b) and (c).",
-    "s5b-captions-alike": "None: (c) has the longer delays.",
+    "s5b-captions-alike": "None.",
     "s4c-et-al": "None.",
 }
 
