@@ -1,0 +1,93 @@
+"""Behind a whole delay all stable walls lie on one side of each tangent of the stability boundary.
+
+Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Expand both
+sides around the wall of the boundary that puts a zero at exp(j theta): there p vanishes, z p' is j N
+times the velocity of the boundary, and what is left is the equation of the tangent and a quadratic
+form.  This is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which holds from
+(d + 1) theta = 1 on, about.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Expr, I, Ne, S, cos, exp, pi, sin
+
+from symhaptic.book.lemmas.outpaced import ROOM, room
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.stiffest_stable import of_every_plant
+from symhaptic.model.passivity import mirror
+from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta, x, y
+from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
+from symhaptic.paper.propositions.plots import BESIDE
+from symhaptic.paper.propositions.stability import SQUARE
+from symhaptic.proof.theorems.familiar import ordered, sign_of, square
+from symhaptic.proof.theorems.kernel import Theorem, absurd, anything, assume, by_cases, placed
+from symhaptic.proof.theorems.leaves import combined, mirrored
+from symhaptic.proof.theorems.tactics import closed, over, positive
+
+TURN = exp(I * theta)
+TOP = n_1 * TURN + n_0
+LATE = exp(I * (d + 1) * theta)
+
+
+def _value(wall: tuple[Expr, Expr]) -> Expr:
+    """p at exp(j theta)."""
+    stiff, damp = wall
+    return LATE * (TURN**2 - a * TURN + e) + TOP * ((stiff + damp) * TURN - damp)
+
+
+def _speed(wall: tuple[Expr, Expr]) -> Expr:
+    """z p' at exp(j theta)."""
+    stiff, damp = wall
+    plant = LATE * ((d + 3) * TURN**2 - (d + 2) * a * TURN + (d + 1) * e)
+    push = n_1 * TURN * ((stiff + damp) * TURN - damp) + TOP * (stiff + damp) * TURN
+    return plant + push
+
+
+ROOT = Relation(_value(BESIDE), "=", S.Zero)
+"""The wall (alpha_1, beta_1) puts a zero at exp(j theta)."""
+MOVES = Relation(I * _speed(BESIDE) + TOP * (x * TURN + y * (TURN - 1)), "=", S.Zero)
+"""(x, y) is the derivative of the boundary with respect to theta, at this wall."""
+WEIGHT = (d + 1) * SQUARE - (n_1**2 - n_0**2)
+STEEP = Relation(SQUARE, "<", WEIGHT * sin(theta))
+"""The angle is large enough for the quadratic form to be negative definite."""
+ANGLE = (proposition(theta > 0), proposition(theta < pi))
+SIDE = (alpha - BESIDE[0]) * y - (beta - BESIDE[1]) * x
+
+
+def given() -> list[Proposition]:
+    """What is supposed of a device, an angle and the wall of the boundary there."""
+    return [DEVICE, whole(d), *ANGLE, ROOT, MOVES, STEEP]
+
+
+@cache
+def on_one_side() -> Theorem:
+    """(alpha - alpha_1) y - (beta - beta_1) x < 0 for every stable wall."""
+    right, up = alpha - BESIDE[0], beta - BESIDE[1]
+    total, weight = right + up, WEIGHT + SQUARE
+    size = combined(SQUARE >= 0, [square(n_1 + n_0 * cos(theta))], [square(n_0 * sin(theta))])
+    wave, steep = sign_of(sin, theta), assume(STEEP)
+    heavy = positive(WEIGHT * sin(theta) > 0, [steep], [size])
+    first = over(WEIGHT > 0, heavy, wave)
+    more = positive(weight > 0, [first], [size])
+    room_ = room()
+    away = assume(Relation(S.Zero, "<=", SIDE))
+    root, moves = assume(ROOT), assume(MOVES)
+    rest = TOP * (right * TURN + up * (TURN - 1))
+    rise = n_1 * TURN * (right * TURN + up * (TURN - 1)) + TOP * total * TURN
+    speed = _speed(BESIDE) + rise - (d + 3) * rest
+    less = combined(
+        Relation(weight * ROOM, "<=", S.Zero),
+        [2, size, more, wave, away],
+        [square(weight * up - WEIGHT * cos(theta) * total)],
+        [steep, positive(WEIGHT * sin(theta) + SQUARE > 0, [heavy], [size]), square(total)],
+        [root, weight * (mirror(speed) - (d + 3) * mirror(_value(BESIDE)))],
+        [mirrored(root), weight * speed],
+        [moves, -weight * I * mirror(rest)],
+        [mirrored(moves), weight * I * rest],
+    )
+    contrary = absurd(positive(weight * ROOM > 0, [more, room_]), less)
+    wanted = Relation(SIDE, "<", S.Zero)
+    found = by_cases(ordered(SIDE, S.Zero), assume(wanted), anything(contrary, wanted))
+    return closed(found, positive(Ne(sin(theta), 0), [wave]))
