@@ -2,6 +2,7 @@
 
 import pytest
 
+from symhaptic.notation.latex import matching
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.quoted import Quoted
 from symhaptic.proof.units import UnitError, dimension_of
@@ -69,6 +70,19 @@ def test_what_is_beyond_the_contract_belongs_to_a_section():
     for id in set(STATEMENTS) - set(CONTRACT):
         assert id[0] == "s", id
         assert id[1] in SECTIONS, id
+
+
+FORMULAS = {"eq13", "eq15", "eq17"}
+"""What the paper introduces by "with" only."""
+
+
+def test_every_statement_quotes_the_paper_and_reads_it_in_other_words():
+    for id, statement in STATEMENTS.items():
+        assert bool(statement.quote) == (id not in FORMULAS), id
+        assert matching(statement.quote), id
+        assert statement.quote.count("$") % 2 == 0, id
+        assert statement.quote != statement.says, id
+        assert len(statement.quote) < 420, id  # short
 
 
 def test_statements_have_a_location_and_say_something():

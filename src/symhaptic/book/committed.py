@@ -73,12 +73,12 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
     return lines
 
 
-UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL})
-"""Verdicts that rest on a chapter's word: for what joins its checks, or for data outside."""
+UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL, Kind.SLIP})
+"""Verdicts that rest on a chapter's word: what joins its checks, data outside, or a wrong name."""
 
 
 def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
-    """Statements that are argued, or rest on data outside, where no ledger is to have them."""
+    """Statements that rest on a chapter's word where no ledger is to have them."""
     words = (e for e in entries if e.verdict.kind in UNPROVED)
     new = (e for e in words if known is None or (e.own and e.statement.id not in known))
     return [f"{e.statement.id}: {e.verdict.named}, and no ledger says so" for e in new]

@@ -108,6 +108,8 @@ def judged_again(entry: Entry) -> str | None:
     known, claim = STATEMENTS.get(statement.id), entry.claim
     if judged is None:
         printed, free = (known or statement).printed, statement.id not in CLAIMED
+        if kind is Kind.SLIP and printed:
+            return f"{statement.id}: a slip is a statement in words; a formula is compared"
         if kind not in WEIGHED:
             return None
         if free and not printed and known and known.quoted:

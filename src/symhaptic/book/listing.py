@@ -17,6 +17,7 @@ from symhaptic import __version__
 from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.committed import places
+from symhaptic.book.judging import corrected_form
 from symhaptic.book.ledger import Entry, counted
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
@@ -89,8 +90,13 @@ def text(
     strict: bool,
     bad: Sequence[BadChapter] = (),
     seconds: float | None = None,
+    named: bool = False,
 ) -> str:
-    """One line a statement, then what differs from the committed ledger, then the counts."""
+    """One line a statement, then what differs from the committed ledger, then the counts.
+
+    Of statements that were ``named`` all is printed: the source's words, our reading, the
+    proposition and the verdict.
+    """
     width = max((len(e.statement.id) for e in entries), default=0)
     lines = []
     for entry in entries:
@@ -100,7 +106,11 @@ def text(
             detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
-        lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
+        if named:
+            lines += [f"{entry.statement.id}  {entry.statement.location}", *_told(entry)]
+            lines += [f"{'verdict':>13}: {verdict.kind}  {detail}".rstrip(), *_right(entry), ""]
+        else:
+            lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
     lines += [f"DIFFERS  {line}" for line in surprises]
     lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
@@ -118,12 +128,34 @@ def text(
     return "\n".join(lines) + "\n"
 
 
+def told(entry: Entry) -> list[tuple[str, str]]:
+    """What stands before the verdict: the source's words, the formula, our reading, the claim."""
+    statement = entry.statement
+    quote = f'"{statement.quote}"' if statement.quote else ""
+    printed = statement.text if statement.latex else ""
+    rows = [("quotation", quote), ("formula", printed), ("reading", statement.says)]
+    rows.append(("proposition", entry.verdict.proposition or ""))
+    return [(name, what) for name, what in rows if what]
+
+
+def _told(entry: Entry) -> list[str]:
+    return [f"{name:>13}: {what}" for name, what in told(entry)]
+
+
+def _right(entry: Entry) -> list[str]:
+    """What is right instead, and what shows it."""
+    rows = [("right", corrected_form(entry.verdict)), ("shown by", entry.verdict.shows)]
+    rows.append(("note", entry.verdict.note))
+    return [f"{name:>13}: {what}" for name, what in rows if what]
+
+
 def json_text(
     entries: list[Entry],
     surprises: list[str],
     strict: bool,
     bad: Sequence[BadChapter] = (),
     seconds: float | None = None,
+    named: bool = False,
 ) -> str:
     """The JSON form of the ledger, with ``errors`` where a chapter could not be run."""
     data: dict[str, Any] = {
@@ -145,6 +177,7 @@ def junit(
     strict: bool,
     bad: Sequence[BadChapter] = (),
     seconds: float | None = None,
+    named: bool = False,
 ) -> str:
     """Each statement as a test case: a failure where its verdict is not the committed one.
 
@@ -175,7 +208,8 @@ def junit(
         elif open_:
             skipped += 1
             ET.SubElement(case, "skipped", message="undecided")
-        ET.SubElement(case, "system-out").text = str(verdict)
+        out = [f"{name}: {what}" for name, what in told(entry)]
+        ET.SubElement(case, "system-out").text = "\n".join([*out, f"verdict: {verdict}"])
     for id in sorted(set(failed) - {entry.statement.id for entry in entries}):
         failures += 1
         case = ET.SubElement(suite, "testcase", name=id, classname="missing")

@@ -184,6 +184,19 @@ class Page(Steps):
         settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
         return self._record(statement, settlement)
 
+    def settle_slip(self, id: str, wrong: str, right: str, shows: str) -> Verdict:
+        """A ``wrong`` name, number or reference in the text: LaTeX of the right one, and why.
+
+        What is wrong stands in the quotation.  A slip is no theorem, and is not counted as one.
+        """
+        statement = STATEMENTS.get(id) or self.own.get(id)
+        if statement is None:
+            raise FalseStep(f"no statement {id!r}")
+        if wrong not in statement.quote:
+            raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
+        in_latex(id, right, shows)
+        return self._record(statement, Settlement(slip=right, shows=shows))
+
     def _beside_the_page(self, settlement: Settlement) -> Settlement:
         """With what the page shows of the forms."""
         facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]

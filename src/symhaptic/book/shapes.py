@@ -20,7 +20,7 @@ def is_statement(statement: Any) -> bool:
     """Whether a statement can be named, told and read."""
     if type(statement) is not Statement:
         return False
-    told = (statement.location, statement.says, statement.domain)
+    told = (statement.location, statement.says, statement.domain, statement.quote)
     reading = () if statement.reading is None else statement.reading
     try:
         printed = is_id(statement.id) and isinstance(statement.printed, tuple)

@@ -99,6 +99,9 @@ def verify(
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
 
+    Of statements that are named the paper's own words, our reading and the proposition are printed
+    before the verdict.
+
     With --derivation those that your own chapters settle, or what is named.  With --source those
     of your own source, whose committed verdicts are in ledger.json beside it.
     """
@@ -184,7 +187,7 @@ def verify(
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    }[format](entries, surprises, strict, bad, perf_counter() - begin, bool(wanted))
     if output is None:
         typer.echo(text, nl=False)
     elif not (bad and format is ListFormat.text):

@@ -55,6 +55,8 @@ class Settlement:
     values: tuple[Expr | arb, ...] = ()
     quoted: tuple[Quoted, ...] = ()
     external: str | None = None
+    slip: str | None = None
+    """What is meant, of a wrong name, number or reference in the text, in LaTeX."""
     shows: str | None = None
     note: str | None = None
     assumed: bool = False
@@ -90,6 +92,12 @@ class Settlement:
             return self._constants(verdict) if self.values else verdict
         if told := carrying(*self.derived, *self.given, *self.given.values()):
             raise Unfounded(told)
+        if self.slip is not None:
+            if printed:
+                raise Unfounded("a slip is a statement in words; a formula is compared")
+            return Verdict(
+                Kind.SLIP, "", corrected_latex=self.slip, shows=self.shows, note=self.note
+            )
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:

@@ -23,6 +23,7 @@ class Kind(StrEnum):
     MISPRINT = "misprint"
     REFUTED = "refuted"
     EXTERNAL = "external"
+    SLIP = "slip"
     ARGUED = "argued"
     UNDECIDED = "undecided"
 

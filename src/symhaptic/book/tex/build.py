@@ -45,6 +45,7 @@ MEANINGS = (
     (Kind.MISPRINT, "false as printed, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
+    (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),
     (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )

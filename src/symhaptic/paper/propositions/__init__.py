@@ -20,7 +20,6 @@ from symhaptic.paper.propositions import (
     slips,
     stability,
     systems,
-    words,
 )
 from symhaptic.paper.propositions.registry import CLAIMED, Claim
 
@@ -39,5 +38,4 @@ __all__ = [
     "slips",
     "stability",
     "systems",
-    "words",
 ]

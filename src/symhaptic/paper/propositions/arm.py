@@ -50,8 +50,10 @@ def _numbers_of_the_arm(printed: Printed) -> Proposition:
 
 @claims("eq20")
 def _bounds_of_the_numbers(printed: Printed) -> Proposition:
-    """Of the numbers of (19)."""
-    return of_arms(list(transcribed("eq19")), both(printed))
+    """Of the numbers of (19), "assuming positive masses and dampers".  A spring may be zero."""
+    parts = [part > 0 for part in (T, m_D, m_H, b_D, b_H)]
+    given = [*parts, k_H >= 0, *transcribed("eq19")]
+    return ForAll((*ARM, gamma, delta), implied(given, both(printed)))
 
 
 @claims("s4c-independent-limits")

@@ -24,6 +24,7 @@ from symhaptic.notation import (
     m,
     omega,
     omega_hat,
+    x,
     y,
 )
 from symhaptic.notation.proposition import (
@@ -141,6 +142,17 @@ def _up_to_nyquist(printed: Printed) -> Proposition:
     return ForAll((T, gamma, delta, omega), implied(given, both([same, calm])))
 
 
+@claims("s5c-nyquist-spring")
+def _undamped_at_nyquist(printed: Printed) -> Proposition:
+    """By (29), an undamped device oscillates at the Nyquist frequency just if gamma is pi^2."""
+    [turns] = transcribed("eq29")
+    given = [T > 0, gamma >= 0, turns.xreplace({delta: sp.S.Zero})]
+    reached, spring = sp.Eq(omega * T, sp.pi), sp.Eq(gamma, sp.pi**2)
+    return ForAll(
+        (T, omega, gamma), implied(given, Iff((proposition(reached), proposition(spring))))
+    )
+
+
 EXAMPLE = example("eq31")
 """Example 5.1."""
 DAMPED = tuple(r.subs(delta, b * T / m) for r in transcribed("eq23") if delta in r.free_symbols)
@@ -214,10 +226,14 @@ def _damping_hardly_matters(printed: Printed) -> Proposition:
 
 @claims("s5c-human-10000")
 def _far_stiffer_than_an_arm(printed: Printed) -> Proposition:
-    """Where (30) is an equation gamma is about 10000 times the largest of (23), and less."""
+    """Where (30) is an equation gamma is nearly 10000 times x, the largest gamma of (23).
+
+    Nearly: at least 9500 times and less than 10000 times.
+    """
     [limit] = transcribed("eq30")
     damped = [r for r in transcribed("eq23") if delta in r.free_symbols]
     [about] = quoted("s5c-human-10000")
     times = number(about)
-    near = [ABOUT[0] * times * STIFFEST <= gamma, gamma < times * STIFFEST]
-    return ForAll((gamma, delta), implied([*damped, sp.Eq(*limit.args)], both(near)))
+    near = [ABOUT[0] * times <= gamma / x, gamma / x < times]
+    given = [*damped, sp.Eq(*limit.args), sp.Eq(x, STIFFEST)]
+    return ForAll((gamma, delta, x), implied(given, both(near)))

@@ -76,13 +76,6 @@ def explicit() -> Proposition:
     return ForAll(walls, implied([DEVICE, *inside], Iff((at_angle(), on_boundary()))))
 
 
-@claims("s4d-explicit-only-undelayed")
-def _explicit_without_delay_and_spring_only(printed: Printed) -> Proposition:
-    """A boundary is explicit, as this one, for d = 0 and gamma = 0 only."""
-    alone = both([Relation(d, "=", S.Zero), Relation(gamma, "=", S.Zero)])
-    return ForAll((gamma, delta, d), implied([*PLANT, d >= 0, explicit()], alone))
-
-
 @claims("s4d-delay-shrinks")
 def _delay_shrinks_the_region(printed: Printed) -> Proposition:
     """What is stable with a larger delay is stable with a smaller one."""
