@@ -1,11 +1,11 @@
-"""A held device has two dampings: its own is that of passivity, and with the arm's that of the loop."""
+"""A held device has two dampings: its own for passivity, and that of device and arm for the loop."""
 
 from __future__ import annotations
 
 from functools import cache
 from typing import Any
 
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
+from sympy import Expr, Ne, S, cos, pi, sin
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
@@ -18,14 +18,30 @@ from symhaptic.book.lemmas.stiffest_passive import divisors as divided
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, LATE, UNDELAYED, beside, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, gamma, k_H, m_D, m_H, omega
-from symhaptic.notation.proposition import Relation, conjuncts, proposition, whole
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    d,
+    delta,
+    gamma,
+    k_H,
+    m_D,
+    m_H,
+    omega,
+)
+from symhaptic.notation.proposition import Relation, conjuncts, negated
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
     DEVICE,
     FIGURES,
-    HELD,
     LIMITS,
     MASS,
     MEETS,
@@ -44,20 +60,31 @@ from symhaptic.paper.propositions.one_delta import (
 )
 from symhaptic.paper.propositions.ratio import BEST
 from symhaptic.paper.ranges import DAMPED, RANGES
-from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
+    absurd,
     applied,
     assume,
     conjoined,
-    cut,
     part,
     placed,
     weakened,
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import at, closed, either_way, fact, for_all, one, over, positive
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    either_way,
+    example,
+    fact,
+    for_all,
+    one,
+    over,
+    positive,
+)
 
 
 @cache
@@ -159,7 +186,7 @@ def _divides(expr: Expr, turn: Expr) -> bool:
 
 @cache
 def outdone_by_the_arm() -> Theorem:
-    """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with both dampings."""
+    """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
     claim = outdone()
     symbols, given, some = taken_apart(claim)
     units, unit = signs(), {b: WHOLE, T: S.One}
@@ -247,12 +274,14 @@ def in_numbers() -> Theorem:
 
 @cache
 def drawn_too_large() -> Theorem:
-    """Passive walls of the devices of Sec. IV-C are 32 times as small as the drawn ones at least."""
+    """32 times a passive wall of a device of Sec. IV-C is passive with the delta of the figures."""
     symbols, given, plane = taken_apart(oversized())
     inside = conjuncts(plane.body.of[0])  # type: ignore[attr-defined]
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
-    light = positive(LIMITS[b_D] * MASS - b_D >= 0, b_D <= LIMITS[b_D] * m_D, [LIMITS[b_D], m_H >= 0])
-    slow = positive(LIMITS[T] - T >= 0, T <= LIMITS[T])
+    light = positive(
+        LIMITS[b_D] * MASS - b_D >= 0, b_D <= LIMITS[b_D] * m_D, [LIMITS[b_D], m_H >= 0]
+    )
+    slow = positive(LIMITS[T] - T >= 0, LIMITS[T] >= T)
     room = positive(
         DAMPED * MASS - FIGURES * T * b_D >= 0,
         [FIGURES, T > 0, light],
@@ -283,3 +312,45 @@ def ratios_kept() -> Theorem:
 
         parts.append(beside(claim, stable_wall(delay, wall, RANGES), wall, less))
     return for_all(symbols, given, weakened(conjoined(*parts), *given))
+
+
+def easy(claim: Any) -> Case:
+    """All that is supposed, at a device of 1 kg that renders a spring of 1 N/m."""
+    symbols, given, _ = taken_apart(claim)
+    light = {**dict.fromkeys(symbols, S.Zero), **LIMITS, m_H: S.Zero, b_H: S.Zero, K: S.One}
+    point = {s: light[s] for s in symbols}
+    known = []
+    if MEETS in given:
+        below: Any = MEETS.at(point)
+        inside, period = conjuncts(below.body.of[0]), LIMITS[T]
+        turn = period * omega
+        ends = [
+            positive(turn > 0, [period, assume(inside[0])]),
+            positive(turn < pi, [period, assume(inside[1])]),
+        ]
+        room = LIMITS[b_D] - period / 2
+        met = closed(combined(below.body.of[1], [room]), *divisors(turn), *ends)
+        known.append(for_all([omega], inside, met))
+    return example(point, given, *known)
+
+
+def counterexample_of() -> Case:
+    """10 000 N/m beside the arm at the limits meet (5) with delta, and not with that of the device."""
+    claim = CLAIMED["one-delta"](())
+    _, given, same = taken_apart(claim)
+    values = {**{s: LIMITS[s] for s in (T, m_D, m_H, b_D, b_H)}, K: S(10**4), B: S.Zero, d: S.Zero}
+    there: Any = same.at(values)
+    plane, device = there.of
+    inside = conjuncts(plane.body.of[0])
+    wanted = plane.body.of[1]
+    needed = plane.body.of[1].left.xreplace({omega: pi / 2})
+    met = closed(combined(wanted, [wanted.right - needed]), *divisors(omega))
+    held = for_all([omega], inside, met)
+    angle = {omega: pi / (2 * LIMITS[T])}
+    ends = [fact(p.at(angle)) for p in conjuncts(device.body.of[0])]
+    short = at(assume(device), angle, *ends)
+    fails = absurd(short, number(negated(short.conclusion)), device)
+    both_ways = assume(there)
+    differ = absurd(applied(both_ways, held), fails, there)
+    assert given
+    return counterexample(claim, values, differ)

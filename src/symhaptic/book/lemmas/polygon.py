@@ -25,8 +25,15 @@ from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, the
 from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.stability import SQUARE, TERMS, stiffness
-from symhaptic.proof.sign import NotShown as NoSign
-from symhaptic.proof.theorems.familiar import decided, device_exists, loop_of_device, of_device, ordered, sign_of, square
+from symhaptic.proof.theorems.familiar import (
+    decided,
+    device_exists,
+    loop_of_device,
+    of_device,
+    ordered,
+    sign_of,
+    square,
+)
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -148,7 +155,7 @@ def stretches(arm: Arm, delay: int, corners: Sequence[Wall]) -> list[Stretch]:
                 last = at + int(above[0]) - 1 if above.size else len(grid) - 1
                 found.append((last, first, side))
         if not found:
-            raise NoSign(f"at the angle {grid[at]:.4f} no side of {corners} tells")
+            raise ValueError(f"at the angle {grid[at]:.4f} no side of {corners} tells")
         last, first, side = max(found, key=lambda f: f[0])
         return first, last, side
 
@@ -214,7 +221,10 @@ def _not_outweighed(corners: Sequence[Wall], delay: int, ranges: Any) -> Theorem
     push = TOP * WALL
     root = assume(ROOT.at({d: S(delay)}))
     less = [
-        positive(limit**2 - value**2 >= 0, [_at_most(value, limit, corners), _at_most(-value, limit, corners)])
+        positive(
+            limit**2 - value**2 >= 0,
+            [_at_most(value, limit, corners), _at_most(-value, limit, corners)],
+        )
         for value, limit in ((alpha, stiff), (alpha + 2 * beta, turned))
     ]
     wide = [square(cos(theta / 2)), square(sin(theta / 2))]
@@ -224,16 +234,16 @@ def _not_outweighed(corners: Sequence[Wall], delay: int, ranges: Any) -> Theorem
         [at_point(outweighs(corners), ranges)],
         *([size, more, turn] for more, turn in zip(less, wide, strict=True)),
     )
-    nothing = combined(
-        Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push]
-    )
+    nothing = combined(Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push])
     return absurd(ahead, nothing)
 
 
 def _at_most(value: Expr, limit: Rational, corners: Sequence[Wall]) -> Theorem:
     """0 <= limit - value in the polygon, by the two sides that meet where the value is largest."""
     slope = value.coeff(alpha), value.coeff(beta)
-    best = max(range(len(corners)), key=lambda i: slope[0] * corners[i][0] + slope[1] * corners[i][1])
+    best = max(
+        range(len(corners)), key=lambda i: slope[0] * corners[i][0] + slope[1] * corners[i][1]
+    )
     before, after = sides(corners)[best - 1], sides(corners)[best]
     shares = sp.Matrix([[before[0], after[0]], [before[1], after[1]]]).solve(sp.Matrix(slope))
     rest = limit - shares[0] * before[2] - shares[1] * after[2]

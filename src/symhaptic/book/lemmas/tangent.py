@@ -1,9 +1,9 @@
 """Behind a whole delay all stable walls lie on one side of each tangent of the stability boundary.
 
 Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Expand both
-sides around the wall of the boundary that puts a zero at exp(j theta): there p vanishes, z p' is j N
-times the velocity of the boundary, and what is left is the equation of the tangent and a quadratic
-form.  This is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which holds from
+sides around the wall of the boundary that puts a zero at exp(j theta): there p vanishes, z p' is
+j N times the velocity of the boundary, and what is left is the equation of the tangent and a
+quadratic form.  This is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which holds from
 (d + 1) theta = 1 on, about.
 """
 
@@ -15,14 +15,13 @@ from sympy import Expr, I, Ne, S, cos, exp, pi, sin
 
 from symhaptic.book.lemmas.outpaced import ROOM, room
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.book.lemmas.stiffest_stable import of_every_plant
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta, x, y
 from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
 from symhaptic.proof.theorems.familiar import ordered, sign_of, square
-from symhaptic.proof.theorems.kernel import Theorem, absurd, anything, assume, by_cases, placed
+from symhaptic.proof.theorems.kernel import Theorem, absurd, anything, assume, by_cases
 from symhaptic.proof.theorems.leaves import combined, mirrored
 from symhaptic.proof.theorems.tactics import closed, over, positive
 

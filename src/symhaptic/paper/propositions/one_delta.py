@@ -8,7 +8,24 @@ from __future__ import annotations
 
 from sympy import Expr, Rational, S
 
-from symhaptic.notation import B, K, T, alpha, b, b_D, b_H, beta, d, delta, gamma, k_H, m_D, m_H, x, y
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    d,
+    delta,
+    gamma,
+    k_H,
+    m_D,
+    m_H,
+    x,
+    y,
+)
 from symhaptic.notation.proposition import (
     Exists,
     ForAll,
@@ -61,7 +78,7 @@ def instead() -> Proposition:
 
 
 def kept() -> Proposition:
-    """A wall with K > 0 that meets (5) with (3) is stable in every arm, behind every whole delay."""
+    """A wall with K > 0 that meets (5) with (3) is stable in every arm; d is whole."""
     loop = STABLE.at({**UNITS, gamma: SPRING, delta: WHOLE})
     given = [*HELD, k_H >= 0, whole(d), K > 0, MEETS]
     return ForAll((*HAND, k_H, K, B, d), implied(given, loop))
@@ -126,7 +143,7 @@ def oversized() -> Proposition:
 
     For devices of Sec. IV-C, b_D/m_D <= 0.625 1/s, and periods up to 1 ms.
     """
-    slow = [T <= LIMITS[T], Relation(b_D, "<=", LIMITS[b_D] * m_D)]
+    slow = [LIMITS[T] >= T, Relation(b_D, "<=", LIMITS[b_D] * m_D)]
     given = [*HELD, *slow, MEETS]
     return ForAll((*HAND, K, B, d), implied(given, drawn(DAMPED, S(FIGURES))))
 
