@@ -13,4 +13,25 @@ CLAIMS_COMPARED = (
         quote=r"For given $\delta$ and $d$, these boundaries can be plotted in the same $(\alpha, "
         r"\beta)$-plane as the stability boundaries.",
     ),
+    Statement(
+        "s0-far-higher",
+        "Abstract",
+        "some stable wall is at least as stiff as all passive walls, and how many times as stiff",
+        quote="the maximum stable stiffness of virtual walls is far higher than admitted by "
+        "passivity",
+    ),
+    Statement(
+        "s5a-much-smaller",
+        "Sec. V-A",
+        "stable walls can be many times as stiff and as damped as passive ones, for the arm and "
+        "the whole delays of Fig. 11",
+        quote="The dimensions of the passive regions are much smaller than those of the stable "
+        "ones.",
+    ),
+    Statement(
+        "s5b-clearly-larger",
+        "Sec. V-B",
+        "some stable wall is at least as stiff as all passive walls, and how many times as stiff",
+        quote="The maximum stable stiffness is clearly larger than the passive stiffness.",
+    ),
 )

@@ -1,10 +1,10 @@
 """Behind a whole delay all stable walls lie on one side of each tangent of the stability boundary.
 
 Of p with its zeros inside, n |p|^2 < 2 Re conj(p) z p' on the circle (``outpaces``).  Expand both
-sides around the wall of the boundary that puts a zero at exp(j theta): there p vanishes, z p' is
-j N times the velocity of the boundary, and what is left is the equation of the tangent and a
-quadratic form.  This is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which holds from
-(d + 1) theta = 1 on, about.
+sides around the wall of the boundary that puts a zero at exp(j theta).  There p vanishes, and z p'
+is j N times the velocity of the boundary.  The equation of the tangent and a quadratic form are
+left.  The form is negative definite for 1 < (d + 1 - (n1^2 - n0^2)/|N|^2) sin(theta), which is so
+from (d + 1) theta = 1 on, about.
 """
 
 from __future__ import annotations
