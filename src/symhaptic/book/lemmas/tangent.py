@@ -14,16 +14,33 @@ from functools import cache
 from sympy import Expr, I, Ne, S, cos, exp, pi, sin
 
 from symhaptic.book.lemmas.outpaced import ROOM, room
-from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta, x, y
-from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, x, y
+from symhaptic.notation.proposition import (
+    ForAll,
+    Proposition,
+    Relation,
+    implied,
+    proposition,
+    whole,
+)
+from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
 from symhaptic.proof.theorems.familiar import ordered, sign_of, square
-from symhaptic.proof.theorems.kernel import Theorem, absurd, anything, assume, by_cases
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    assume,
+    by_cases,
+    placed,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, mirrored
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
 
 TURN = exp(I * theta)
 TOP = n_1 * TURN + n_0
@@ -53,11 +70,6 @@ STEEP = Relation(SQUARE, "<", WEIGHT * sin(theta))
 """The angle is large enough for the quadratic form to be negative definite."""
 ANGLE = (proposition(theta > 0), proposition(theta < pi))
 SIDE = (alpha - BESIDE[0]) * y - (beta - BESIDE[1]) * x
-
-
-def given() -> list[Proposition]:
-    """What is supposed of a device, an angle and the wall of the boundary there."""
-    return [DEVICE, whole(d), *ANGLE, ROOT, MOVES, STEEP]
 
 
 @cache
@@ -90,3 +102,53 @@ def on_one_side() -> Theorem:
     wanted = Relation(SIDE, "<", S.Zero)
     found = by_cases(ordered(SIDE, S.Zero), assume(wanted), anything(contrary, wanted))
     return closed(found, positive(Ne(sin(theta), 0), [wave]))
+
+
+def tangents() -> Proposition:
+    """Every stable wall lies on one side of the tangent at each steep angle; d is whole."""
+    given = [*ANGLE, ROOT, MOVES, STEEP, STABLE]
+    walls = (theta, *BESIDE, x, y, alpha, beta)
+    every_ = ForAll(walls, implied(given, Relation(SIDE, "<", S.Zero)))
+    return _of_plants(every_)
+
+
+def tips() -> Proposition:
+    """No stable wall is as stiff as the boundary where its stiffness is stationary; d is whole.
+
+    That is at each steep angle at which the damping of the boundary rises.
+    """
+    given = [*ANGLE, ROOT, MOVES.at({x: S.Zero}), y > 0, STEEP, STABLE]
+    walls = (theta, *BESIDE, y, alpha, beta)
+    return _of_plants(ForAll(walls, implied(given, alpha < BESIDE[0])))
+
+
+def _of_plants(then: Proposition) -> Proposition:
+    plants = ForAll((gamma, delta, *NUMBERS), implied([DEVICE], then))
+    return ForAll((d,), implied([whole(d)], plants))
+
+
+def _for_plants(theorem: Theorem) -> Theorem:
+    plants = for_all((gamma, delta, *NUMBERS), [DEVICE], weakened(theorem, DEVICE))
+    return for_all((d,), [whole(d)], weakened(plants, whole(d)))
+
+
+@cache
+def all_tangents() -> Theorem:
+    """:func:`tangents`."""
+    walls, given, _ = taken_apart(_inner(tangents()))
+    return _for_plants(for_all(walls, given, weakened(on_one_side(), *given)))
+
+
+@cache
+def all_tips() -> Theorem:
+    """:func:`tips`."""
+    walls, given, _ = taken_apart(_inner(tips()))
+    side, rise = placed(on_one_side(), {x: S.Zero}), assume(y > 0)
+    below = over(BESIDE[0] - alpha > 0, positive((BESIDE[0] - alpha) * y > 0, [side]), rise)
+    found = closed(positive(alpha < BESIDE[0], [below]), positive(Ne(y, 0), [rise]))
+    return _for_plants(for_all(walls, given, weakened(found, *given)))
+
+
+def _inner(claim: Proposition) -> Proposition:
+    """What is said of each plant."""
+    return taken_apart(taken_apart(claim)[2])[2]
