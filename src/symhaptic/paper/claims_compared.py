@@ -34,4 +34,19 @@ CLAIMS_COMPARED = (
         "some stable wall is at least as stiff as all passive walls, and how many times as stiff",
         quote="The maximum stable stiffness is clearly larger than the passive stiffness.",
     ),
+    Statement(
+        "s6-damping-any-delay",
+        "Sec. VI",
+        "some factor bounds what the damper adds to the largest stable stiffness, for every arm of "
+        "(23) and every whole delay",
+        quote="an increase of damping is only marginally contributing to stability",
+    ),
+    Statement(
+        "s6-stiffness-any-delay",
+        "Sec. VI",
+        "some factor bounds what the spring changes of the largest stable stiffness, for every arm "
+        "of (23) and every whole delay",
+        quote="the effect of physical stiffness within the possible range is hardly affecting "
+        "stability",
+    ),
 )

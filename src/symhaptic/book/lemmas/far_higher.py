@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from sympy import Expr, Rational, S
@@ -16,8 +16,9 @@ from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import beside
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
 from symhaptic.notation.proposition import Predicate, Relation
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions import CLAIMED, far_higher
 from symhaptic.paper.propositions.far_higher import (
+    LEFT,
     RATIOS,
     SIZES,
     UNIT,
@@ -107,3 +108,23 @@ def dimensions() -> Theorem:
     for delay in SIZES:
         parts += [in_numbers(SPRUNG[0], delay), more_damped(delay)]
     return conjoined(*parts)
+
+
+@cache
+def left_by_one_period() -> Theorem:
+    """What one period of delay leaves of the stable stiffness, of two arms."""
+    claims = iter(far_higher.left_by_one_period().of)  # type: ignore[attr-defined]
+    parts = []
+    for arm in LEFT:
+        walls = {n: wall_below(arm, n, FINE) for n in (0, 1)}
+        bounds = {n: none_above(arm, n, FINE) for n in (0, 1)}
+        for late, other in ((1, 0), (0, 1)):
+            (wall, held), (limit, softer) = walls[late], bounds[other]
+            parts.append(beside(next(claims), held, wall, partial(_below, wall, limit, softer)))
+    return conjoined(*parts)
+
+
+def _below(wall: Any, limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
+    """c alpha < g x for all stable walls of another delay, alpha < L and x a number."""
+    share = wanted.left.coeff(alpha)
+    return combined(wanted, [share, softer], [wanted.right - share * limit])

@@ -86,3 +86,18 @@ def _dimensions_of_the_regions(printed: Printed) -> Proposition:
         damped = outdoes(stable(delay, BEST), passive(delay), times * beta < y)
         parts += [between(STIFF, delay), damped.at({gamma: STIFF, delta: DAMPED})]
     return both(parts)
+
+
+LEFT = {(STIFF, DAMPED): "0.21654783", (S.Zero, S.Zero): "0.21050726"}
+"""The largest stable stiffness at d = 1 over that at d = 0, of two arms, decimals cut off."""
+
+
+def left_by_one_period() -> Proposition:
+    """The share of the stable stiffness that one period of delay leaves, between two decimals."""
+    parts = []
+    for (spring, damper), digits in LEFT.items():
+        low, unit = Rational(digits), Rational(1, 10**8)
+        more = outdoes(stable(1, BEST), stable(0), low * alpha < x)
+        less = outdoes(stable(0, BEST), stable(1), alpha < (low + unit) * x)
+        parts += [p.at({gamma: spring, delta: damper}) for p in (more, less)]
+    return both(parts)
