@@ -43,7 +43,7 @@ UNIT = {b: delta, T: S.One}
 
 
 @cache
-def _best() -> Theorem:
+def passive_wall() -> Theorem:
     """The wall (11) is passive; 0 <= b, 0 < T, d whole."""
     walls = {line.lhs: line.rhs for line in ELEVEN}
     best = placed(stiffest_wall(*map(assume, ELEVEN)), walls)
@@ -54,13 +54,13 @@ def _best() -> Theorem:
 @cache
 def is_passive() -> Theorem:
     """The wall (11) for b = delta and T = 1 is passive; 0 <= delta, d whole."""
-    return closed(placed(_best(), UNIT), *known())
+    return closed(placed(passive_wall(), UNIT), *known())
 
 
 @cache
 def passive_tip() -> tuple[Theorem, Wall]:
     """That wall is stable; 0 <= gamma, 0 < delta, d whole.  And its stiffness and damping."""
-    best, unit = _best(), UNIT
+    best, unit = passive_wall(), UNIT
     passive: Any = best.conclusion
     angles = placed(passive_by_angle(), dict(zip((K, B), passive.of[:2], strict=True)))
     always = placed(applied(angles, best), unit)
