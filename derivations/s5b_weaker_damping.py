@@ -10,7 +10,6 @@ from sympy import Rational, S
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.weaker_damping import (
     DAMPERS,
-    DELAYS,
     FAR,
     SHORT,
     further,
@@ -50,7 +49,6 @@ def derive(page):
         r"the dampings 0.005, 0.01, 0.015, 0.02 to the next",
         claim=steps(),
     )
-    assert DELAYS == (2, 4, 8)
     page.settle("weaker-damping", step_by_step())
     page.say("For long delays it is the other way around. At $d=200$ without a spring:")
     page.lemma(

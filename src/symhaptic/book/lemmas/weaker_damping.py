@@ -17,7 +17,8 @@ from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
-from symhaptic.book.lemmas.ratio_peak import FREE, LIMIT, least, passive_wall
+from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
+from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import (
     ELEVEN,
@@ -226,7 +227,7 @@ def above_the_rate() -> Theorem:
     alpha >= L."""
     claim = ratio.above(RATE, d)
     _, best = passive_tip()
-    bounded, rate = assume(every(WALL, [stable(d)], alpha < LIMIT)), assume(RATE > 0)
+    bounded, rate = assume(every(WALL, [stable(d)], alpha < MOST)), assume(RATE > 0)
     softer = at(bounded, {s: s for s in WALL}, assume(stable(d)))
     room = assume(best[0] > RATE * LIMIT)
     found = beside(claim, is_passive(), best, lambda w: positive(w, [rate, softer], [room]))
@@ -256,7 +257,7 @@ def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
     under, _ = some.body.at({RATE: share}).of
     gap = number(Relation(S.Zero, "<", share * wall[0] - most.conclusion.right))  # type: ignore[attr-defined]
     first = beside(under, held, wall, lambda wanted: positive(wanted, [most], [gap]))
-    here = {d: S(delay), RATE: share, LIMIT: limit, gamma: other[0], delta: other[1]}
+    here = {d: S(delay), RATE: share, MOST: limit, gamma: other[0], delta: other[1]}
     second = placed(above_the_rate(), here)
     rest = [fact(p) for p in second.hypotheses if isinstance(p, (Relation, Predicate))]
     stable_ = stable(delay).at({gamma: other[0], delta: other[1]})
