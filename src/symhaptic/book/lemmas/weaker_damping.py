@@ -229,7 +229,7 @@ def above_the_rate() -> Theorem:
     _, best = passive_tip()
     bounded, rate = assume(every(WALL, [stable(d)], alpha < MOST)), assume(RATE > 0)
     softer = at(bounded, {s: s for s in WALL}, assume(stable(d)))
-    room = assume(best[0] > RATE * LIMIT)
+    room = assume(best[0] > RATE * MOST)
     found = beside(claim, is_passive(), best, lambda w: positive(w, [rate, softer], [room]))
     return closed(found, *known())
 
