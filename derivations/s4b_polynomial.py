@@ -6,7 +6,7 @@ polynomial, and its form should not break down for the devices that one meets.
 
 from functools import cache
 
-from sympy import Eq, Ne, S, symbols
+from sympy import Eq, Ne, S, exp, symbols
 
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
@@ -16,7 +16,10 @@ from symhaptic.notation import (
     alpha,
     beta,
     c_1,
+    c_2,
+    c_3,
     d,
+    delta,
     function,
     gamma,
     z,
@@ -50,7 +53,7 @@ def derive(page):
     )
     page.say("The denominator is monic and never degenerates:")
     page.show(
-        "The characteristic polynomial is (18)",
+        "The characteristic polynomial, with the highest coefficient 1",
         "p_1(z)",
         short,
         page.same(
@@ -59,16 +62,25 @@ def derive(page):
             short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
         ),
         boxed=True,
-        paper="18",
-    )
-    page.say(
-        "The paper multiplies numerator and denominator by $-2c_1\\gamma$. That factor vanishes "
-        "for a device that nobody holds and at critical damping, and with it all of $n(z)$ and "
-        "$p(z)$."
     )
     n, p, closed = function("n")(z), function("p")(z), function("G_x")(z)
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
+    exact = {gamma: (delta**2 - c_1**2) / 4}
+    exact |= {c_2: exp(-(delta + c_1) / 2), c_3: exp(-(delta - c_1) / 2)}
+    [eighteen] = STATEMENTS["eq18"].printed
+    page.show(
+        "(18) is this polynomial times a factor",
+        "p(z)",
+        r"-2c_1\gamma\,p_1(z)",
+        page.same("(18)", eighteen.rhs.xreplace(exact), bottom.xreplace(exact)),
+        because="with $c_1$, $c_2$ and $c_3$ of (15)",
+        paper="18",
+    )
+    page.say(
+        "The factor vanishes for a device that nobody holds and at critical damping, and with it "
+        "all of $n(z)$ and $p(z)$."
+    )
     _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for an ungrabbed device", late=False)
     _settle(
         page,

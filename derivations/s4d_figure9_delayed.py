@@ -8,6 +8,7 @@ region around it is smaller. How much?
 from sympy import Rational, S, cancel, cos, pi, sin
 
 from symhaptic.book.figures.stability import delayed
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import drawn, right_of_the_line
 from symhaptic.model import plant
 from symhaptic.model.passivity import on_circle
@@ -34,7 +35,7 @@ def derive(page):
     )
     page.show("The delayed boundary has this damping", r"\beta|N|^2\sin\theta", across, root)
     page.say(
-        "The drawn arcs lie within $0\\le\\theta\\le\\pi/(d+1)$. On all of this, with the damping "
+        "Take the angles $0\\le\\theta\\le\\pi/(d+1)$. On all of these, with the damping "
         "$\\delta=0.02$ that makes the regions largest:"
     )
     for late, bound in ((1, Rational(17, 100)), (2, Rational(8, 100))):
@@ -50,7 +51,7 @@ def derive(page):
     page.say(
         "So the spring's $0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ "
         "for $d=2$, after $1/690$ without delay. Does the region reach the line "
-        "$\\alpha=-\\gamma$, as drawn? For $d=1$ it does, as shown before. For $d=2$ take "
+        "$\\alpha=-\\gamma$? For $d=1$ it does, as shown before. For $d=2$ take "
         "$\\beta=\\tfrac14$ on the line, where one root lies at 1 and moves inside as $\\alpha$ "
         "grows. The other roots, at the four limits:"
     )
@@ -78,9 +79,14 @@ def derive(page):
         "to be stable by their roots. That none is stiffer says one point of the circle: of a "
         "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
     )
+    page.lemma(
+        "Walls that no boundary parts from a stable wall are stable",
+        enclosed_walls_are_stable(),
+        because="on the way between two walls the zeros are continuous, and none crosses the "
+        "circle; for every plant and every whole delay",
+    )
     page.settle(
         "fig9",
         drawn(),
-        note="for $d=2$ the spring takes over a percent of the width; that all walls inside "
-        "a curve are stable is not claimed",
+        note="for $d=2$ the spring takes over a percent of the width",
     )

@@ -31,7 +31,8 @@ def derive(page):
         "s5b-captions-alike",
         "(c) Relation of maximum virtual stiffness",
         r"\text{each with the delays for which it is drawn}",
-        "two plots with one text; the text says that their scales of the delay differ",
+        "two plots with one text; Sec. V-B says that their scales of the delay differ; possibly of "
+        "the conversion of the text",
     )
     page.say(
         "By Table I, $K$ is the virtual stiffness and $B$ the virtual damping. A bound that is "

@@ -52,27 +52,18 @@ UNSAFE: dict[str, str] = {
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
     "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall "
     "with $K\\ge0$ stays passive that way.",
-    "s4d-left-bound": "With delay and a stiff grip, softening the wall can destabilise it: some "
-    "springs are stable with a wall of a certain stiffness only.",
-    "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a "
-    "very stiff grip it can be: do not count on added damping there.",
     "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "
     "stiffness at one period and a third at eight. At forty, with a spring, 0.02 bears eleven "
     "times what 0.001 does. Do not give it away.",
     "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
     "free device to (23) changes the limit many times over.",
-    "s5a-subset": "Passive walls are stable if $K\\ge0$, $K+k>0$, the device is damped, and the "
-    "delay is that of the passivity condition. For a fractional delay the exact condition is "
-    "needed.",
+    "s6-subset": "Passive walls are stable if the device is damped and $K+k>0$. For a fractional "
+    "delay the exact condition of passivity is needed, not (5).",
     "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
     "spring of the hand harmless. Do not rely on a device without damping.",
-    "fig11": "Read the curves for 0.25 and 0.5 periods neither as limits of passivity nor as "
-    "those of (18); the passive ones for the next whole delay are safe.",
-    "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole "
-    "delay is safe.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
     "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
-    "unstable. Use the modified z-transform (\texttt{is\_stable} with that delay).",
+    "unstable. Use the modified z-transform (\texttt{is\\_stable} with that delay).",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
     "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
 }
@@ -117,7 +108,7 @@ SLIPS: dict[str, str] = {
     "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
     "s1-conclusion": "None.",
     "s5b-ratio-panels": "None: read (b) and (c).",
-    "s5b-captions-alike": "None: (c) has the longer delays.",
+    "s5b-captions-alike": "None.",
     "s4c-et-al": "None.",
 }
 

@@ -20,7 +20,7 @@ CLAIMS = (
     Statement(
         "s2c-rational-delay",
         _II_C,
-        "with $z=w^q$ the loop of a rational delay $d=p/q$ has whole powers of $w$ only, and this is "
+        "with $z=w^q$ the loop of a rational delay $d=p/q$ has whole powers of $w$ only, which is "
         "an approximation",
         quote="any discrete-time transfer function with rational delay factor can be transferred "
         "into a transfer function with a whole number for the delay factor by appropriately"
@@ -212,28 +212,30 @@ CLAIMS = (
     Statement(
         "s4d-left-bound",
         _IV_D,
-        r"the stable region has the vertical left bound $\alpha=-\gamma$",
+        r"for the arms of (23) no stable wall has $\alpha\le-\gamma$, and without delay the region "
+        r"ends on this line",
         (r"\alpha = -\gamma",),
         quote=r"The stable regions have a vertical straight bound at $\alpha = -\gamma$.",
     ),
     Statement(
         "s4d-quadratic-in-period",
         _IV_D,
-        "twice the sampling frequency gives four times the stable stiffness",
+        "twice the sampling frequency gives the same device four times the stable stiffness",
         quote="a double sampling frequency with constant delay factor $d$ (i.e., half time delay "
         r"$t_d = d \cdot T$) enables a four times higher virtual stiffness $K$",
     ),
     Statement(
         "s4d-damping-bound",
         _IV_D,
-        "the upper bound of $B$ is linear in $m$ and $1/T$",
+        "with the same damper and spring the upper bound of $B$ is linear in $m$ and $1/T$",
         quote="This bound for the virtual stiffness $B$ (as non-normalized parameter) depends "
         "linearly on the mass $m$ and the sampling rate $1/T$.",
     ),
     Statement(
         "s4d-delta-grows",
         _IV_D,
-        r"$\delta$ enlarges the stable region in every direction but the left",
+        r"without delay and inside (23) $\delta$ enlarges the stable region in every direction but "
+        "the left",
         quote=r"physical damping $\delta$ increases the stable region toward each direction. "
         r"Except the left vertical bound of the stable region is uninfluenced by $\delta$.",
     ),
@@ -319,7 +321,7 @@ CLAIMS = (
     Statement(
         "s5a-subset",
         _V_A,
-        r"the passive region lies inside the stable one for all $d\ge0$",
+        r"for $\gamma=0.001$, $\delta=0.02$ and every delay a passive wall is stable",
         quote="the passive region is a subset of the corresponding stable region for the given "
         r"set of parameters, $\gamma = 0.001$, $\delta = 0.02$, and for time delays $d \geq "
         "0$",
@@ -392,7 +394,7 @@ CLAIMS = (
     Statement(
         "s5c-robust-subset",
         _V_C,
-        "the passive region lies inside the robustly stable one",
+        "for every damper and every delay a passive wall is stable with every spring",
         quote="The passive region is located completely inside the robustly stable region "
         "independent of time delay and physical damping.",
     ),
@@ -426,6 +428,13 @@ CLAIMS = (
         "circle.",
     ),
     Statement(
+        "s6-subset",
+        _VI,
+        "for every arm and every delay a passive wall is stable",
+        quote="For any time delay, the passive regions are completely contained in the stable "
+        "regions.",
+    ),
+    Statement(
         "s6-stable-22",
         _VI,
         r"at $d=1$ the largest stable stiffness is below 22\% of that at $d=0$",
@@ -444,7 +453,7 @@ CLAIMS = (
     Statement(
         "s6-sampling",
         _VI,
-        "passive stiffness is linear, stable stiffness quadratic in $1/T$",
+        "of one device, passive stiffness is linear and stable stiffness quadratic in $1/T$",
         quote="While the dependency of the passive stiffness is linear, the stable stiffness is "
         "quadratically depending on the sampling rate.",
     ),
@@ -471,7 +480,7 @@ CLAIMS = (
     Statement(
         "s6-mass",
         _VI,
-        "the mass scales the stable region, not the passive one",
+        "with the same damper and spring the mass scales the stable region, not the passive one",
         quote="The moving mass [...] is proportionally scaling the stable region, while it has no"
         " influence on passivity. For stability, a doubling of mass enables a doubling of "
         "virtual stiffness and damping.",

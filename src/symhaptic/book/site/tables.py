@@ -20,7 +20,7 @@ from symhaptic.book.site.words import (
     table,
     words,
 )
-from symhaptic.book.tex.errata import by_importance
+from symhaptic.book.tex.errata import AT_HAND, by_importance
 from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.results import USE
 from symhaptic.book.tex.words import anchor
@@ -65,6 +65,7 @@ def _use(entry: Entry) -> list[str]:
 def errata(entries: Sequence[Entry]) -> str:
     """What is wrong, and what is right only under a condition."""
     out = [".. _errata:", "", *heading("Errata")]
+    out += [words(AT_HAND), ""]
     parts = by_importance(entries)
     rows = [["statement", "read as", "verdict", "where"]]
     rows += [

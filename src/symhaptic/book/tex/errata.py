@@ -24,6 +24,14 @@ from symhaptic.proof.verdict import Kind
 WRONG = frozenset({Kind.REFUTED, Kind.MISPRINT, Kind.QUALIFIED, Kind.SLIP})
 """Verdicts of what the errata list."""
 
+AT_HAND = (
+    "The source was a text conversion of the accepted manuscript, without its figures. What a "
+    "figure shows is known from its caption and from the text alone, and the figures of this book "
+    "are drawn anew from the captions. An entry that is marked as possibly of the conversion may "
+    "not be in the published paper."
+)
+"""What the paper was read from."""
+
 OTHERS = "Other entries"
 """What stands in no part of the list of consequences."""
 

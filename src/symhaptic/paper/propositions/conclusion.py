@@ -22,10 +22,8 @@ from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequenc
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
-    DAMPER,
     HEAVY,
     LOOPS,
-    SPRING,
     STIFFER,
     STRONGER,
     in_units,
@@ -50,33 +48,29 @@ def _springs_against_arms(printed: Printed) -> Proposition:
 def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
     """At y times the rate y K is passive where K was, and K' = y^2 K with B' = y B stable.
 
-    Passive is what meets (5).  The paper does not say what becomes of the operator in the stable
-    loop: its damper and spring may change.
+    Passive is what meets (5).  Arm and device are the same, m, b and k.
     """
     walls = at_every_frequency(FIVE)
     passive = Iff((walls, walls.at({K: y * K, T: T / y})))
-    after = in_units(STIFFER, STRONGER, T / y, m, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T / y, m, b, k)
     stable = Iff((in_units(K, B, T, m, b, k), after))
     wall = sp.Eq(STIFFER, y**2 * K), sp.Eq(STRONGER, y * B)
-    given = [*LOOPS, y > 0, DAMPER >= 0, SPRING >= 0, *wall]
-    symbols = (K, B, T, m, b, k, d, y, STIFFER, STRONGER, DAMPER, SPRING)
-    return ForAll(symbols, implied(given, both([passive, stable])))
+    symbols = (K, B, T, m, b, k, d, y, STIFFER, STRONGER)
+    return ForAll(symbols, implied([*LOOPS, y > 0, *wall], both([passive, stable])))
 
 
 @claims("s6-mass")
 def _mass_scales_stability_alone(printed: Printed) -> Proposition:
     """A wall is stable where the one grown like the mass is; passive with both masses or none.
 
-    That is K' = (m'/m) K and B' = (m'/m) B.
-
-    The paper does not say what becomes of the operator: its damper and spring may change.
+    That is K' = (m'/m) K and B' = (m'/m) B, with the same damper and spring, b and k.
     """
-    after = in_units(STIFFER, STRONGER, T, HEAVY, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T, HEAVY, b, k)
     stable = Iff((in_units(K, B, T, m, b, k), after))
     devices = (Predicate("passive_device", (v,), (x * v**2 / 2, *WALL)) for x in (m, HEAVY))
     wall = sp.Eq(STIFFER, K * HEAVY / m), sp.Eq(STRONGER, B * HEAVY / m)
-    given = [*LOOPS, HEAVY > 0, DAMPER >= 0, SPRING >= 0, *wall]
-    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER, STRONGER, DAMPER, SPRING)
+    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER, STRONGER)
+    given = [*LOOPS, HEAVY > 0, *wall]
     return ForAll(symbols, implied(given, both([stable, Iff(tuple(devices))])))
 
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from sympy import Eq, Ne, S, symbols
+from sympy import Eq, Ne, symbols
 
-from symhaptic.notation import alpha, beta, d, delta, gamma
+from symhaptic.notation import d, delta, gamma
 from symhaptic.notation.proposition import (
     ForAll,
-    Predicate,
     Proposition,
     both,
     implied,
     proposition,
 )
-from symhaptic.paper.propositions.comparison import LOOP
+from symhaptic.paper.propositions.comparison import COMES_TO_REST, LOOP
+from symhaptic.paper.propositions.comparison import PASSIVE_WALL as WALL
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -40,10 +40,6 @@ def connected(kind: int) -> Proposition:
     """What is connected in this way is passive."""
     given = [Eq(KIND, kind), Ne(SIZE, 0)] if kind == FED_BACK else [Eq(KIND, kind)]
     return implied(given, proposition(REAL[kind] >= 0))
-
-
-WALL = Predicate("passive_wall", (), (alpha, beta, delta, S.One, d))
-COMES_TO_REST = Predicate("stable_loop", (), (alpha, beta, gamma, delta, d))
 
 
 @claims("s3-interconnection")
