@@ -460,7 +460,7 @@ CLAIMS = (
     Statement(
         "s6-damping-marginal",
         _VI,
-        "damping contributes only marginally to stability",
+        r"by how much $\delta=0.02$ raises the largest stable stiffness, for $d=0$ to 7",
         quote="an increase of damping is only marginally contributing to stability",
     ),
     Statement(
@@ -473,7 +473,7 @@ CLAIMS = (
     Statement(
         "s6-stiffness-marginal",
         _VI,
-        "physical stiffness within its range hardly affects stability",
+        r"by how much $\gamma=0.001$ lowers the largest stable stiffness, for $d=0$ to 7",
         quote="the effect of physical stiffness within the possible range is hardly affecting "
         "stability",
     ),

@@ -1,0 +1,52 @@
+"""What the abstract, Sec. V and Sec. VI state on passivity beside stability."""
+
+from __future__ import annotations
+
+from symhaptic.paper.statement import Statement
+
+CLAIMS_COMPARED = (
+    Statement(
+        "one-delta",
+        "Sec. V-A",
+        r"the passive walls of a held device are those of (5) with the same $\delta$ as its "
+        "stable walls",
+        quote=r"For given $\delta$ and $d$, these boundaries can be plotted in the same $(\alpha, "
+        r"\beta)$-plane as the stability boundaries.",
+    ),
+    Statement(
+        "s0-far-higher",
+        "Abstract",
+        "some stable wall is at least as stiff as all passive walls, and how many times as stiff",
+        quote="the maximum stable stiffness of virtual walls is far higher than admitted by "
+        "passivity",
+    ),
+    Statement(
+        "s5a-much-smaller",
+        "Sec. V-A",
+        "stable walls can be many times as stiff and as damped as passive ones, for the arm and "
+        "the whole delays of Fig. 11",
+        quote="The dimensions of the passive regions are much smaller than those of the stable "
+        "ones.",
+    ),
+    Statement(
+        "s5b-clearly-larger",
+        "Sec. V-B",
+        "some stable wall is at least as stiff as all passive walls, and how many times as stiff",
+        quote="The maximum stable stiffness is clearly larger than the passive stiffness.",
+    ),
+    Statement(
+        "s6-damping-any-delay",
+        "Sec. VI",
+        "some factor bounds what the damper adds to the largest stable stiffness, for every arm of "
+        "(23) and every whole delay",
+        quote="an increase of damping is only marginally contributing to stability",
+    ),
+    Statement(
+        "s6-stiffness-any-delay",
+        "Sec. VI",
+        "some factor bounds what the spring changes of the largest stable stiffness, for every arm "
+        "of (23) and every whole delay",
+        quote="the effect of physical stiffness within the possible range is hardly affecting "
+        "stability",
+    ),
+)
