@@ -73,8 +73,9 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
     return lines
 
 
-UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL, Kind.SLIP})
-"""Verdicts that rest on a chapter's word: what joins its checks, data outside, or a wrong name."""
+UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL, Kind.SLIP, Kind.UNDECIDED})
+"""Verdicts that rest on a chapter's word: what joins its checks, data outside, a wrong name, or that
+nothing decides the statement."""
 
 
 def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:

@@ -197,6 +197,18 @@ class Page(Steps):
         in_latex(id, right, shows)
         return self._record(statement, Settlement(slip=right, shows=shows))
 
+    def leave_open(self, id: str, note: str) -> Verdict:
+        """List a statement as undecided; ``note`` says which parts of it are known.
+
+        An undecided statement never passes.
+        """
+        statement = STATEMENTS.get(id) or self.own.get(id)
+        if statement is None:
+            raise FalseStep(f"no statement {id!r}")
+        in_latex(id, note)
+        claim = self.claimed.get(id) or CLAIMED.get(id)
+        return self._record(statement, Settlement(left_open=True, note=note, claim=claim))
+
     def _beside_the_page(self, settlement: Settlement) -> Settlement:
         """With what the page shows of the forms."""
         facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]

@@ -68,8 +68,9 @@ def verify(
         bool,
         typer.Option(
             "--strict",
-            help="Fail on undecided too, on argued or external where no ledger says so, and of a "
-            "source on another print, condition or correction than its ledger's.",
+            help="Fail on what no chapter settles, on undecided, argued or external where no "
+            "ledger says so, and of a source on another print, condition or correction than its "
+            "ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -174,7 +175,7 @@ def verify(
         surprises += committed.unproved(entries, known)
         if source is not None and known is not None:
             surprises += committed.reworded(entries, source / "ledger.json")
-    undecided = [e for e in entries if e.verdict.kind == "undecided"]
+    undecided = [e for e in entries if e.verdict.kind == "undecided" and e.derivation is None]
     stale(entries)
     for path in own if source is None and surprises else []:
         if (path.parent / chapters.SOURCE_FILE).is_file():

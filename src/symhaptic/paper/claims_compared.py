@@ -49,4 +49,47 @@ CLAIMS_COMPARED = (
         quote="the effect of physical stiffness within the possible range is hardly affecting "
         "stability",
     ),
+    Statement(
+        "s5c-every-spring",
+        "Sec. V-C",
+        "a wall that is stable with every spring up to the Nyquist frequency is stable with every "
+        "spring",
+        quote="a physical spring can never destabilize a haptic system, which is rendering a "
+        "virtual wall with parameter values inside this intersection, independent of the spring "
+        "stiffness",
+    ),
+    Statement(
+        "s5c-robust-shrinks",
+        "Sec. V-C",
+        "the largest robustly stable stiffness falls with each period of delay",
+        quote="also the robustly stable region shrinks with increasing delay",
+    ),
+    Statement(
+        "s5c-robust-shrinks-sets",
+        "Sec. V-C",
+        "the robustly stable walls of a larger delay are among those of a smaller one",
+        quote="also the robustly stable region shrinks with increasing delay",
+    ),
+    Statement(
+        "s5c-robust-grows",
+        "Sec. V-C",
+        "the largest robustly stable stiffness rises with the damping",
+        quote="also the robustly stable region [...] grows with increasing physical damping",
+    ),
+    Statement(
+        "s5c-robust-grows-sets",
+        "Sec. V-C",
+        "the robustly stable walls of a damping are among those of a larger one",
+        quote="also the robustly stable region [...] grows with increasing physical damping",
+    ),
+    Statement(
+        "s6-why-conservative",
+        "Sec. VI",
+        "with stiff springs admitted, stable walls are hardly stiffer than passive ones: by how "
+        "much",
+        quote="it is illustrated why passivity is conservative for haptic systems in terms of "
+        "stability. Passivity considers a wide range of physical stiffness values, up to a "
+        "stiffness that causes the system oscillating in frequencies close to the Nyquist "
+        "frequency.",
+    ),
 )

@@ -28,6 +28,9 @@ from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
+OPEN = "no theorem decides it"
+"""The method of a verdict that a chapter leaves open."""
+
 ACCEPTED = PASSES | {Kind.QUALIFIED}
 """Verdicts of what is right, with a condition or without."""
 
@@ -57,6 +60,8 @@ class Settlement:
     external: str | None = None
     slip: str | None = None
     """What is meant, of a wrong name, number or reference in the text, in LaTeX."""
+    left_open: bool = False
+    """No theorem decides the statement; the note says what is known."""
     shows: str | None = None
     note: str | None = None
     assumed: bool = False
@@ -98,6 +103,9 @@ class Settlement:
             return Verdict(
                 Kind.SLIP, "", corrected_latex=self.slip, shows=self.shows, note=self.note
             )
+        if self.left_open:
+            claim = None if self.claim is None else self.claim(printed)
+            return Verdict(Kind.UNDECIDED, OPEN, note=self.note, claim=claim)
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         if not self.values:
