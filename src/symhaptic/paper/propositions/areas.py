@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from sympy import Rational, S
 
-from symhaptic.notation import alpha, beta
+from symhaptic.notation import alpha, beta, delta, gamma
 from symhaptic.notation.proposition import (
     ForAll,
     Proposition,
@@ -20,8 +20,10 @@ from symhaptic.notation.proposition import (
     implied,
     proposition,
 )
+from symhaptic.paper.propositions.comparison import transcribed
 from symhaptic.paper.propositions.ratio import ARM, stable
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.paper.ranges import STIFF
 from symhaptic.paper.reading import Printed
 
@@ -231,3 +233,56 @@ def _delay_takes_area(printed: Printed) -> Proposition:
     shorter delay.
     """
     return both(map(smaller, range(LONGEST))).at(ARM)
+
+
+# -- what arm and mass do --------------------------------------------------------------------------
+
+
+def moved_by_the_spring() -> Proposition:
+    """Without delay a wall that is stable without a spring, less 0.001 of stiffness, is so with it.
+
+    The walls with gamma = 0.001 so fill a copy of the region without a spring at least, moved to
+    the left.  For both ends of the range of delta.
+    """
+    free, sprung = stable(0).at({gamma: S.Zero}), stable(0, (alpha - STIFF, beta))
+    kept = ForAll((alpha, beta), implied([free], sprung.at({gamma: STIFF})))
+    return both(kept.at({delta: damper}) for damper in (S.Zero, DAMPED))
+
+
+def kept_by_the_damper() -> Proposition:
+    """Without delay a wall that is stable with an arm of (23) is stable with a larger damper."""
+    more = stable(0).at({delta: HEAVIER})
+    given = [*transcribed("eq23"), delta < HEAVIER, HEAVIER <= DAMPED, stable(0)]
+    return ForAll((alpha, beta, gamma, delta, HEAVIER), implied(given, more))
+
+
+AROUND = (
+    (-S.One, S.Zero, STIFF),
+    (S.Zero, -S.One, Rational(3, 100)),
+    (S.One, S.Zero, Rational(722, 1000)),
+    (S.Zero, S.One, Rational(203, 100)),
+)
+"""A rectangle that holds all stable walls of (23) without delay."""
+HEAVY = {gamma: STIFF / 2, delta: DAMPED / 2}
+"""The arm of Figs. 11 and 12 with twice the mass."""
+
+
+def grown_with_the_mass() -> Proposition:
+    """With twice the mass the walls (K, B) fill more area, for the arm of Figs. 11 and 12.
+
+    Without delay.  Of the same wall alpha and beta are half as large with twice the mass, so that
+    the area counts four times.
+    """
+    inside = ForAll((alpha, beta), implied(within(sides(inner(0))), stable(0))).at(HEAVY)
+    around = in_polygon(0, AROUND).at(ARM)
+    return both([inside, around, Relation(area(corners(AROUND)), "<", 4 * area(inner(0)))])
+
+
+@claims("s4d-all-stabilising-area")
+def _each_part_adds_area(printed: Printed) -> Proposition:
+    """Spring, damper and mass each add area to the region without delay.
+
+    The spring: between the ends of the range of gamma.  The damper: the region holds all walls of
+    the one with less damping.  The mass: where it is doubled.
+    """
+    return both([moved_by_the_spring(), kept_by_the_damper(), grown_with_the_mass()])
