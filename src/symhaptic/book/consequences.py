@@ -7,6 +7,10 @@ Formulas between dollar signs.
 from __future__ import annotations
 
 UNSAFE: dict[str, str] = {
+    "one-delta": "For passivity use the damping of the device alone, $b_D$, and for stability "
+    "that of the device in the arm, $b_D+b_H$. With one $\\delta$ for both, the passive walls "
+    "of Figs. 11 to 13 are far too stiff for a held device: for an arm and a device of equal "
+    "mass at the limits of (21) and (22), 24 times.",
     "s4d-all-stabilising": "A firmer grip or a heavier handle can destabilise a wall that was "
     "stable. Test the range of grips, not the loosest one.",
     "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable "
@@ -52,18 +56,19 @@ UNSAFE: dict[str, str] = {
     "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
     "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall "
     "with $K\\ge0$ stays passive that way.",
-    "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "
-    "stiffness at one period and a third at eight. At forty, with a spring, 0.02 bears eleven "
-    "times what 0.001 does. Do not give it away.",
-    "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
-    "free device to (23) changes the limit many times over.",
+    "s6-damping-any-delay": "With a delay the damper matters. A $\\delta$ of 0.02 adds 7\\,\\% "
+    "to the stable stiffness at one period of delay and a third at eight periods. At forty "
+    "periods, with a spring, the stable stiffness at $\\delta=0.02$ is eleven times that at "
+    "0.001.",
+    "s6-stiffness-any-delay": "With long delays the grip decides: between a free device and the "
+    "largest $\\gamma$ of (23) the limit changes many times over.",
     "s6-subset": "Passive walls are stable if the device is damped and $K+k>0$. For a fractional "
     "delay the exact condition of passivity is needed, not (5).",
     "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
     "spring of the hand harmless. Do not rely on a device without damping.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
     "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
-    "unstable. Use the modified z-transform (\texttt{is\\_stable} with that delay).",
+    "unstable. Use the modified z-transform (	exttt{is\\_stable} with that delay).",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
     "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
 }

@@ -23,6 +23,7 @@ USE = (
         "The boundary of the stable walls, for every device and delay",
         ("explicit-boundary",),
     ),
+    ("Stable or not, by Jury's inequalities", ("jury-inequalities",)),
     ("The linear limit of stability", ("eq24", "eq25")),
     ("Passive walls are stable", ("s5a-subset",)),
     ("Behind a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),

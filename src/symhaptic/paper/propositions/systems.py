@@ -12,8 +12,7 @@ from symhaptic.notation.proposition import (
     implied,
     proposition,
 )
-from symhaptic.paper.propositions.comparison import COMES_TO_REST, LOOP
-from symhaptic.paper.propositions.comparison import PASSIVE_WALL as WALL
+from symhaptic.paper.propositions.comparison import COMES_TO_REST, LOOP, PASSIVE_WALL
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -50,6 +49,6 @@ def _what_is_connected_is_passive_and_stable(printed: Printed) -> Proposition:
     an arm and a device with the wall: a loop comes to rest, behind every delay, if no motion gains
     energy from its wall and its damper.
     """
-    given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, WALL]
+    given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, PASSIVE_WALL]
     every = both([*map(connected, REAL), COMES_TO_REST])
     return ForAll((*FREQUENCY, KIND, *LOOP), implied(given, every))
