@@ -24,7 +24,7 @@ from symhaptic.paper.propositions.comparison import transcribed
 from symhaptic.paper.propositions.ratio import ARM, stable
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import STIFF
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.paper.reading import Printed
 
 Wall: TypeAlias = tuple[Rational, Rational]
