@@ -47,9 +47,8 @@ def derive(page):
         need,
         brackets,
         paper="5",
-        name=r"\frac{T}{2}\,\frac{\Re\{(1-e^{-j\theta})H(e^{j\theta})e^{-jd\theta}\}}"
-        r"{1-\cos\theta}",
-        because="the wall put into the energy balance, with $z=e^{j\\theta}$, $\\theta=\\omega T$",
+        name=r"\frac{T}{2}\,\frac{\Re\{(1-1/z)H(z)z^{-d}\}}{1-\cos\theta}\Big|_{z=e^{j\theta}}",
+        because="the wall put into the energy balance, with $\\theta=\\omega T$",
     )
     page.step(
         "The stiffness counts with Dirichlet's kernel",

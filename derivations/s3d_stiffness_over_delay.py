@@ -31,7 +31,7 @@ def derive(page):
         "The tip of the envelope has the stiffness of (11)",
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
-        name=r"\frac{KT}{b}",
+        name=r"\frac{K_{\max}T}{b}",
         because="the tip of the envelope, where the damping does nothing",
     )
     larger(page)

@@ -122,7 +122,7 @@ def _delay(page):
         "On the unit circle the delay only turns",
         on_circle(z ** (-d), omega * T),
         exp(-I * d * omega * T),
-        name=r"z^{-d}",
+        name=r"z^{-d}\big|_{s=j\omega}",
     )
     page.lemma(
         "A force that comes whole periods late is $z^{-d}$ times the force",

@@ -4,7 +4,7 @@ Seven physical parameters describe the loop. Measured in units of the moving mas
 sampling period, two of them disappear.
 """
 
-from sympy import Eq, Ne, Poly, S, exp
+from sympy import Eq, Function, Ne, Poly, S, exp
 
 from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
@@ -49,6 +49,7 @@ def derive(page):
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
+    page.define("The wall, (1)", Function("H")(z), wall.transfer())
     force = page.step(
         "The wall has two numbers, $\\alpha$ and $\\beta$",
         wall.transfer() * T**2 / m,

@@ -38,16 +38,16 @@ def derive(page):
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "In these numbers the wall has no unit",
+        "In these numbers the delayed wall has no unit",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
-        name=r"\tfrac{T^2}{m}H(z)z^{-d}",
+        name=r"\tfrac{T^2}{m}H_d(z)",
     )
     page.step(
         "The closed loop is a quotient with one denominator",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
-        name=r"\tfrac{m}{T^2}G_x(z)",
+        name=r"\tfrac{m}{T^2}G_x",
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
         paper="16",
     )

@@ -110,20 +110,19 @@ def _mean(page, mean):
     parts = {p: m_D / (m_D + m_H), x: b_D / m_D, y: b_H / m_H}
     known = map(proposition, STATEMENTS["eq19"].printed)
     given = [*GIVEN, *known, *(Relation(name, "=", of) for name, of in parts.items())]
-    wanted = both([Eq(delta, T * mean), Eq(delta, T * (p * x + (1 - p) * y)), p > 0, p < 1])
+    wanted = both([Eq(delta / T, mean), Eq(delta, T * (p * x + (1 - p) * y)), p > 0, p < 1])
     claim = every((*ARM, gamma, delta, *parts), given, wanted)
     page.state(
         "arm-mean-ratio",
         r"$\delta/T$ is the mean of $b_D/m_D$ and $b_H/m_H$, weighted by the masses",
-        r"\delta = T \cdot \left( \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
-        r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H} \right)",
+        r"\frac{\delta}{T} = \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
+        r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H}",
         claim=claim,
     )
     ones = dict.fromkeys((x, y), S.One) | {p: S.Half}
     page.settle(
         "arm-mean-ratio",
         for_all((*ARM, gamma, delta, *parts), given, weakened(weighted(claim), *given)),
-        Eq(delta, T * mean),
         example=example(PLAIN | ones, given),
         note="so it is at most the larger of them",
     )

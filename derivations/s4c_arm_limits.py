@@ -108,11 +108,14 @@ def limits(page, spring, damper):
         because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
     )
     signs = {"<": Lt, "<=": Le}
-    forms = [signs[p.sign](p.left, p.right, evaluate=False) for p in inside.conclusion.of]
+    names = {meaning: name for name, meaning in held.items()}
+    forms = [
+        signs[p.sign](p.left.xreplace(names), p.right.xreplace(names), evaluate=False)
+        for p in inside.conclusion.of
+    ]
     page.settle_external(
         "eq22",
         "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",
         r"follows from both; the weighted mean of both gives $14.6\,T$ already",
         *forms,
-        given=held,
     )

@@ -51,7 +51,7 @@ def derive(page):
     page.enclosed(
         "Rounding makes the ranges wider",
         [
-            (rf"\frac{{{text}}}{{{NAMES[name]}}}", factor)
+            (rf"\frac{{{text}}}{{{NAMES[name]}}}\Big|_{{(22)}}", factor)
             for name, text, factor in zip(NAMES, ("0.001", "0.020"), factors, strict=True)
         ],
         because="the fractions $\\tfrac{100}{71}$ and $\\tfrac{800}{609}$: stiffness is "

@@ -57,7 +57,7 @@ def begin(page, stiffness, damping):
         theta,
         S.Zero,
         S.NegativeOne,
-        name=r"\alpha/\gamma",
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.limit(
         "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
@@ -110,12 +110,12 @@ def end(page):
         "For odd half swings, $x=-1$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
-        name=r"\alpha/\gamma",
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.step(
         "For $x=-1$ the damping stays finite, too",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
-        name=r"(\alpha+2\beta)/\gamma",
+        name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
         because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
     )

@@ -9,7 +9,7 @@ from sympy import Rational, S, cos, diff, pi, sin, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import d, h, phi, psi, theta
+from symhaptic.notation import alpha, d, h, phi, psi, theta
 from symhaptic.proof import sign
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
@@ -21,6 +21,8 @@ AT = r"at $\varphi=\varphi_*$"
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
+    page.define("The delay by its share in the loop", d, 1 / h - 1)
+    page.define("The boundary's stiffness", alpha, stiffness)
     scaled = page.step(
         "With $\\varphi$ for the angle the stiffness has a factor near 1",
         stiffness / h**2,

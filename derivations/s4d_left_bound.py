@@ -31,14 +31,14 @@ def derive(page):
         "An overdamped device has a positive sum",
         (total * gamma).xreplace(given),
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
-        name=r"\gamma(n_1+n_0)",
+        name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
         because="both factors are positive for $0\\le c<\\delta$, that is $\\gamma>0$",
     )
     page.step(
         "A swinging device has a positive sum",
         (total * gamma).xreplace(given).subs(c, 2 * I * phi),
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
-        name=r"\gamma(n_1+n_0)",
+        name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
         because="with $c=2j\\varphi$; zero only for $\\delta=0$ and whole swings, "
         "$\\varphi=2\\pi,4\\pi,\\ldots$, where $p_1(1)=0$ for every wall and none is stable",
     )
@@ -46,7 +46,7 @@ def derive(page):
         "Without a spring the sum is positive",
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
-        name="n_1+n_0",
+        name=r"(n_1+n_0)\big|_{\gamma=0}",
         because="positive too, and 1 for $\\delta\\to0$",
     )
     page.say(

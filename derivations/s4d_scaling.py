@@ -34,7 +34,7 @@ def derive(page):
         "For $\\delta=\\frac1{100}$ the largest damping and stiffness are enclosed",
         [
             (r"\alpha_{\max}", value(LARGEST, {delta: AFTER})),
-            (r"1/n_0", value(1 / ARM.n0, {delta: AFTER})),
+            (r"1/n_0\big|_{\delta=0.01}", value(1 / ARM.n0, {delta: AFTER})),
         ],
         because="that is the same damper with half the period: no $\\beta$ makes the first wall's "
         "$\\alpha$, four times its stiffness, stable, and no $\\alpha$ the second wall's $\\beta$, "

@@ -49,11 +49,11 @@ def derive(page):
         "$(d+\\frac12)(\\alpha+\\gamma)/\\theta^2$",
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
+    page.define("The share of $n_0$ without a spring", nu, linear.numbers(device)[nu])
     page.step(
         "Without a spring $\\nu$ is a cotangent, $s_1=\\delta$ and $s_2=1$",
-        1 - 2 * linear.numbers(device)[nu],
+        1 - 2 * nu,
         1 / tanh(delta / 2) - 2 / delta,
-        name=r"1-2\nu",
     )
     page.step(
         "Without a spring the error starts from a quotient in $\\delta$",

@@ -90,11 +90,11 @@ def example_(page, spring):
 def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
     share = b**2 / (4 * m) / (pi**2 * m / T**2)
+    page.define("The damping by mass and period", b, delta * m / T)
     page.step(
         "The damping has a share that only $\\delta$ decides",
-        share.subs(b, delta * m / T),
+        share,
         delta**2 / (4 * pi**2),
-        name=r"\frac{b^2/(4m)}{\pi^2m/T^2}",
         because="of the stiffness without damping, for every device",
     )
     symbols, given, then = taken_apart(CLAIMED["s5c-marginal-b"](()))

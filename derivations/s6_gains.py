@@ -31,16 +31,16 @@ def passive(page):
         "With $T=t_d/d$ the stiffness (11) is a number over the delay",
         (stiffness * t_d / b).subs(T, t_d / d),
         2 * d * tan(pi / (4 * (d + 1))),
-        name=r"Kt_d/b",
+        name=r"K_{\max}t_d/b",
     )
     page.say("With $h=1/(d+1)$:")
     page.limit(
-        "With endlessly fast sampling $Kt_d/b$ tends to $\\pi/2$",
+        "With endlessly fast sampling $K_{\\max}t_d/b$ tends to $\\pi/2$",
         scaled.subs(d, 1 / h - 1),
         h,
         S.Zero,
         pi / 2,
-        name=r"Kt_d/b",
+        name=r"K_{\max}t_d/b",
         because="",
     )
     page.state(

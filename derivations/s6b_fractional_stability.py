@@ -145,13 +145,13 @@ def derive(page):
             4 * m_2 * m_0 * x**2 + 2 * m_1 * (m_2 + m_0) * x + m_1**2 + (m_2 - m_0) ** 2,
         ),
         (
-            "The size of the wall is linear in $\\cos\\theta$",
+            "The size of the wall $W=(\\alpha+\\beta)z-\\beta$ is linear in $\\cos\\theta$",
             push,
             alpha**2 + 2 * beta * (alpha + beta) * (1 - x),
         ),
     ):
         value = on_circle(factor)
-        name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, r"|(\alpha+\beta)z-\beta|^2")
+        name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, "|W|^2")
         page.step(title, value * value.xreplace({I: -I}), square, name=name)
     page.say(
         "So the angles of all possible crossings are the roots of one cubic in $\\cos\\theta$, a "

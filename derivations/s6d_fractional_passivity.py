@@ -151,6 +151,7 @@ def derive(page):
         r"+ \varepsilon \sin((\ell+\tfrac{3}{2})\theta)) "
         r"\br \geq \frac{\varepsilon(1-\varepsilon)}{4} (K^2T^2 + 4B(KT+B) \sin^2(\theta/2))",
         claim=condition_at_every_angle(),
+        condition=True,
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
     page.settle(

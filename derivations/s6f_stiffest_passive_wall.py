@@ -59,6 +59,7 @@ def derive(page):
         r"\varepsilon(1-\varepsilon) KT \sin\theta \leq 2b (1 - (1-\varepsilon) "
         r"\sin((\ell+1)\theta) - \varepsilon \sin((\ell+2)\theta))",
         claim=bounded(),
+        condition=True,
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from symhaptic.book.ledger import Entry
 from symhaptic.proof.settle import ACCEPTED
-from symhaptic.proof.verdict import Kind, called
+from symhaptic.proof.verdict import Kind
 
 GENERATED = "written by `symhaptic report`; do not edit"
 
@@ -26,7 +26,7 @@ def committed(entries: Iterable[Entry]) -> str:
 def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
     data = json.loads(path.read_text(encoding="utf-8"))
-    return {r["id"]: called(r["verdict"], r.get("argued_for")) for r in data["statements"]}
+    return {r["id"]: r["verdict"] for r in data["statements"]}
 
 
 def places(path: Path) -> dict[str, str]:
@@ -36,7 +36,7 @@ def places(path: Path) -> dict[str, str]:
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
-    """Statements whose verdict is not the committed one; new ones of one's own hold, or are argued.
+    """Statements whose verdict is not the committed one; new ones of one's own have to hold.
 
     In a ``whole`` ledger each of the committed ones is there.
     """
@@ -44,9 +44,9 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
     lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
     for entry in entries:
-        id, kind = entry.statement.id, entry.verdict.named
+        id, kind = entry.statement.id, str(entry.verdict.kind)
         if entry.own and id not in known:
-            if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
+            if entry.verdict.kind not in ACCEPTED | {Kind.EXTERNAL}:
                 lines.append(f"{id}: {entry.verdict}; a statement of one's own is to hold")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
@@ -73,13 +73,12 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
     return lines
 
 
-UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL, Kind.SLIP, Kind.UNDECIDED})
-"""Verdicts that rest on a chapter's word: what joins its checks, data outside, a wrong name, or that
-nothing decides the statement."""
+UNPROVED = frozenset({Kind.EXTERNAL, Kind.SLIP, Kind.UNDECIDED})
+"""Verdicts that no theorem gives: they rest on data outside, on a wrong name, or on nothing yet."""
 
 
 def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
-    """Statements that rest on a chapter's word where no ledger is to have them."""
-    words = (e for e in entries if e.verdict.kind in UNPROVED)
-    new = (e for e in words if known is None or (e.own and e.statement.id not in known))
-    return [f"{e.statement.id}: {e.verdict.named}, and no ledger says so" for e in new]
+    """Statements that no theorem settles, where no ledger is to have them."""
+    found = (e for e in entries if e.verdict.kind in UNPROVED)
+    new = (e for e in found if known is None or (e.own and e.statement.id not in known))
+    return [f"{e.statement.id}: {e.verdict.kind}, and no ledger says so" for e in new]

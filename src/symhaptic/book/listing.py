@@ -17,7 +17,6 @@ from symhaptic import __version__
 from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.committed import places
-from symhaptic.book.judging import corrected_form
 from symhaptic.book.ledger import Entry, counted
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
@@ -102,23 +101,22 @@ def text(
     for entry in entries:
         verdict = entry.verdict
         detail = verdict.value or verdict.condition or ""
-        if verdict.claimed in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
+        if verdict.kind in (Kind.MISPRINT, Kind.REFUTED) and verdict.counterexample:
             detail = "at " + ", ".join(f"{k} = {v}" for k, v in verdict.counterexample.items())
         if entry.derivation:
             detail = f"{detail}  [{entry.derivation}]".strip()
         if named:
             lines += [f"{entry.statement.id}  {entry.statement.location}", *_told(entry)]
             lines += [f"{'verdict':>13}: {verdict.kind}  {detail}".rstrip(), *_right(entry), ""]
-        else:
-            lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
+            continue
+        lines.append(f"{entry.statement.id:{width}}  {verdict.kind:10}  {detail}".rstrip())
+        for definition in verdict.definitions:
+            lines.append(f"{'':{width}}  {'by':10}  {definition}, defined in {entry.derivation}")
     lines += [f"DIFFERS  {line}" for line in surprises]
     lines += [f"ERROR    {wrong}" for wrong in bad]
     plural = "" if len(entries) == 1 else "s"
     kinds = f": {counted(entries)}" if entries else ""
     lines.append(f"{len(entries)} statement{plural}{kinds}")
-    argued = sum(e.verdict.kind is Kind.ARGUED for e in entries)
-    if argued:
-        lines.append(f"{argued} argued: words join what was checked, which is not a pass")
     if any(e.rocq.extent != foreign.NOT for e in entries):
         lines.append(f"checked by Rocq, too: {foreign.counted(e.rocq for e in entries)}")
     open_ = [e for e in entries if e.verdict.kind is Kind.UNDECIDED]
@@ -144,9 +142,11 @@ def _told(entry: Entry) -> list[str]:
 
 
 def _right(entry: Entry) -> list[str]:
-    """What is right instead, and what shows it."""
-    rows = [("right", corrected_form(entry.verdict)), ("shown by", entry.verdict.shows)]
-    rows.append(("note", entry.verdict.note))
+    """The definitions that were used, what is right instead, and what shows it."""
+    verdict = entry.verdict
+    by = [f"{definition}, defined in {entry.derivation}" for definition in verdict.definitions]
+    rows = [("by", what) for what in by] + [("right", verdict.corrected)]
+    rows += [("shown by", verdict.shows), ("note", verdict.note)]
     return [f"{name:>13}: {what}" for name, what in rows if what]
 
 

@@ -68,9 +68,8 @@ def verify(
         bool,
         typer.Option(
             "--strict",
-            help="Fail on what no chapter settles, on undecided, argued or external where no "
-            "ledger says so, and of a source on another print, condition or correction than its "
-            "ledger's.",
+            help="Fail on what no chapter settles, on undecided or external where no ledger says "
+            "so, and of a source on another print, condition or correction than its ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -170,7 +169,6 @@ def verify(
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
-    surprises += [entry.wrong for entry in found if entry.wrong]
     if strict:
         surprises += committed.unproved(entries, known)
         if source is not None and known is not None:

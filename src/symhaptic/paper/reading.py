@@ -8,6 +8,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import NoReturn, TypeAlias
 
 import sympy as sp
@@ -34,9 +35,14 @@ _RELATIONS: dict[str, type] = {
     r"\approx": sp.Eq,
     "<": sp.StrictLessThan,
     ">": sp.StrictGreaterThan,
+    **dict.fromkeys((r"\neq", r"\ne"), sp.Ne),
     **dict.fromkeys((r"\leq", r"\le"), sp.LessThan),
     **dict.fromkeys((r"\geq", r"\ge"), sp.GreaterThan),
 }
+_SIGN = re.compile(
+    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)\b"
+)
+"""What relates two sides, whether it can be read or not."""
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
 _TIMES = {"(": "t", "[": "k"}
@@ -79,6 +85,16 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     (K < 2*b/T,)
     """
     return _Reader(latex, notation).line()
+
+
+def signs_of(lines: Iterable[str]) -> list[str]:
+    r"""The relation signs of some LaTeX, in their order.
+
+    >>> signs_of([r"x \ne y", r"0 \leq x < 1"])
+    ['\\\\neq', '\\\\leq', '<']
+    """
+    other = {r"\le": r"\leq", r"\ge": r"\geq", r"\ne": r"\neq", ":=": "="}
+    return [other.get(sign, sign) for line in lines for sign in _SIGN.findall(line)]
 
 
 def _called(latex: str) -> str:

@@ -12,8 +12,14 @@ from sympy import Expr
 
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Certificate, Zero
-from symhaptic.proof.checks import Minimal, confirmed
-from symhaptic.proof.roots import BITS, Algebraic, NoSuchRoot, between_decimals, root_between
+from symhaptic.proof.roots import (
+    BITS,
+    Algebraic,
+    NoSuchRoot,
+    between_decimals,
+    is_minimal,
+    root_between,
+)
 from symhaptic.proof.seal import KEY, Sealed
 
 
@@ -46,7 +52,7 @@ def enclosed(source: Source) -> Enclosed:
     if isinstance(source, Zero):
         return Enclosed(source.ball, (source,), KEY)
     if isinstance(source, Algebraic):
-        if not confirmed(Minimal(source)):
+        if not is_minimal(source):
             raise NoSuchRoot(f"{source.minimal} is not shown to be a minimal polynomial")
         return Enclosed(source.ball, (), KEY)
     if isinstance(source, arb):

@@ -73,12 +73,12 @@ def weighted(claim: Proposition) -> Theorem:
         [rules[y], -T * (1 - own)],
     )
     found = conjoined(
-        combined(plain, [rules[delta], S.One]),
+        combined(plain, [rules[delta], 1 / T]),
         made,
         positive(above, [shares[0]], [rules[p], -S.One]),
         positive(below, [shares[1]], [rules[p], S.One]),
     )
-    return closed(found, mass, *apart)
+    return closed(found, mass, *apart, positive(Ne(T, 0), T > 0))
 
 
 def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:

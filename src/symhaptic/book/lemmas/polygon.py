@@ -22,9 +22,10 @@ from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model.passivity import mirror
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, y, z
-from symhaptic.notation.proposition import Proposition, Relation, proposition, whole
+from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.numeric.plant import discretize
-from symhaptic.paper.propositions.stability import SQUARE, TERMS, stiffness
+from symhaptic.paper.propositions.areas import Side, Wall, sides, within
+from symhaptic.paper.propositions.stability import SQUARE
 from symhaptic.proof.theorems.familiar import (
     decided,
     device_exists,
@@ -50,9 +51,6 @@ from symhaptic.proof.theorems.roots import roots_stay
 from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 Arm: TypeAlias = tuple[Expr, Expr]
-Wall: TypeAlias = tuple[Rational, Rational]
-Side: TypeAlias = tuple[Rational, Rational, Rational]
-"""p, q and c of the side p alpha + q beta <= c."""
 
 TURN = exp(I * theta)
 TOP = n_1 * TURN + n_0
@@ -61,34 +59,6 @@ WALL = (alpha + beta) * TURN - beta
 LATE = exp(I * (d + 1) * theta)
 ROOT = Relation(LATE * PLANT + TOP * WALL, "=", S.Zero)
 HALF = exp(-I * theta / 2)
-
-
-def across(delay: Expr = d) -> Expr:
-    """(alpha + 2 beta) |N|^2 sin(theta/2) of a wall that has a zero at exp(j theta)."""
-    return -sp.Add(*(c * sin((delay + k + S.Half) * theta) for k, c in TERMS.items()))
-
-
-def sides(corners: Sequence[Wall]) -> list[Side]:
-    """The sides of a convex polygon whose corners are given counterclockwise."""
-    found = []
-    for (x_1, y_1), (x_2, y_2) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        p, q = y_2 - y_1, x_1 - x_2
-        found.append((p, q, p * x_1 + q * y_1))
-    for p, q, c in found:
-        if any(p * x + q * y > c for x, y in corners):
-            raise ValueError(f"{corners}: these are no corners of a convex polygon in their order")
-    return found
-
-
-def area(corners: Sequence[Wall]) -> Rational:
-    """The area of a polygon, by its corners."""
-    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
-    return sum((x * w - v * u for (x, u), (v, w) in pairs), S.Zero) / 2
-
-
-def within(corners: Sequence[Wall]) -> list[Proposition]:
-    """That (alpha, beta) lies in a polygon."""
-    return [proposition(Relation(p * alpha + q * beta, "<=", c)) for p, q, c in sides(corners)]
 
 
 def middle(corners: Sequence[Wall]) -> Wall:
@@ -100,15 +70,24 @@ def middle(corners: Sequence[Wall]) -> Wall:
 # -- where a zero at an angle lies ----------------------------------------------------------
 
 
-def beyond(side: Side) -> tuple[Expr, Expr]:
-    """(p alpha + q beta - c) times a weight that is not negative, and the weight."""
+def beyond(side: Side, delay: int) -> Expr:
+    """(p alpha + q beta - c) |N|^2 cos(theta/2) of a wall that has a zero at exp(j theta).
+
+    With A/z = x + j y and N/sqrt(z) = u + j v such a wall has (alpha cos(theta/2) + j (alpha +
+    2 beta) sin(theta/2)) |N|^2 = -exp(j (d + 1) theta) (x + j y) (u - j v).  Nothing in this form
+    is a small difference of large numbers.
+    """
     p, q, c = side
-    size, along = cos(theta / 2), stiffness()
-    if q == 0:
-        return p * along - c * SQUARE * size, SQUARE * size
-    way, up = sin(theta / 2), across()
-    weight = SQUARE * way * size
-    return (p - q / 2) * way * along + q / 2 * size * up - c * weight, weight
+    low, high, turn = sin(theta / 2), cos(theta / 2), (delay + 1) * theta
+    x_ = (1 - a + e) * high**2 - (1 + a + e) * low**2
+    u_, lean = (n_1 + n_0) * high, n_1 - n_0
+    along = x_ * u_ + 2 * (1 - e) * lean * low**2 * high
+    up = 2 * (1 - e) * high * u_ - x_ * lean
+    # sin((d + 1) theta)/sin(theta/2)
+    waves = 2 * sp.Add(*(cos((n + S.Half) * theta) for n in range(delay + 1)))
+    stiff = low**2 * waves * up - along * cos(turn)
+    rise = -(along * waves + up * cos(turn))
+    return (p - q / 2) * stiff + high * (q / 2 * rise - c * SQUARE)
 
 
 def extremes(corners: Sequence[Wall]) -> tuple[Rational, Rational]:
@@ -135,11 +114,11 @@ class Stretch:
 def stretches(arm: Arm, delay: int, corners: Sequence[Wall]) -> list[Stretch]:
     """Angles from 0 to pi by the side that tells; found by a search."""
     values = discretize(float(arm[0]), float(arm[1]))
-    known = dict(zip(NUMBERS, map(float, values), strict=True)) | {d: delay}
-    grid = np.linspace(0.0, np.pi, 40001)
+    known = dict(zip(NUMBERS, map(float, values), strict=True))
+    grid = np.linspace(0.0, np.pi, 8001)
     runs: list[tuple[Side | None, np.ndarray[Any, Any]]] = []
     for side in (*sides(corners), None):
-        expr = outweighs(corners) if side is None else beyond(side)[0]
+        expr = outweighs(corners) if side is None else beyond(side, delay)
         good = sp.lambdify(theta, expr.xreplace(known), "numpy")(grid) > 0
         if side is not None:
             good &= grid < np.pi - 1e-3
@@ -190,28 +169,22 @@ def weights() -> dict[str, Theorem]:
 def _not_beyond(side: Side, delay: int, ranges: Any) -> Theorem:
     """No wall on the inner side has a zero at an angle of the interval."""
     p, q, c = side
-    value, weight = (expr.xreplace({d: S(delay)}) for expr in beyond(side))
-    known = weights()
-    factors = [known["size"], known["cosine"], *([known["sine"]] if q else [])]
+    known, size = weights(), SQUARE * cos(theta / 2)
     inner = combined(
-        (c - p * alpha - q * beta) * weight >= 0,
-        [assume(Relation(p * alpha + q * beta, "<=", c)), *factors],
+        (c - p * alpha - q * beta) * size >= 0,
+        [assume(Relation(p * alpha + q * beta, "<=", c)), known["size"], known["cosine"]],
     )
-    root = assume(ROOT.at({d: S(delay)}))
-    back = HALF * mirror(TOP)
-    # the real part is alpha cos(theta/2) |N|^2 and more, the imaginary one (alpha + 2 beta) sin ...
-    along, up = back / 2, back / (2 * I)
-    if q == 0:
-        shares = p * along
-    else:
-        shares = (p - q / 2) * sin(theta / 2) * along + q / 2 * cos(theta / 2) * up
+    root, back = assume(ROOT.at({d: S(delay)})), HALF * mirror(TOP)
+    # real and imaginary part are |N|^2 times alpha cos(theta/2), (alpha + 2 beta) sin(theta/2)
+    share = (p - q / 2) * back / 2 + q / 2 * cos(theta / 2) / sin(theta / 2) * back / (2 * I)
     outer = combined(
-        Relation(S.Zero, "<", (p * alpha + q * beta - c) * weight),
-        [at_point(value, ranges)],
-        [root, -shares],
-        [mirrored(root), -mirror(shares)],
+        Relation(S.Zero, "<", (p * alpha + q * beta - c) * size),
+        [at_point(beyond(side, delay), ranges)],
+        [root, -share],
+        [mirrored(root), -mirror(share)],
     )
-    return absurd(outer, combined(Relation((p * alpha + q * beta - c) * weight, "<=", 0), [inner]))
+    found = absurd(outer, combined(Relation((p * alpha + q * beta - c) * size, "<=", 0), [inner]))
+    return closed(found, positive(Ne(sin(theta / 2), 0), [known["sine"]]))
 
 
 def _not_outweighed(corners: Sequence[Wall], delay: int, ranges: Any) -> Theorem:
@@ -293,7 +266,7 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
     more, rest = assume(proposition(y > 0)), positive(1 - y >= 0, y <= 1)
     kept = [
         combined(side.at(wall), [more, assume(side)], [rest, c - p * start[0] - q * start[1]])
-        for side, (p, q, c) in zip(within(corners), sides(corners), strict=True)
+        for side, (p, q, c) in zip(within(sides(corners)), sides(corners), strict=True)
     ]
     leftmost = min(x for x, _ in corners)
     none = closed(placed(no_zero(arm, delay, corners), wall), *kept)
@@ -328,4 +301,4 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
     stable = applied(reading, zeros)
     found = chosen(device_exists(*arm, NUMBERS), closed(stable, fact(whole(late))))
     found = numbers_known(found)
-    return for_all((alpha, beta), within(corners), found)
+    return for_all((alpha, beta), within(sides(corners)), found)

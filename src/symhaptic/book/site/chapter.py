@@ -177,7 +177,7 @@ def _answer(chapter: Chapter, place: Place) -> list[str]:
 def _in_short(item: Settled) -> str:
     verdict = item.verdict
     says = words(item.statement.says)
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         says += f", for {math(verdict.condition or '')}\\ "
     return f"{says}: {kind(verdict.kind)}"
 
@@ -234,7 +234,7 @@ def _printed(item: Settled, place: Place) -> list[str]:
     consequence = CONSEQUENCES.get(statement.id)
     if consequence:
         out += [f"*For a device:* {words(consequence)}", ""]
-    if place.whole and source_of(statement.id) is PAPER and verdict.claimed in WRONG:
+    if place.whole and source_of(statement.id) is PAPER and verdict.kind in WRONG:
         out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
     names = [name for name, ids in STATEMENTS.items() if statement.id in ids]
     if place.whole and names:
@@ -265,20 +265,18 @@ def statement_in_words(statement: Statement) -> list[str]:
 
 def _right(verdict: Verdict) -> list[str]:
     """The right form where the printed one is wrong."""
-    if verdict.corrected_latex is not None:
-        return display([f"&{part}" for part in verdict.corrected_latex.split(r",\quad ")])
     if verdict.corrected is not None:
-        return display([f"&{latex(part)}" for part in verdict.corrected])
+        return display([f"&{part}" for part in verdict.corrected.split(r",\quad ")])
     return []
 
 
 def in_words(verdict: Verdict) -> str:
     """What is right, in one line."""
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         return f"for {math(verdict.condition or '')}"
-    if verdict.corrected_latex is not None:
-        return math(verdict.corrected_latex)
-    return words(right_is(verdict)) if verdict.corrected is None else math(latex(verdict.corrected))
+    if verdict.corrected is not None:
+        return math(verdict.corrected)
+    return words(right_is(verdict))
 
 
 def _table(block: Block) -> list[str]:

@@ -24,7 +24,6 @@ from symhaptic.book.tex.errata import AT_HAND, by_importance
 from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.results import USE
 from symhaptic.book.tex.words import anchor
-from symhaptic.notation.latex import latex
 from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
@@ -50,10 +49,8 @@ def results(entries: Sequence[Entry]) -> str:
 def _use(entry: Entry) -> list[str]:
     statement, verdict = entry.statement, entry.verdict
     lines = statement.latex
-    if verdict.corrected_latex is not None:
-        lines = tuple(verdict.corrected_latex.split(r",\quad "))
-    elif verdict.corrected is not None:
-        lines = tuple(latex(part) for part in verdict.corrected)
+    if verdict.corrected is not None:
+        lines = tuple(verdict.corrected.split(r",\quad "))
     shown = display([f"&{line}" for line in lines]) if lines else [words(statement.says), ""]
     where = [math(statement.domain)] if statement.domain else []
     where += [f"for {math(verdict.condition)}"] if verdict.condition else []
@@ -108,7 +105,7 @@ def _erratum(entry: Entry) -> list[str]:
 
 def of_form(entry: Entry) -> bool:
     """Whether something else is right than what is printed."""
-    return entry.verdict.claimed is not Kind.QUALIFIED
+    return entry.verdict.kind is not Kind.QUALIFIED
 
 
 def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:

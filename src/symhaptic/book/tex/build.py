@@ -46,7 +46,6 @@ MEANINGS = (
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
     (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),
-    (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
     (Kind.UNDECIDED, "none of these yet"),
 )
 RESERVED = (
@@ -157,7 +156,7 @@ def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
 
 def _errors(entries: list[Entry]) -> str:
     """How many entries the errata have."""
-    kinds = [entry.verdict.claimed for entry in entries if entry.source is PAPER]
+    kinds = [entry.verdict.kind for entry in entries if entry.source is PAPER]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
         f"Of {len(kinds)} statements of the paper {wrong} are wrong as they stand, "

@@ -38,7 +38,7 @@ OTHERS = "Other entries"
 
 def by_importance(entries: Iterable[Entry]) -> list[tuple[str, list[Entry]]]:
     """The errata of the paper in parts, the gravest first, each with its title."""
-    wrong = {e.statement.id: e for e in entries if e.source is PAPER and e.verdict.claimed in WRONG}
+    wrong = {e.statement.id: e for e in entries if e.source is PAPER and e.verdict.kind in WRONG}
     parts = [
         (title, [wrong.pop(id) for id in listed if id in wrong]) for title, listed in IMPORTANCE
     ]
@@ -59,13 +59,13 @@ def _erratum(entry: Entry, chapters: Mapping[str, int]) -> str:
     claim = verdict.proposition or ""
     claims = f"{{\\footnotesize ${running(claim)}$}}" if 0 < width(claim) < LONG_CLAIM else ""
     right = correction(verdict)
-    wrong = verdict.claimed in (Kind.MISPRINT, Kind.SLIP)
+    wrong = verdict.kind in (Kind.MISPRINT, Kind.SLIP)
     rows = [
         ("the paper", quoted(statement)),
         ("printed", formula(statement)),
         ("read as", prose(statement.says)),
         ("proposition", claims),
-        ("verdict", f"\\kind{{{verdict.claimed}}}{{{verdict.claimed}}}"),
+        ("verdict", f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"),
         ("right for", condition(verdict) if verdict.condition else ""),
         ("right" if wrong else "what holds", right),
         ("shown by", "; ".join(shown_by(verdict))),

@@ -73,7 +73,7 @@ def answers(settled: Sequence[Settled]) -> str:
 def _answered(item: Settled) -> str:
     statement, verdict = item.statement, item.verdict
     says = prose(statement.says)
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         says += f", for {condition(verdict)}"
     place = f"\\statementlink{{{place_of(statement.id)}}}{{{reference(statement.id)}}}"
     return f"\\answer{{{place}}}{{{says}}}{{\\kind{{{verdict.kind}}}{{{verdict.kind}}}}}"
@@ -183,16 +183,14 @@ def _continues(line: str) -> bool:
 
 def correction(verdict: Verdict) -> str:
     """The right form, line by line; empty where nothing is corrected."""
-    if verdict.corrected_latex is not None:
-        if verdict.corrected_latex.startswith(r"\forall"):
-            return f"{{\\footnotesize ${running(verdict.corrected_latex)}$}}"
-        text = verdict.corrected_latex
+    if verdict.corrected is not None:
+        if verdict.corrected.startswith(r"\forall"):
+            return f"{{\\footnotesize ${running(verdict.corrected)}$}}"
+        text = verdict.corrected
         if width(text) <= FORM:
             return stack([text])
         lines = [line for part in text.split(r",\quad ") for line in broken(part)]
         return stack(lines)
-    if verdict.corrected is not None:
-        return stack([latex(part) for part in verdict.corrected])
     return ""
 
 
@@ -205,9 +203,9 @@ RIGHT = 22.0
 
 def right_is(verdict: Verdict) -> str:
     """What is right: for a condition, or a correction; empty where what is printed is right."""
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         return f"for {condition(verdict)}"
-    text = verdict.corrected_latex or ""
+    text = verdict.corrected or ""
     if width(text) > LONG and verdict.shows:
         return verdict.shows
     if r"\text" in text:
@@ -239,7 +237,7 @@ def _formulas(text: str) -> str:
 def _verdict(verdict: Verdict) -> str:
     head = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
     rest = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
-    if verdict.value and verdict.claimed in (Kind.ENCLOSED, Kind.QUALIFIED):
+    if verdict.value and verdict.kind in (Kind.ENCLOSED, Kind.QUALIFIED):
         head += f":\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\"
         return head + "; ".join(rest)
     return head + (": " if rest else "") + "; ".join(rest)

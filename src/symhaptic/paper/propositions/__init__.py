@@ -8,6 +8,7 @@ T, m > 0, b, k, d >= 0, and K and B real.  One file a section of the paper.
 from __future__ import annotations
 
 from symhaptic.paper.propositions import (
+    areas,
     arm,
     comparison,
     conclusion,
@@ -29,6 +30,7 @@ from symhaptic.paper.propositions.registry import CLAIMED, Claim
 __all__ = [
     "CLAIMED",
     "Claim",
+    "areas",
     "arm",
     "comparison",
     "conclusion",
