@@ -49,10 +49,12 @@ def derive(page):
     angle = omega * T
     needed = passivity.required_damping(H(z), angle)
     printed = re((1 - exp(-I * angle)) * H(exp(I * angle)), evaluate=False)
-    page.result(
-        "At every angle the damper must burn more than the wall gives",
-        b > T / 2 / (1 - cos(angle)) * printed,
-        equal_to=b > needed,
+    page.step(
+        "At every angle the damper must exceed what the wall gives",
+        needed,
+        T / 2 / (1 - cos(angle)) * printed,
+        name=r"b_{\min}(\omega)",
+        boxed=True,
         paper="4",
         because="a motion whose spectrum is concentrated near an angle where this fails gains "
         "energy",

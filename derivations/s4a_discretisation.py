@@ -11,7 +11,7 @@ from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, function, k, m, omega, s, t, z
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
@@ -75,8 +75,6 @@ def derive(page):
     )
     page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
 
-    images = {c_2: exp(two), c_3: exp(one)}
-    stiffness = m * ((b * T / m) ** 2 - c_1**2) / (4 * T**2)
     page.say(
         "The samples obey $x_{k+1}=\\Phi x_k+\\Gamma F_k$ with $\\Phi=e^{AT}$, so the transfer "
         "function is $(1,0)(z-\\Phi)^{-1}\\Gamma$. Written with $c_1,c_2,c_3$:"
@@ -84,12 +82,11 @@ def derive(page):
     device = sampled(unit, split=c_1)
     exact = T**2 / m * device.transfer
     (form,) = read(CORRECTED)
-    given = images | {k: stiffness}
-    page.show(
+    page.step(
         "The discrete equivalent is the printed one with a factor $m/T$",
-        "P(z)",
-        CORRECTED,
-        page.same("written", exact.xreplace(given), form.xreplace(given)),
+        exact,
+        form,
+        name=function("P")(z),
         paper="12",
     )
     page.say(

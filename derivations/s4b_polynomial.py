@@ -6,7 +6,7 @@ polynomial, and its form should not break down for the devices that one meets.
 
 from functools import cache
 
-from sympy import Eq, Ne, S, exp, symbols
+from sympy import Eq, Ne, S, exp, sqrt, symbols
 
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
@@ -52,29 +52,32 @@ def derive(page):
         paper="16",
     )
     page.say("The denominator is monic and never degenerates:")
-    page.show(
+    page.step(
         "The characteristic polynomial, with the highest coefficient 1",
-        "p_1(z)",
+        loop.closing(plant.Sampled(n_1, n_0, a, e)),
         short,
-        page.same(
-            "the model",
-            loop.characteristic(split=c_1),
-            short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
-        ),
+        name="p_1(z)",
         boxed=True,
     )
     n, p, closed = function("n")(z), function("p")(z), function("G_x")(z)
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
-    exact = {gamma: (delta**2 - c_1**2) / 4}
-    exact |= {c_2: exp(-(delta + c_1) / 2), c_3: exp(-(delta - c_1) / 2)}
-    [eighteen] = STATEMENTS["eq18"].printed
-    page.show(
+    page.say("The abbreviations (15) of the paper are")
+    for title, name, meaning in (
+        ("The difference of the poles", c_1, sqrt(delta**2 - 4 * gamma)),
+        ("the image of the faster pole", c_2, exp(-(delta + c_1) / 2)),
+        ("and that of the slower one", c_3, exp(-(delta - c_1) / 2)),
+    ):
+        page.define(title, name, meaning)
+    [seventeen], [eighteen] = STATEMENTS["eq17"].printed, STATEMENTS["eq18"].printed
+    page.define("With them the paper writes the numerator (17)", n, seventeen.rhs)
+    page.define("and the denominator (18)", p, eighteen.rhs)
+    page.step(
         "(18) is this polynomial times a factor",
-        "p(z)",
-        r"-2c_1\gamma\,p_1(z)",
-        page.same("(18)", eighteen.rhs.xreplace(exact), bottom.xreplace(exact)),
-        because="with $c_1$, $c_2$ and $c_3$ of (15)",
+        eighteen.rhs,
+        bottom,
+        name=p,
+        because="$p(z)=-2c_1\\gamma\\,p_1(z)$ with the device's $n_1$, $n_0$, $a$ and $e$",
         paper="18",
     )
     page.say(

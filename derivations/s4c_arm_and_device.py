@@ -65,12 +65,6 @@ def derive(page):
         "the whole is a mean of the two:"
     )
     mean = b_D / m_D * m_D / (m_D + m_H) + b_H / m_H * m_H / (m_D + m_H)
-    page.show(
-        "The ratio of both together is a mean of the two",
-        r"\frac{\delta}{T}",
-        r"\frac{m_D}{m_D+m_H}\cdot\frac{b_D}{m_D}+\frac{m_H}{m_D+m_H}\cdot\frac{b_H}{m_H}",
-        page.same("the mean", damper / T, mean),
-    )
     _mean(page, mean)
     _limits(page)
 

@@ -73,13 +73,13 @@ def largest(page):
         "The stiffness of the row that is left out is beyond (23)",
         hard * PERIOD**2,
         Rational(1, 150),
-        name=r"\gamma",
+        name=r"\frac{kT^2}m",
     )
     page.step(
         "The damping of the row that is left out is beyond (23)",
         viscous * PERIOD,
         Rational(1, 20),
-        name=r"\delta",
+        name=r"\frac{bT}m",
     )
     return spring, up
 
@@ -87,11 +87,12 @@ def largest(page):
 def limits(page, spring, damper):
     """(22) from (19), (21) and the devices of the paper's reference [8]."""
     total = damper + DEVICE
-    page.show(
+    page.step(
         "The limits of arm and device add up",
-        "14.6+0.625",
-        "15.225",
-        page.same("sum", total, Rational("15.225")),
+        total,
+        Rational("15.225"),
+        name="14.6+0.625",
+        because="that is 15.225",
         paper="22",
     )
     page.settle_external(

@@ -37,23 +37,13 @@ def derive(page):
     )
     page.say("On the circle, $z=e^{j\\theta}$, real and imaginary part are two real equations.")
     stiffness, damping = boundary.solved(on_circle(q))
-    solved = page.same(
-        "both solved", on_circle(polynomial).subs({alpha: stiffness, beta: damping}), S.Zero
-    )
-    page.show(
-        "At each angle the boundary has one damping",
-        beta,
-        r"\frac{\Im Q}{\sin\theta}",
-        solved,
+    page.step(
+        "At each angle one wall solves both equations",
+        on_circle(polynomial).subs({alpha: stiffness, beta: damping}),
+        S.Zero,
+        name=r"p_1(e^{j\theta})\big|_{\beta=\Im Q/\sin\theta,"
+        r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
         because="for every plant, and for every real $d$ on the principal sheet",
-        boxed=True,
-    )
-    page.show(
-        "At each angle the boundary has one stiffness",
-        alpha,
-        r"\Re Q-\beta(1-\cos\theta)",
-        solved,
-        because="with both, $p_1(e^{j\\theta})$ vanishes identically",
         boxed=True,
     )
     page.figure(
@@ -88,14 +78,14 @@ def derive(page):
         "The free mass has this stiffness on its boundary",
         stiffness.subs(numbers),
         4 * tan(theta / 2) ** 2 * cos((d + 1) * theta),
-        name=alpha,
+        name=r"\alpha(\theta)",
         boxed=True,
     )
     short_damping = page.step(
         "The free mass has this damping on its boundary",
         damping.subs(numbers),
         2 * tan(theta / 2) * sin((d + S.Half) * theta) / cos(theta / 2),
-        name=beta,
+        name=r"\beta(\theta)",
         boxed=True,
     )
     page.limit(

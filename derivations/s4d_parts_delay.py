@@ -10,7 +10,6 @@ from sympy import Rational, S
 from symhaptic.book.lemmas.boundary import CORNER, begins, begins_there
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import both
 from symhaptic.paper.propositions import CLAIMED
@@ -56,12 +55,11 @@ def derive(page):
         "$\\beta=-0.022$."
     )
     stiff = {**wall, alpha: Rational(1, 10000), beta: Rational(-11, 500), delta: Rational(1, 50)}
-    p = loop.named()
-    page.inside(
-        "After forty periods of delay the roots lie inside", p, {**stiff, d: S(40)}, loop.numbers()
+    page.lemma(
+        "With forty periods of delay $\\alpha=0.0001$, $\\beta=-0.022$ is stable",
+        stable_at({**stiff, d: S(40)}),
     )
-    page.outside("Without delay the same wall has a root outside", p, stiff, loop.numbers())
-
+    page.lemma("Without delay $\\alpha=0.0001$, $\\beta=-0.022$ is not stable", unstable_at(stiff))
     corners = every(NUMBERS, [DEVICE], both([begins(), begins(d + 1, CORNER - gamma)]))
     plant, arm = [gamma >= 0, delta > 0], (gamma, delta, d)
     page.settle(

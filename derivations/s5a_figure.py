@@ -31,17 +31,12 @@ def derive(page):
     wall = {K: stiffness, B: damping, T: S.One}
     size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * cos(theta)
     need = (1 + a - e) * n_1 + (1 - a - e) * n_0 + 2 * (n_0 - e * n_1) * cos(theta)
-    drawn = page.same(
-        "the delay drops out",
+    page.same("A", need / (2 * size), real_part(on_circle(bottom / ((z - 1) * top))))
+    page.step(
+        "At the root's own angle the wall needs $\\Re\\{A/((z-1)N)\\}$",
         passivity.dirichlet_form().subs(wall, simultaneous=True),
         need / (2 * size),
-        real_part(on_circle(bottom / ((z - 1) * top))),
-    )
-    page.show(
-        "At the root's own angle the wall needs $\\Re\\{A/((z-1)N)\\}$",
-        r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
-        need / (2 * size),
-        drawn,
+        name=r"\frac{\alpha\sin(d+\frac12)\theta}{2\sin\frac\theta2}-\beta\cos(d+1)\theta",
         because="the delay is gone: this is $\\Re\\{A/((z-1)N)\\}$ for every real $d$, where $z^d$ "
         "is read as $e^{jd\\theta}$",
     )

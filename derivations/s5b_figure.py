@@ -9,6 +9,7 @@ from sympy import S, cos, exp, pi, sin, symbols, tan
 from symhaptic.book.figures.stability import largest_stiffnesses
 from symhaptic.book.lemmas.figure12 import drawn
 from symhaptic.book.lemmas.near_tip import none_above
+from symhaptic.book.lemmas.outweighed import stable_behind_every_delay
 from symhaptic.model import boundary, passivity, plant
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import K, T, a, alpha, d, delta, e, n_0, n_1, phi, theta, z
@@ -79,8 +80,14 @@ def derive(page):
         "This is the stable one at $\\varphi=\\tfrac\\pi2$, but $\\varphi\\sin\\varphi$ grows up "
         "to $1.8197$ at $\\varphi=2.029$: without a spring $\\eta$ falls towards "
         "$\\tfrac\\pi2/1.8197=0.863$. With a spring it falls to nothing, since some walls are "
-        "stable whatever the delay, such as $\\alpha=0.00059$, $\\beta=0$ "
-        "(\\chapter{s5b_stiffest_wall_numbers})."
+        "stable whatever the delay:"
+    )
+    page.lemma(
+        "For $\\gamma=0.001$, $\\delta=0.02$ the wall $\\alpha=0.00059$, $\\beta=0$ is stable for "
+        "every whole delay",
+        stable_behind_every_delay(),
+        because="all around the circle the device's part of the polynomial is larger than the "
+        "wall's, $|A|>\\alpha|N|$, so that as many roots lie inside as without the wall: all",
     )
     page.figure(
         "fig12",

@@ -7,10 +7,11 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 from sympy import Rational, S, sqrt
 
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, of_ratio
+from symhaptic.book.lemmas.undelayed_stiffness import LARGEST
 from symhaptic.book.lemmas.undelayed_tip import all_softer, claim, closed_form, none_stiffer
 from symhaptic.bounds.walls import over, passive, undelayed
 from symhaptic.model import boundary, jury, plant
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, x
+from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, w
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.tactics import example
@@ -40,11 +41,11 @@ def derive(page):
     )
     parts = n_0 * (1 + n_1 * beta) * between
     parts += (1 - n_0 * beta) * ((n_1 - n_0) ** 2 * beta + RISE**2 * s_1 - 4 * n_0)
-    page.show(
+    page.step(
         "The minor is also a sum with the fourth coefficient",
-        r"(n_1+n_0)\Delta_2",
-        r"n_0(1+n_1\beta)c_2+(1-n_0\beta)\bigl((n_1-n_0)^2\beta+(n_1+n_0)^2s_1-4n_0\bigr)",
-        page.same("least damping", RISE * minor.subs(arm).subs(e, 1 - loss), parts),
+        RISE * minor.subs(arm).subs(e, 1 - loss),
+        parts,
+        name=r"(n_1+n_0)\Delta_2",
         because="all $c_k$ of a stable wall are positive, and the last factor is negative beside "
         "soft springs: $1+n_1\\beta\\le0$ would make $\\Delta_2$ negative",
     )
@@ -56,19 +57,20 @@ def largest(page, minor, arm):
     """The closed form, and that it is reached."""
     device = plant.Sampled(n_1, n_0, arm[a], e)
     top = boundary.largest_undelayed(device)
-    best = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
-    margin = n_0 * x * (top - alpha) - RISE * (n_0 * x - best) ** 2 / (n_0 * n_1**2)
-    page.show(
-        "With $x=1+n_1\\beta>0$ the minor is a margin less a square",
-        r"\Delta_2",
-        r"n_0x(\alpha_{\max}-\alpha)-\frac{(n_1+n_0)(n_0x-w)^2}{n_0n_1^2},\quad "
-        r"w=\sqrt{n_0(n_0+en_1-\gamma n_0n_1)}",
-        page.same("margin", minor.subs(arm).subs(beta, (x - 1) / n_1), margin),
+    root = sqrt(n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1))
+    page.define("The stiffness below is given by a root of the arm's numbers", w, root)
+    page.step(
+        "The minor is a margin less a square",
+        minor.subs(arm),
+        n_0 * (1 + n_1 * beta) * (LARGEST - alpha)
+        - RISE * (n_0 * (1 + n_1 * beta) - w) ** 2 / (n_0 * n_1**2),
+        name=r"\Delta_2",
+        because="a stable wall has $1+n_1\\beta>0$",
     )
     page.step(
         "The largest stable stiffness without delay has a closed form",
         top,
-        (RISE - best) ** 2 / (n_0 * n_1**2) - gamma,
+        LARGEST,
         name=r"\alpha_{\max}(0)",
         boxed=True,
     )
@@ -76,7 +78,7 @@ def largest(page, minor, arm):
         "No stable wall has $\\alpha_{\\max}(0)$ or more, for $\\gamma\\le0.01$ and "
         "$\\delta\\le0.1$",
         none_stiffer(),
-        because="$\\Delta_2$ and $x$ are positive, and a square is not negative",
+        because="$\\Delta_2$ and $1+n_1\\beta$ are positive, and a square is not negative",
     )
     page.lemma(
         "With the damping $\\beta=(w/n_0-1)/n_1$ every wall below it is stable",

@@ -5,13 +5,13 @@ tip the zeros of the loop show that no stable wall, wherever it lies, is stiffer
 makes every tangent of the upper boundary a bound of the stable walls.
 """
 
-from sympy import I, Rational, S, cos, exp, sin, tan
+from sympy import I, Rational, S, cos, exp, sin, symbols, tan
 
 from symhaptic.book.lemmas.tangent import all_tangents, all_tips, tangents, tips
-from symhaptic.bounds.walls import DEVICE, STIFFNESS
+from symhaptic.bounds.walls import DEVICE
 from symhaptic.model import boundary
-from symhaptic.model.passivity import on_circle, real_part
-from symhaptic.notation import alpha, beta, d, phi, t, theta, u, v, x, y, z
+from symhaptic.model.passivity import on_circle
+from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, phi, tau, theta, u, v, x, y, z
 from symhaptic.notation.proposition import whole
 from symhaptic.proof.theorems.tactics import example, fact
 
@@ -87,24 +87,31 @@ def boundary_in_angles(page):
         name=r"z^{-1/2}W",
     )
     page.say(
-        "A zero at $z$ means $z^{-1/2}W=-F$ with $F=z^{d+1/2}A/N$. Let $\\chi$ be the angle of "
-        "$F$. The explicit boundary is the real part of this equation:"
+        "A zero at $z$ means $z^{-1/2}W=-f$ with $f=z^{d+1/2}A/N$. Let $\\chi$ be the angle of "
+        "$f$. The explicit boundary is the real part of this equation:"
     )
     force = on_circle(PLANT / FORCE) * exp(I * (d + Rational(1, 2)) * theta)
-    page.show(
-        "The stiffness on the boundary is a length times a cosine",
-        r"\alpha(\theta)",
-        r"-\frac{\Re F}{\cos\frac\theta2}=-R\cos\chi,\quad R=\frac{|A|}{|N|\cos\frac\theta2}",
-        page.same("real part", -real_part(force) / cos(theta / 2), boundary.wall(DEVICE)[0]),
-        because="positive only for $\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$, as far as "
-        "$\\chi<\\tfrac{5\\pi}2$",
+    turned, mirrored, over, beside = symbols(r"f \overline{f} C S")
+    page.define("The plant with its delay, turned by half a period", turned, force)
+    page.define("Its mirror image in the real axis", mirrored, force.xreplace({I: -I}))
+    page.step(
+        "The stiffness on the boundary is a real part",
+        boundary.wall(DEVICE)[0],
+        -(turned + mirrored) / (2 * cos(theta / 2)),
+        name=r"\alpha(\theta)",
+        because="so that it is $-R\\cos\\chi$ with $R=|A|/(|N|\\cos\\frac\\theta2)$: positive only "
+        "for $\\tfrac\\pi2<\\chi<\\tfrac{3\\pi}2$, as far as $\\chi<\\tfrac{5\\pi}2$",
     )
-    there = {t: tan(theta / 2), phi: (d + 1) * theta}
-    page.show(
-        "With $t=\\tan\\frac\\theta2$ and $\\varphi=(d+1)\\theta$ the stiffness is a real quotient",
-        r"\alpha(\theta)",
-        r"\frac{\bigl((1+a+e)t^2-(1-a+e)\bigr)C+2(1-e)tS}{(n_1+n_0)^2+(n_1-n_0)^2t^2}",
-        page.same("in real numbers", STIFFNESS.subs(there), boundary.wall(DEVICE)[0]),
-        because="with $C=(n_1+n_0)\\cos\\varphi+(n_1-n_0)t\\sin\\varphi$ and "
-        "$S=(n_1+n_0)\\sin\\varphi-(n_1-n_0)t\\cos\\varphi$",
+    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
+    page.define("and by the angle that the delay and a period turn", phi, (d + 1) * theta)
+    cosine = (n_1 + n_0) * cos(phi) + (n_1 - n_0) * tau * sin(phi)
+    page.define("A cosine of the numerator and of this angle", over, cosine)
+    sine = (n_1 + n_0) * sin(phi) - (n_1 - n_0) * tau * cos(phi)
+    page.define("A sine of the numerator and of this angle", beside, sine)
+    page.step(
+        "The stiffness on the boundary is a quotient of real numbers",
+        boundary.wall(DEVICE)[0],
+        (((1 + a + e) * tau**2 - (1 - a + e)) * over + 2 * (1 - e) * tau * beside)
+        / ((n_1 + n_0) ** 2 + (n_1 - n_0) ** 2 * tau**2),
+        name=r"\alpha(\theta)",
     )

@@ -67,11 +67,10 @@ def derive(page):
         "The Nyquist frequency is $\\omega T=\\pi$. Both sides being positive, "
         "$\\omega T\\le\\pi$ is the same as their squares:"
     )
-    page.result(
-        "A device swings below the Nyquist frequency for these springs",
-        gamma - delta**2 / 4 <= pi**2,
-        equal_to=turns**2 <= pi**2,
-        paper="30",
+    page.lemma(
+        "A device swings below the Nyquist frequency for the springs of (30)",
+        up_to_nyquist(),
+        boxed=True,
     )
     _up_to_nyquist(page, turns)
     _undamped(page)

@@ -5,7 +5,7 @@ loses a root to this motion, and without delay only a quadratic is left: the par
 springs has become a triangle.
 """
 
-from sympy import I, S, exp, pi, symbols, tanh
+from sympy import I, S, exp, eye, pi, symbols, tanh
 
 from symhaptic.book.lemmas.nyquist_triangle import is_triangle, other_shape_and_size
 from symhaptic.model import jury, loop, plant
@@ -19,12 +19,12 @@ SHARE = symbols("nu")
 
 def derive(page):
     motion = plant.normalised(FULL).transition(S.One, 2 * I * pi)
-    page.show(
+    page.step(
         "After one period every state is its mirror image, damped",
-        r"(x,v)",
-        r"-e^{-\delta/2}(x,v)",
-        page.same("mirrored", list(motion.subs(AT)), [-LEFT, 0, 0, -LEFT]),
-        because="for $\\gamma=\\pi^2+\\delta^2/4$, whatever the state",
+        motion.subs(AT),
+        -LEFT * eye(2),
+        name=r"\Phi(1)",
+        because="for $\\gamma=\\pi^2+\\delta^2/4$",
     )
     force = (1 + LEFT) / AT[gamma]
     whole = loop.characteristic(FULL, split=2 * I * pi).subs(AT)

@@ -24,7 +24,6 @@ from symhaptic.notation import (
     gamma,
     n_1,
     theta,
-    z,
 )
 
 
@@ -56,18 +55,13 @@ def derive(page):
     )
     undamped, apart = plant.normalised(Parts(damping=False)), 2 * I * Omega
     late = fractional.late(undamped, split=apart)
-    own = page.same(
-        "at the device's own angle",
-        on_circle(late.numerator, Omega).subs(gamma, Omega**2),
-        on_circle(z ** (1 - epsilon) * late.device.numerator, Omega).subs(gamma, Omega**2),
-    )
-    page.show(
+    page.step(
         "At $z=e^{j\\Omega}$ a fraction of a period only turns",
-        "M(z)",
-        r"z^{1-\varepsilon}(n_1z+n_0)",
-        own,
-        because="there a force that is late by a fraction is a force turned by $e^{-j\\varepsilon"
-        "\\Omega}$, as the paper reads it",
+        on_circle(late.numerator / late.device.numerator, Omega).subs(gamma, Omega**2),
+        exp(I * (1 - epsilon) * Omega),
+        name=r"\frac{M(e^{j\Omega})}{N(e^{j\Omega})}",
+        because="that is $z^{1-\\varepsilon}$: there the delay by a fraction turns the force by "
+        "$e^{-j\\varepsilon\\Omega}$, as the paper reads it",
     )
     page.say(
         "So to first order both readings have one robust region, although the stable regions of "

@@ -9,7 +9,7 @@ from sympy import S, pi, tan
 from symhaptic.book.lemmas.faster import SLOW, SOON, farthest, gained, much, not_slow, slow
 from symhaptic.book.lemmas.faster_passive import claim, gains_little
 from symhaptic.model import plant, wall
-from symhaptic.notation import B, K, T, b, d, delta, function, gamma, h, k, m, t_d, z
+from symhaptic.notation import B, K, T, b, d, delta, gamma, h, k, m, t_d
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER
@@ -93,11 +93,9 @@ def heavier(page):
     device = plant.sampled(plant.Plant(), T)
     physical = device.denominator + device.numerator * wall.delayed()
     grown = {m: 2 * m, K: 2 * K, B: 2 * B, b: 2 * b, k: 2 * k}
-    proof = page.same("the same loop", physical.xreplace(grown), physical)
-    page.show(
-        "Twice the mass and twice everything else is the same loop",
-        r"p(z)\big|_{2m,\,2K,\,2B,\,2b,\,2k}",
-        function("p")(z),
-        proof,
-        because="the roots, and with them every motion, stay as they are; so does $K/m$",
+    page.same("the same loop", physical.xreplace(grown), physical)
+    page.say(
+        "With twice the mass, twice the spring and damper of the device and a wall twice as stiff "
+        "and twice as damped, the polynomial $p(z)$ of the loop is the same. The roots, and with "
+        "them every motion, stay as they are; so does $K/m$."
     )

@@ -5,7 +5,7 @@ the period counts. Which inequality forbids that energy is extracted, and what b
 whole delays?
 """
 
-from sympy import I, Rational, S, cos, cot, sin, sqrt
+from sympy import I, Rational, S, cos, cot, sin, sqrt, symbols
 
 from symhaptic.book.lemmas.late_passivity import (
     GIVEN,
@@ -13,10 +13,29 @@ from symhaptic.book.lemmas.late_passivity import (
     passive_at_every_angle,
 )
 from symhaptic.model import fractional, passivity, wall
-from symhaptic.notation import B, K, T, b, d, epsilon, l, p_k, phi, q_k, r, theta, u, w, x, z
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    b,
+    d,
+    epsilon,
+    function,
+    l,
+    p_k,
+    phi,
+    q_k,
+    r,
+    theta,
+    u,
+    w,
+    x,
+    z,
+)
 from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
+N, NEED = symbols("n"), function("b_0")
 KERNEL = K * T / (2 * sin(theta / 2))
 
 
@@ -53,15 +72,20 @@ def derive(page):
         b - T * form[0, 0],
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
-        name="n",
+        name=N,
         because="what the wall takes from such a motion, times $T$ and with its sign reversed",
     )
-    need = passivity.dirichlet_form()
-    page.show(
+    page.step(
+        "With a whole delay $d$ a wall needs this damping at an angle",
+        b - passivity.margin(),
+        passivity.dirichlet_form(),
+        name=NEED(d),
+    )
+    page.step(
         "What it needs lies between the needs of two whole delays",
-        "n",
-        r"(1-\varepsilon)\,\text{need}\big|_{d=\ell}+\varepsilon\,\text{need}\big|_{d=\ell+1}",
-        page.same("n", straight, rest * need.subs(d, l) + epsilon * need.subs(d, l + 1)),
+        straight,
+        rest * NEED(l) + epsilon * NEED(l + 1),
+        name=N,
     )
     force = passivity.on_circle(wall.transfer() * z ** (-l - 1))
     square = page.step(
@@ -74,11 +98,11 @@ def derive(page):
     )
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
-    page.show(
+    page.step(
         "The form in $p$ and $q$ is positive with its determinant",
-        r"\varepsilon(1-\varepsilon)T^2\det",
-        r"b(b-n)-\tfrac14\varepsilon(1-\varepsilon)T^2|H|^2",
-        page.same("determinant", det * T**2 * epsilon * rest, margin),
+        det * T**2 * epsilon * rest,
+        b * (b - N) - epsilon * rest * square / 4,
+        name=r"\varepsilon(1-\varepsilon)T^2\det",
         because="as its corner $b/(T\\varepsilon(1-\\varepsilon))$ is positive; the second term is "
         "what a deviation $q$ gains at best",
         boxed=True,
@@ -115,22 +139,16 @@ def derive(page):
         because="never negative, and zero in phase, $\\varphi=0$: beyond the first angle where "
         "that happens no angle asks for more",
     )
-    ends = [
-        page.same("ends", fractional.margin().subs(epsilon, end), b * (b - need.subs(d, whole)))
-        for end, whole in ((0, l), (1, l + 1))
-    ]
-    page.show(
-        "Without a fraction it is the condition of the delay $\\ell$",
-        r"b(b-n)",
-        r"b\,\bigl(b-\text{need}\big|_{d=\ell}\bigr)",
-        ends[0],
-    )
-    page.show(
-        "At a full period it is the condition of the delay $\\ell+1$",
-        r"b(b-n)",
-        r"b\,\bigl(b-\text{need}\big|_{d=\ell+1}\bigr)",
-        ends[1],
-    )
+    for title, end, delay in (
+        ("Without a fraction it is the condition of the delay $\\ell$", 0, l),
+        ("At a full period it is the condition of the delay $\\ell+1$", 1, l + 1),
+    ):
+        page.step(
+            title,
+            fractional.margin().subs(epsilon, end),
+            b * (b - NEED(delay)),
+            name=rf"b(b-n)\big|_{{\varepsilon={end}}}",
+        )
     page.say(
         "As for whole delays a motion that comes back to where it began decides, and $K\\ge0$ "
         "stands for the others: what a spring has stored can be fetched by a slow way back, which "

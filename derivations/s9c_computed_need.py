@@ -7,10 +7,10 @@ products with the delay are not rounded.
 
 from sympy import S, cos, sin
 
-from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.stable_need import MARGIN, NEEDS, straight
 from symhaptic.forms import required_damping
-from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, written_out
+from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, l, psi, theta
 
@@ -30,22 +30,22 @@ FIRST = {
 
 def derive(page):
     page.say("Five functions are computed, one of an angle, and four of a delay and an angle:")
-    page.define("A function is a sine over its angle", r"\mathrm{Sinc}(\psi)", Sinc.definition(psi))
-    for function, title in TURNED:
-        page.define(title, name(function), function.definition(d, theta))
+    page.define("A function is a sine over its angle", upright(Sinc(psi)), Sinc.definition(psi))
+    for of, title in TURNED:
+        page.define(title, upright(of(d, theta)), of.definition(d, theta))
     page.say(
         "Where they are divided by the angle they are not divided by zero: at the angle 0 each has "
         "its limit. The numerators of the last two are differences of sines that agree up to the "
         "third power of the angle; at $\\theta=10^{-5}$ not one of sixteen digits would be left."
     )
-    for function, first in FIRST.items():
+    for of, first in FIRST.items():
         page.limit(
-            f"At the angle 0 the function {function.__name__} has a value",
-            function.definition(d, theta),
+            f"At the angle 0 the function {of.__name__} has a value",
+            of.definition(d, theta),
             theta,
             S.Zero,
             first,
-            name=name(function),
+            name=upright(of(d, theta)),
         )
     _at_an_angle(page)
     _at_the_worst(page)
@@ -57,13 +57,13 @@ def _at_an_angle(page):
         "$2d+1$ halves of the angle, whose product is not rounded:"
     )
     margin = passivity.margin().xreplace(UNITS)
-    sine = SinNext(2 * d, theta / 2) / (2 * sin(theta / 2))
-    page.show(
+    page.step(
         "What is left at an angle has two functions",
-        r"\delta-\delta_\mathrm{min}",
-        r"\delta-\frac{\alpha\,\mathrm{SinNext}(2d,\theta/2)}{2\sin(\theta/2)}"
-        r"+\beta\,\mathrm{CosNext}(d,\theta)",
-        page.same("margin", delta - alpha * written_out(sine) + beta * turned(), margin),
+        margin,
+        delta
+        - alpha * upright(SinNext(2 * d, theta / 2)) / (2 * sin(theta / 2))
+        + beta * upright(CosNext(d, theta)),
+        name=r"\delta-\delta_\mathrm{min}",
     )
     settle(
         page,
@@ -81,19 +81,17 @@ def _at_the_worst(page):
         "next to 0, too:"
     )
     whole = straight(l)
-    page.show(
+    page.step(
         "The need of a straight motion has no pole at the angle 0",
-        "n",
-        r"\alpha\,(2\ell+1)\,\frac{\mathrm{Sinc}((2\ell+1)\psi)}{2\,\mathrm{Sinc}(\psi)}"
-        r"-\beta\,\mathrm{CosNext}(\ell,2\psi)",
-        page.same("need", written_out(required_damping.straight(l)), whole),
+        whole,
+        upright(required_damping.straight(l)),
+        name="n",
     )
-    page.show(
+    page.step(
         "Its slope has the angle as a factor",
-        r"\frac{dn}{d\psi}",
-        r"\psi\left(4(\ell+1)^2\bigl(\beta+\tfrac\alpha2\bigr)\mathrm{Sinc}(2(\ell+1)\psi)"
-        r"-\frac{2\alpha\,\mathrm{Chord}(\ell,2\psi)}{\mathrm{Sinc}^2(\psi)}\right)",
-        page.same("slope", written_out(psi * required_damping.steepness(l)), whole.diff(psi)),
+        whole.diff(psi),
+        upright(psi * required_damping.steepness(l)),
+        name=r"\frac{dn}{d\psi}",
     )
     page.say(
         "Behind $\\ell+\\varepsilon$ periods $n$ is the mean over the two whole delays beside, and "
@@ -116,13 +114,3 @@ def _at_the_worst(page):
         "the derived ones, for whole delays and for those with a fraction; the worst angle is "
         "searched for by these",
     )
-
-
-def turned():
-    """cos((d + 1) theta), as a function that is written out."""
-    return written_out(CosNext(d, theta))
-
-
-def name(function):
-    """A function upright, of a delay and an angle."""
-    return rf"\mathrm{{{function.__name__}}}(d,\theta)"

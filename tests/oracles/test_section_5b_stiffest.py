@@ -8,7 +8,7 @@ import oracle
 import pytest
 from oracles.guarding import guards
 from oracles.search import first_arc, stiffest
-from oracles.subject import counterexample, decimals, number, only, page, shown, value
+from oracles.subject import counterexample, decimals, meant, number, only, page, shown, value
 
 UNDELAYED, WALL, BOUND, NUMBERS, PEAK, FREE = (
     f"s5b_stiffest_{name}"
@@ -36,7 +36,7 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
+    only(agrees, meant(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
     ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
@@ -49,9 +49,9 @@ def test_the_stiffest_wall_without_delay_by_a_search():
 
 @guards("s5b_stiffest_undelayed")
 def test_the_minor_and_a_coefficient_of_a_cubic():
-    """Delta_2 is the product of 1 - r_i r_j; the c_k are coefficients in (1 + w)/(1 - w)."""
+    """Delta_2 is the product of 1 - r_i r_j; c_1 is a coefficient in (1 + w)/(1 - w)."""
 
-    def agrees(minor, second, fourth):
+    def agrees(minor, second):
         for alpha, beta, gamma, delta in ((0.3, 0.7, 0.01, 0.1), (-0.2, 1.4, 2.0, 0.4)):
             p = np.poly(oracle.loops(alpha, beta, gamma, delta, 0))
             r = np.roots(p)
@@ -65,15 +65,13 @@ def test_the_minor_and_a_coefficient_of_a_cubic():
             assert number(minor, **at) == pytest.approx(pairs, abs=1e-12)
             # highest power of w first: -p(-1), c_2, c_1, p(1)
             assert number(second, **at) == pytest.approx(turned[2], abs=1e-12)
-            assert number(fourth, **at) == pytest.approx(turned[1], abs=1e-12)
 
-    fourth = shown(UNDELAYED, "The fourth coefficient, as all add up to 8")
     both = (
         shown("s5b_soft_contacts_undelayed", "The minor falls with the stiffness"),
         shown("s5b_soft_contacts_undelayed", "The second inequality holds for $\\beta>-s_1$"),
     )
-    only(agrees, *both, fourth)
-    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1], fourth)
+    only(agrees, *both)
+    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1])
 
 
 @guards("s5b_stiffest_wall")
@@ -205,15 +203,15 @@ def test_a_wall_that_is_stable_for_every_delay():
 @guards("s5b_stiffest_wall_peak_free")
 def test_the_peaks_of_the_ratio():
     found = decimals(FREE, "The ratios beside both peaks are enclosed")
-    cases = (("0", 121), ("0", 122), ("0", 123), ("0.001", 40))
+    cases = [*(("0", d) for d in range(119, 126)), ("0.001", 40)]
     for (gamma, d), eta in zip(cases, found, strict=True):
         ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
         # printed digits are cut; the search is off by the square of 1e-20
         assert 0 <= ratio - eta < 1e-20
-    assert max(found[:3]) == found[1] < 1
+    assert max(found[:7]) == found[3] < 1
     for gamma, delays, most in (
-        ("0", (1, 7, 40, 100, 118, 119, 120, 124, 126, 135, 200, 1000, 10**5), found[1]),
-        ("0.001", (1, 7, 20, 35, 38, 39, 41, 42, 48), found[3]),
+        ("0", (1, 7, 40, 100, 118, 126, 135, 200, 1000, 10**5), found[3]),
+        ("0.001", (1, 7, 20, 35, 38, 39, 41, 42, 48), found[7]),
     ):
         for d in delays:
             assert passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d) < most
@@ -242,23 +240,12 @@ def test_with_a_spring_the_ratio_is_below_one_and_falls_behind_forty_periods():
 
 @guards("s5b_stiffest_wall_peak_free")
 def test_what_the_ratio_tends_to_and_where_it_is_stiffest():
-    angle, high, ratio = decimals(FREE, "What it tends to without a spring")
+    angle, high, ratio = decimals(FREE, "Without a spring the ratio tends to this number")
     late = mpmath.mpf(10) ** 12  # the next terms are of 1/d
     assert passive(DELTA, late) / first_arc(0, DELTA, late) == pytest.approx(ratio, abs=1e-9)
     assert angle * mpmath.sin(angle) == pytest.approx(high, abs=1e-23)
     steps = [t * mpmath.sin(t) for t in (angle - mpmath.mpf("1e-6"), angle + mpmath.mpf("1e-6"))]
     assert max(steps) < high
-
-    def agrees(u):
-        for phi in (mpmath.mpf("1.2"), mpmath.mpf("1.9")):
-            h = value(u, phi=phi, delta=DELTA)
-
-            def slow(t, h=h):
-                return (h * t) ** 2 * mpmath.cos(t) + DELTA * h * t * mpmath.sin(t)
-
-            assert abs(mpmath.diff(slow, phi)) < 1e-25
-
-    only(agrees, shown(FREE, "The delay $d=1/u-1$ belongs to the angle $\\varphi$"))
 
 
 @guards("s5b_weaker_damping")

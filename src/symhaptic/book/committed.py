@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from symhaptic.book.ledger import Entry
 from symhaptic.proof.settle import ACCEPTED
@@ -20,19 +22,59 @@ def committed(entries: Iterable[Entry]) -> str:
     """
     left_out = ("seconds", "rocq")
     records = [{k: v for k, v in e.as_json().items() if k not in left_out} for e in entries]
-    return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
+    data = {"generated": GENERATED, "statements": records}
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
+class NoLedger(ValueError):
+    """A file that is not a ledger; the message is one line that names it."""
+
+    def __init__(self, path: Path, what: str) -> None:
+        super().__init__(f"{path}: {what}; `symhaptic verify --format json -o` writes a ledger")
+
+
+def records(path: Path) -> list[dict[str, Any]]:
+    """The records of a committed ledger, one for each statement.
+
+    Raises :class:`NoLedger` for anything else: no file, no JSON, a record without an id or a known
+    verdict, or two records with one id.
+    """
+    if not path.is_file():
+        raise NoLedger(path, "is a folder" if path.is_dir() else "is no file")
+    try:
+        text = path.read_text(encoding="utf-8")
+        data = json.loads(text, parse_constant=_no_number, object_pairs_hook=_object)
+        found = [dict(record) for record in data["statements"]]
+        for record in found:
+            Kind(record["verdict"])
+        counts = Counter(str(record["id"]) for record in found)
+    except (ValueError, KeyError, TypeError, RecursionError) as wrong:
+        raise NoLedger(path, "is no ledger") from wrong
+    for id, count in counts.items():
+        if count > 1:
+            raise NoLedger(path, f"has the id {id!r} {count} times; one record of each is allowed")
+    return found
+
+
+def _no_number(text: str) -> Any:
+    raise ValueError(f"{text} is no number in JSON")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a key stands twice")
+    return found
 
 
 def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    return {r["id"]: r["verdict"] for r in data["statements"]}
+    return {r["id"]: r["verdict"] for r in records(path)}
 
 
 def places(path: Path) -> dict[str, str]:
     """The derivation of each statement, as far as the committed ledger tells."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
+    return {r["id"]: r["derivation"] for r in records(path) if r.get("derivation")}
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
@@ -53,18 +95,24 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     return lines
 
 
-_SAID = {"statement": "print", "condition": "condition", "corrected": "correction"}
+_SAID = {
+    "statement": "print",
+    "condition": "condition",
+    "corrected": "correction",
+    "counterexample": "counterexample",
+}
 """What a record says beside its verdict, and how it is called."""
 
 
 def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
-    """Statements whose print, condition or correction is not the committed one: a misprint that
-    becomes another one has the same verdict."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    records, lines = {r["id"]: r for r in data["statements"]}, []
+    """Statements whose print, condition, correction or counterexample is not the committed one.
+
+    A misprint that becomes another one has the same verdict.
+    """
+    committed, lines = {r["id"]: r for r in records(path)}, []
     for entry in entries:
         id, said = entry.statement.id, entry.as_json()
-        known = records.get(id, {})
+        known = committed.get(id, {})
         lines += [
             f"{id}: the {called} is {said[name]}, but the ledger says {known[name]}"
             for name, called in _SAID.items()

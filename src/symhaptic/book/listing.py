@@ -16,7 +16,7 @@ from xml.etree import ElementTree as ET
 from symhaptic import __version__
 from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
-from symhaptic.book.committed import places
+from symhaptic.book.committed import places, records
 from symhaptic.book.ledger import Entry, counted
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
@@ -53,10 +53,9 @@ def statements() -> list[dict[str, str]]:
 
     Those of the paper are read from its transcription, our own from the committed ledger.
     """
-    data = json.loads(expected_ledger().read_text(encoding="utf-8"))
     own = [
         {"id": r["id"], "location": r["location"], "says": plain(r["statement"])}
-        for r in data["statements"]
+        for r in records(expected_ledger())
         if r["id"] not in STATEMENTS
     ]
     paper = [
@@ -71,14 +70,14 @@ def plain(latex: str) -> str:
     return words[:-1] if words != latex and latex.endswith("}") else latex
 
 
-def names(records: list[dict[str, str]], as_json: bool) -> str:
+def names(chosen: list[dict[str, str]], as_json: bool) -> str:
     """The statements as a table for people, or as JSON."""
     if as_json:
-        data = {"package": "symhaptic", "version": __version__, "statements": records}
+        data = {"package": "symhaptic", "version": __version__, "statements": chosen}
         return json.dumps(data, indent=1) + "\n"
-    widths = [max((len(r[key]) for r in records), default=0) for key in ("id", "location")]
+    widths = [max((len(r[key]) for r in chosen), default=0) for key in ("id", "location")]
     lines = [
-        f"{r['id']:{widths[0]}}  {r['location']:{widths[1]}}  {r['says']}".rstrip() for r in records
+        f"{r['id']:{widths[0]}}  {r['location']:{widths[1]}}  {r['says']}".rstrip() for r in chosen
     ]
     return "\n".join(lines) + "\n"
 
@@ -169,7 +168,7 @@ def json_text(
             {"derivation": str(wrong.path), "line": wrong.line, "message": wrong.what}
             for wrong in bad
         ]
-    return json.dumps(data, indent=1) + "\n"
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
 def junit(

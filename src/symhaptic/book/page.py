@@ -115,6 +115,7 @@ class Page(Steps):
             values=self._quoted(value),
             quoted=statement.quoted,
             note=note,
+            meant=self._meant,
         )
         return self._record(statement, settlement)
 

@@ -24,7 +24,6 @@ from symhaptic.proof.decide import Comparison, compare
 from symhaptic.proof.names import carrying
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact, facts_below
 from symhaptic.proof.theorems.kernel import NotShown, Theorem
 from symhaptic.proof.theorems.leaves import tends
 from symhaptic.proof.verdict import Verdict
@@ -135,8 +134,6 @@ class Record:
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
     definitions: list[tuple[Expr, Expr]] = field(default_factory=list)
     """What a symbol or a function stands for on this page."""
-    supposed: frozenset[tuple[Expr, bool]] = frozenset()
-    """The domains of the signs that the page shows, as what the facts rest on."""
     _lines: dict[tuple[str, str], int] = field(default_factory=dict)
     """Where each id was stated and where it was settled."""
     _count: int = 0
@@ -158,10 +155,6 @@ class Record:
         if first is not None:
             raise FalseStep(f"{id!r} is {what} twice, in lines {first} and {line}")
         self._lines[what, id] = line
-
-    def _keep(self, fact: Fact) -> None:
-        """The certificates of all that a fact was made from."""
-        self.certificates += [c for below in facts_below(fact) for c in below.certificates]
 
     def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Theorem:
         """A limit as a theorem, with the conditions under which it was shown."""

@@ -6,6 +6,7 @@ beside it the chapters that settle these.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
@@ -56,8 +57,12 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     for tex, name in source.notation:
         if name not in SYMBOLS:
             raise ValueError(f"the notation has {name!r} for {tex!r}; a symbol of ours is allowed")
-    if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
-        raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
+    named = source.key.isidentifier() and source.key.isascii()
+    if not named or any(source.key == other.key for other in SOURCES):
+        raise ValueError(
+            f"the key {source.key!r} of a source is not allowed; an identifier in ASCII that no "
+            "other source has is"
+        )
     found: dict[str, Statement] = {}
     for statement in statements:
         if wrong := _not_text(statement):
@@ -148,14 +153,18 @@ def of_source(source: Source) -> dict[str, Statement]:
     return {id: s for id, s in STATEMENTS.items() if source_of(id) is source}
 
 
-NO_ID = "the id {!r} has no characters, too many, or blanks; up to 100 that are printed are allowed"
+NO_ID = (
+    "the id {!r} is not allowed; allowed are a letter or digit and up to 99 further letters, "
+    "digits and : . _ + -, all of ASCII, since other letters can look the same"
+)
 
 
 def is_id(text: str) -> bool:
-    """Whether a line of a listing, a case of JUnit and a place of a page can be named so."""
-    return (
-        isinstance(text, str) and text.isprintable() and text.split() == [text] and len(text) <= 100
-    )
+    """Whether a statement can be named so: in a listing, in JUnit, on a page and in a shell."""
+    return isinstance(text, str) and _ID.fullmatch(text) is not None
+
+
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9:._+-]{0,99}")
 
 
 __all__ = [

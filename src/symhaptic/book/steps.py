@@ -8,7 +8,7 @@ symbols has to be equal to that expression.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import sympy as sp
@@ -20,15 +20,12 @@ from symhaptic.book.record import Block, Evidence, FalseStep, Record
 from symhaptic.notation.latex import is_sum, latex
 from symhaptic.notation.written import chains, written
 from symhaptic.paper.reading import Unreadable, read
-from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.decide import Comparison
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.names import carrying
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.points import Point
 from symhaptic.proof.roots import Algebraic, begins_with, decimals, is_minimal, real_roots
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown
 
@@ -114,21 +111,6 @@ class Steps(Record):
             name = forms[0]
         return None if isinstance(name, (sp.Symbol, AppliedUndef)) else name
 
-    def show(
-        self,
-        title: str,
-        name: Expr | str,
-        expr: Expr | str,
-        proof: Evidence,
-        because: str = "",
-        boxed: bool = False,
-        paper: str = "",
-    ) -> Expr | str:
-        """``name = expr``, proved by evidence found before, such as :meth:`same`."""
-        lines = [(name, "=", expr)]
-        self._equation(title, lines, "proved", proof.how, because, boxed, paper=paper)
-        return expr
-
     def lemma(
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
@@ -192,7 +174,6 @@ class Steps(Record):
         self.certificates += number.certificates
         return number.ball
 
-
     def limit(
         self,
         title: str,
@@ -205,91 +186,16 @@ class Steps(Record):
     ) -> Expr:
         """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series.
 
-        The conditions under which this was shown are written behind it.
+        The conditions under which this was shown are written below it.
         """
         theorem = self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         inner = rf"\bigl({inner}\bigr)" if name is None and is_sum(inner) else inner
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
         given = ",\\ ".join(chains(sorted(theorem.hypotheses, key=written)))
-        right = rf"{latex(value)}\qquad({given})" if given else value
-        self._equation(title, [(left, "=", right)], "proved", "exact series", because)
+        why = "; ".join(filter(None, [f"for ${given}$" if given else "", because]))
+        self._equation(title, [(left, "=", value)], "proved", "exact series", why)
         return value
-
-    def positive(
-        self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
-    ) -> Fact:
-        """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
-        if fact.made is None:
-            raise FalseStep(f"{title}: {fact.expr} is assumed, not proved")
-        self._keep(fact)
-        self.supposed |= fact.rests
-        sign = ">" if fact.strict else r"\ge"
-        left = latex(fact.expr) if name is None else name
-        right = rf"0\qquad ({on})"
-        self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
-        return fact
-
-    def result(
-        self,
-        text: str,
-        relation: Expr | Sequence[Expr],
-        equal_to: Form,
-        because: str = "",
-        paper: str = "",
-    ) -> Form:
-        """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
-        how = self._proved(text, relation, equal_to)
-        lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(text, lines, "proved", how, because, boxed=True, kind="result", paper=paper)
-        return relation
-
-    def inside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Evidence:
-        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
-
-        Symbols of the polynomial may stand for expressions ``given`` in those of the point.  With
-        ``half`` only roots that may have a positive real part are asked for: where z stands for
-        the square root, that is the principal sheet.
-        """
-        largest = largest_root(
-            polynomial, dict(at or {}), dict(given or {}), lambda z: not half or not z.real < 0
-        )
-        if not largest < 1:
-            raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True), half)
-        return Evidence("balls around the roots")
-
-    def outside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Evidence:
-        """A root of such a polynomial lies outside; what this contradicts is false at the point.
-
-        With ``half`` it has a positive real part.
-        """
-        largest = largest_root(
-            polynomial, dict(at or {}), dict(given or {}), lambda z: not half or z.real > 0
-        )
-        if not largest > 1:
-            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False), half)
-        return Evidence("balls around the roots")
-
-    def _roots(self, title: str, sign: str, size: str, half: bool) -> None:
-        """The line that says on which side of 1 the largest root lies."""
-        name = r"\max_{\Re\zeta>0}|\zeta|" if half else r"\max|z|"
-        self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` contains the symbols and does not change with them.
@@ -351,7 +257,3 @@ class Steps(Record):
         self.blocks.append(
             Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
         )
-
-
-def _sign(relation: Expr) -> str:
-    return {"==": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}[relation.rel_op]

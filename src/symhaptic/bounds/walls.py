@@ -106,16 +106,15 @@ def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:
     height = ball(alpha, {**known, phi: angle}, BITS).real
     confirm([turn])
     given = Known(known | {_TOP: height})
-    facts = [
+    shown = [
         box.positive(sign * slope, {phi: (side[0], side[1])}, given)
         for sign, side in ((1, low), (-1, high))
     ]
     end = sp.pi * whole / (whole - sp.S.Half)
-    facts += [
+    shown += [
         box.positive(_TOP - alpha, {phi: side}, given)
         for side in ((sp.S.Zero, low[0]), (high[1], end))
     ]
-    shown = tuple(c for fact in facts for c in fact.certificates)
     confirm(shown)
     with ctx.workprec(BITS):
         return Peak(angle / int(whole), height, (turn, *shown))

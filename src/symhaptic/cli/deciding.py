@@ -69,7 +69,7 @@ def verify(
         typer.Option(
             "--strict",
             help="Fail on what no chapter settles, on undecided or external where no ledger says "
-            "so, and of a source on another print, condition or correction than its ledger's.",
+            "so, and on another print, condition, correction or counterexample than the ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -173,6 +173,8 @@ def verify(
         surprises += committed.unproved(entries, known)
         if source is not None and known is not None:
             surprises += committed.reworded(entries, source / "ledger.json")
+        elif source is None and not own:
+            surprises += committed.reworded(entries, chapters.expected_ledger())
     undecided = [e for e in entries if e.verdict.kind == "undecided" and e.derivation is None]
     stale(entries)
     for path in own if source is None and surprises else []:
@@ -198,14 +200,16 @@ def verify(
 
 
 def committed_beside(source: Path) -> dict[str, str] | None:
-    """The verdicts that a user has committed; None where no file is."""
+    """The verdicts that a user has committed; None where there is nothing of that name."""
     from symhaptic.book import committed
 
     path = source / "ledger.json"
+    if not (path.exists() or path.is_symlink()):
+        return None
     try:
-        return committed.expected(path) if path.is_file() else None
-    except (ValueError, KeyError, TypeError):
-        refuse(f"{path}: is no ledger; `symhaptic verify --format json -o` writes one")
+        return committed.expected(path)
+    except committed.NoLedger as wrong:
+        refuse(str(wrong))
 
 
 def name_statements(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb
@@ -49,6 +49,8 @@ class Settlement:
     """No theorem decides the statement; the note says what is known."""
     shows: str | None = None
     note: str | None = None
+    meant: Callable[[Expr], Expr] | None = None
+    """A form with what its names stand for in the chapter."""
     definitions: tuple[str, ...] = ()
     """LaTeX of the chapter's definitions from which the statement follows."""
     defines: bool = False
@@ -95,9 +97,26 @@ class Settlement:
             found = self.judged.decide(self.claim(printed), right)
         except (NoTerm, ValueError) as wrong:
             raise Unfounded(f"no claim can be made of the print: {wrong}") from None
-        if self.derived and self.judged.instead is None and not compare(lines, self.derived).equal:
+        if self.derived and self.judged.instead is None and not self._derives(lines):
             raise Unfounded("the derived form is another than what the theorem is about")
         return found
+
+    def _derives(self, lines: Printed) -> bool:
+        """Whether the derived form is this one, as they are or with what their names stand for."""
+        forms = lines, self.derived
+        if compare(*forms).equal:
+            return True
+        if self.meant is None:
+            return False
+        theirs, ours = (tuple(self._meant(f) for f in form) for form in forms)
+        return bool(compare(theirs, ours).equal)
+
+    def _meant(self, form: Expr) -> Expr:
+        """A form with what its names stand for; a relation stays one."""
+        assert self.meant is not None
+        if isinstance(form, Relational):
+            return form.func(*map(self.meant, form.args), evaluate=False)
+        return self.meant(form)
 
     def _compared(self, printed: Printed) -> Verdict:
         """Compare the print of a definition, or of what rests on data outside, with our form."""

@@ -88,8 +88,7 @@ def minor_rises() -> Theorem:
         derivative(by_balls, x) * dx for x, dx in zip(SAMPLED, SLOPES, strict=True)
     )
     names = {s: s for s in (*SAMPLED, *SLOPES)}
-    found = box.positive(sp.expand(slope), SIDES, named(names))
-    certificate: Any = found.certificates[0]
+    certificate = box.positive(sp.expand(slope), SIDES, named(names))
     return more_damped(certificate, minor, HEAVIER, OTHERS)
 
 

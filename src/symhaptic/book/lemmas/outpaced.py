@@ -71,9 +71,7 @@ def room() -> Theorem:
 
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a small box, by balls."""
-    found = box.positive(sp.sympify(expr), ranges, named({**BALLS, n_0: LATE}))
-    certificate: Any = found.certificates[0]
-    return on_plants(certificate)
+    return on_plants(box.positive(sp.sympify(expr), ranges, named({**BALLS, n_0: LATE})))
 
 
 def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem:

@@ -69,10 +69,9 @@ def chapter_page(chapter: Chapter, place: Place) -> str:
     for block in page.blocks:
         if block.kind == "prose":
             out += _paragraphs(block.text)
-        elif block.kind in ("equation", "result"):
-            steps += block.kind == "equation"
-            title = "Result" if block.kind == "result" else f"Step {steps}"
-            out += _equation(block, title, place)
+        elif block.kind == "equation":
+            steps += 1
+            out += _equation(block, f"Step {steps}", place)
         elif block.kind == "theorem":
             steps += 1
             out += _theorem(block, f"Step {steps}", place)

@@ -40,8 +40,8 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     for block in chapter.page.blocks:
         if block.kind == "prose":
             out += [prose(block.text), ""]
-        elif block.kind in ("equation", "result"):
-            steps += block.kind == "equation"
+        elif block.kind == "equation":
+            steps += 1
             out += _equation(block, number, steps)
         elif block.kind == "theorem":
             steps += 1
@@ -60,7 +60,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
 
 
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
-    heading = "Result" if block.kind == "result" else f"Step {step}"
+    heading = f"Step {step}"
     reason = as_sentence(prose(block.text)) if block.text else ""
     rows = rows_of(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
