@@ -44,7 +44,6 @@ _NOT_RUN_BY_A_CALL = (
     inspect.isasyncgenfunction,
 )
 
-
 @dataclass(frozen=True)
 class Chapter:
     """A derivation that has been run."""
