@@ -105,7 +105,12 @@ def human(page):
         ("For the device alone it is 1740 times as stiff as that arm", DEVICE[m]),
     ):
         limit = spring_of(mass).subs(T, HOGAN[T]) / HOGAN[k_H]
-        page.step(title, limit, mass * 10**6 * pi**2 / 568, name=r"\frac{\pi^2m}{T^2k_H}\Big|_{T=1\,\mathrm{ms}}")
+        page.step(
+            title,
+            limit,
+            mass * 10**6 * pi**2 / 568,
+            name=r"\frac{\pi^2m}{T^2k_H}\Big|_{T=1\,\mathrm{ms}}",
+        )
     claim = CLAIMED["s6-human-10000"](())
     symbols, given, about = taken_apart(claim)
     alike = Eq(k_H * T**2 / m, Rational(1, 1000))

@@ -249,7 +249,8 @@ CLAIMS = (
     Statement(
         "s4d-all-stabilising",
         _IV_D,
-        "mass, spring and damper of the operator all stabilise",
+        "every wall that is stable stays so with more mass, a stiffer spring or a stronger damper "
+        "of the operator",
         quote="if modeled as linear mass-spring-damper system, all three elements (the mass, the "
         "spring and the damper) of a human operator are stabilizing an impedance type "
         "haptic system",
@@ -264,7 +265,7 @@ CLAIMS = (
     Statement(
         "s4d-delay-shrinks",
         _IV_D,
-        "a larger delay gives a smaller stable region",
+        "every wall that is stable with one more period of delay is stable without it",
         quote="For larger delays, the stable region becomes smaller",
     ),
     Statement(
