@@ -409,7 +409,9 @@ CLAIMS = (
     Statement(
         "s5c-undamped-limit",
         _V_C,
-        r"for $\delta=0$ and $\gamma=\pi^2$ the whole region is limit stable",
+        r"for $\delta=0$ and $\gamma=\pi^2$ a pole stays at $-1$ for every wall and delay; without "
+        r"delay it is simple and all others lie inside for $\alpha>-\pi^2$, "
+        r"$\beta>-\frac{\pi^2}2$, $\alpha+2\beta<0$, and only there",
         quote=r"For $\delta = 0$, the whole stable region is limit stable at the Nyquist frequency"
         r" $\gamma = \pi^2$, as the system has a pole at $z = -1$ independent of time delay "
         "$d$.",
