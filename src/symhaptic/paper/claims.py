@@ -382,7 +382,8 @@ CLAIMS = (
     Statement(
         "s5c-shape",
         _V_C,
-        "such stiff springs change shape and size of the stable region completely",
+        "without delay the stable walls lie below an arc with a spring of (23); with that of the "
+        "Nyquist frequency they fill a triangle, and one is 13 times as stiff as all of those",
         quote="Such high stiffness causes the stability boundaries to change completely their "
         "shape and size.",
     ),
