@@ -90,7 +90,7 @@ def derive(page):
         paper="12",
     )
     page.say(
-        "The last summand of the numerator needs the factor $m/T$ that the print lacks: without "
+        "The last summand of the numerator needs the factor $m/T$ that (12) lacks: without "
         "it a damping is added to a squared damping, and the result depends on the units. The "
         "form is $0/0$ for $k=0$ and at critical damping, where the motion is not special at all."
     )
@@ -137,6 +137,6 @@ def _delay(page):
         example=shown_at(corrected, free, whole(d)),
         unless=[fails(claim, free)],
         shows=r"at $d=T=1$, $T_s=2$ a free mass would answer $e^{-2}$ times, not half as much",
-        note="the print has the Laplace variable as a subscript; exact at the samples for whole "
-        "delays",
+        note="possibly of the conversion of the text: $T_s$ for $Ts$; exact at the samples for "
+        "whole delays",
     )

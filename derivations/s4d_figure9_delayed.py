@@ -9,6 +9,7 @@ from sympy import S
 
 from symhaptic.book.figures.stability import delayed
 from symhaptic.book.lemmas.boundary import zero_on_circle_is_explicit
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import NEAR, drawn, right_of_the_line
 from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.stability import stable_at
@@ -39,8 +40,8 @@ def derive(page):
             )
     page.say(
         "So the spring's $0.001$ is more than $1/170$ of the width for $d=1$ and more than $1/80$ "
-        "for $d=2$; without delay it is $1/690$. The regions reach the line $\\alpha=-\\gamma$, as "
-        "drawn: stable walls lie next to it."
+        "for $d=2$; without delay it is $1/690$. The regions reach the line $\\alpha=-\\gamma$: "
+        "stable walls lie next to it."
     )
     beside = {alpha: -STIFF + THIN / 2, gamma: STIFF, delta: DAMPED}
     for late in (1, 2):
@@ -66,9 +67,14 @@ def derive(page):
         "to be stable by their roots. That none is stiffer says one point of the circle: of a "
         "polynomial $p$ of degree $n$ with its zeros inside, $n|p|^2<2\\Re\\bar p\\,zp'$ there."
     )
+    page.lemma(
+        "Walls that no boundary parts from a stable wall are stable",
+        enclosed_walls_are_stable(),
+        because="on the way between two walls the zeros are continuous, and none crosses the "
+        "circle; for every plant and every whole delay",
+    )
     page.settle(
         "fig9",
         drawn(),
-        note="for $d=2$ the spring takes over a percent of the width; that all walls inside "
-        "a curve are stable is not claimed",
+        note="for $d=2$ the spring takes over a percent of the width",
     )

@@ -9,6 +9,7 @@ from itertools import combinations
 
 from sympy import Mul, Rational, S, symbols, sympify
 
+from symhaptic.book.lemmas.jury_inequalities import decided_by_jury, jury_decides
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.stability import by_inequalities, collected
 from symhaptic.model import jury, plant
@@ -46,6 +47,21 @@ def derive(page):
         boxed=True,
     )
     none_is_idle(page, found.conclusion.of[1])
+    page.say(
+        "The function \\texttt{jury} and the command \\texttt{symhaptic jury} give the "
+        "inequalities for every whole delay, with the device's numbers as symbols or in numbers."
+    )
+    page.state(
+        "jury-inequalities",
+        "a wall is stable if and only if all inequalities of \\texttt{jury} hold, for $d=0$, 1 "
+        "and 2 and the numbers of any device",
+        claim=decided_by_jury(),
+    )
+    page.settle(
+        "jury-inequalities",
+        jury_decides(),
+        note="for longer delays they are made in the same way and compared with roots in tests",
+    )
     page.say("With delay there are $d+4$ inequalities, and they grow:")
     page.table(
         "The inequalities in $\\alpha$, $\\beta$ and the device's four numbers: how many, how many "

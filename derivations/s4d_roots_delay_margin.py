@@ -76,7 +76,7 @@ def derive(page):
     page.say(
         "Behind a fraction of a period the plant has one coefficient more and the surplus degree "
         "three. For each fraction the whole periods are told from the phase as above; the margin "
-        "is the least over all fractions. This is what the figure shows."
+        "is the least over all fractions, as plotted below."
     )
     page.figure(
         "delay_margin",

@@ -1,7 +1,7 @@
 r"""What is the error of the linear condition at the start of the boundary?
 
-The boundary starts on $\alpha=-\gamma$, where the denominator of the error (26) vanishes. The
-paper's Fig. 10 shows small errors there. We take the limit, with and without spring and damping.
+The boundary starts on $\alpha=-\gamma$, where the denominator of the error (26) vanishes. Sec. IV-E
+marks errors of 0, 2 and 5 per cent only. We take the limit, with and without spring and damping.
 """
 
 from sympy import I, Rational, S, tanh
@@ -35,7 +35,7 @@ def derive(page):
         because="with $g=s_1-\\delta-\\frac12\\gamma$, while $\\alpha+\\gamma\\to0$: "
         "for $g>0$, that is for every arm with spring and damping up to (30), "
         "$\\varepsilon\\to-\\infty$. With "
-        "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch too short for Fig. 10",
+        "$g\\approx\\frac1{720}\\delta\\gamma^2$ this happens on a stretch of that size",
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     wide = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
@@ -148,5 +148,5 @@ def beyond_two_percent(page):
         "linear-error-corner",
         for_all(symbols, given, in_the_corner()),
         example=example({gamma: STIFF, delta: STIFF}, given),
-        note="it lies closer to the corner of Fig. 10 than one can see",
+        note="it lies next to the corner at $\\alpha=-\\gamma$",
     )

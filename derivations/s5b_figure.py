@@ -55,7 +55,7 @@ def derive(page):
     page.say(
         "So they do not meet. The stiffest passive wall is stable, and so is one a little stiffer: "
         "$\\eta<1$ for every whole delay. For $\\delta=0.02$ the tip has that angle near $d=122$ "
-        "without a spring and near $d=40$ with $\\gamma=0.001$, and there $\\eta=0.99999$ and "
+        "without a spring and near $d=40$ with $\\gamma=0.001$. There $\\eta$ exceeds $0.9999$ and "
         "$0.9998$, which cannot be told from 1 in print. For longer delays the tip moves on:"
     )
     far = symbols("u")
@@ -111,6 +111,8 @@ def derive(page):
     page.settle(
         "fig12",
         drawn(),
-        note="the ratio comes near 1, stays below it and falls again; said of a list of whole "
-        "delays, five of them those of Fig. 11",
+        note="settled for whole delays: (a) at five delays, those of Fig. 11; (b) and (c) from one "
+        "delay of a list to the next, up to 122 and 40, and at 1000. The ratio comes near 1, stays "
+        "below it and falls again. One $\\delta$ stands for passivity and stability: for a held "
+        "device $\\eta\\le b_D/(b_D+b_H)$ (\\texttt{one-delta})",
     )

@@ -78,8 +78,8 @@ def settle_figures(page):
         "In Fig. 11 $\\gamma=0.001$, $\\delta=0.02$, and the text says that the passive regions "
         "lie inside the stable ones. By (11) they reach to $\\alpha=0.023$ for $d=\\frac12$, 23 "
         "times as far as the stable walls of this reading could, and for $d=\\frac14$ farther "
-        "still. Fig. 13 shades walls that are stable for all $\\gamma\\ge0$; to the letter there "
-        "is none at $\\gamma=0$."
+        "still. Sec. V-C speaks of walls that are stable for all $\\gamma\\ge0$; to the letter "
+        "there is none at $\\gamma=0$."
     )
     page.state(
         "fractional-figures",

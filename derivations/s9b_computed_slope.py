@@ -40,7 +40,7 @@ def derive(page):
         "any, the slope is a polynomial in $t^2$, and its coefficients need no sines. That its "
         "first zero is the farthest point of the stable region is another matter: it is compared "
         "with whole regions, and proved for some devices only, in "
-        "\\chapter{s5b_stiffest_wall_bound}."
+        "\\chapter{s5b_stiffest_wall}."
     )
     c, tangent, bottom = cos(theta / 2), tan(theta / 2), on_circle(z**2 - a * z + e)
     page.step(

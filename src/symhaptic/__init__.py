@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
+    from symhaptic.model.jury import jury
     from symhaptic.numeric.boundary import stability_boundary
     from symhaptic.numeric.compiled import show_config
     from symhaptic.numeric.extremum import Extremum
@@ -59,6 +60,7 @@ _HOME = {
     "grid_boundary": "symhaptic.numeric.tracing.grid",
     "is_passive": "symhaptic.numeric.passivity",
     "is_stable": "symhaptic.numeric.stability",
+    "jury": "symhaptic.model.jury",
     "lambdify": "symhaptic.scene.callables",
     "linear_limit": "symhaptic.numeric.linear",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
@@ -94,6 +96,7 @@ __all__ = [
     "grid_boundary",
     "is_passive",
     "is_stable",
+    "jury",
     "lambdify",
     "linear_limit",
     "max_passive_stiffness",

@@ -115,7 +115,10 @@ def test_the_polynomial_vanishes_at_the_eigenvalues():
                     found = np.polyval(characteristic, z)
                     assert complex(value(polynomial, z=z, **at)) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown("s4b_polynomial", "The characteristic polynomial is (18)"))
+    only(
+        agrees,
+        shown("s4b_polynomial", "The characteristic polynomial, with the highest coefficient 1"),
+    )
 
 
 @guards("s4b_polynomial")

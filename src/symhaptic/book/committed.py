@@ -121,8 +121,12 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
     return lines
 
 
-def external(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
-    """Statements that rest on data outside, where no ledger says so."""
-    found = (e for e in entries if e.verdict.kind is Kind.EXTERNAL)
+UNPROVED = frozenset({Kind.EXTERNAL, Kind.SLIP, Kind.UNDECIDED})
+"""Verdicts that no theorem gives: they rest on data outside, on a wrong name, or on nothing yet."""
+
+
+def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
+    """Statements that no theorem settles, where no ledger is to have them."""
+    found = (e for e in entries if e.verdict.kind in UNPROVED)
     new = (e for e in found if known is None or (e.own and e.statement.id not in known))
     return [f"{e.statement.id}: {e.verdict.kind}, and no ledger says so" for e in new]

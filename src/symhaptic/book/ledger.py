@@ -51,6 +51,8 @@ class Entry:
             "id": self.statement.id,
             "source": self.source and self.source.title,
             "location": self.statement.location,
+            "quote": self.statement.quote or None,
+            "says": self.statement.says,
             "statement": self.statement.text,
             "verdict": str(v.kind),
             "proposition": v.proposition,

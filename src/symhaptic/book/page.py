@@ -115,6 +115,7 @@ class Page(Steps):
             values=self._quoted(value),
             quoted=statement.quoted,
             note=note,
+            meant=self._meant,
         )
         return self._record(statement, settlement)
 
@@ -167,3 +168,24 @@ class Page(Steps):
         derived = tuple(p for form in follows for p in parts(form))
         settlement = Settlement(derived=derived, external=rests, note=checked)
         return self._record(self._statement(id), settlement)
+
+    def settle_slip(self, id: str, wrong: str, right: str, shows: str) -> Verdict:
+        """A ``wrong`` name, number or reference in the text: LaTeX of the right one, and why.
+
+        What is wrong stands in the quotation.  A slip is no theorem, and is not counted as one.
+        """
+        statement = self._statement(id)
+        if wrong not in statement.quote:
+            raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
+        in_latex(id, right, shows)
+        return self._record(statement, Settlement(slip=right, shows=shows))
+
+    def leave_open(self, id: str, note: str) -> Verdict:
+        """List a statement as undecided; ``note`` says which parts of it are known.
+
+        An undecided statement never passes.
+        """
+        statement = self._statement(id)
+        in_latex(id, note)
+        claim = self.claimed.get(id) or CLAIMED.get(id)
+        return self._record(statement, Settlement(left_open=True, note=note, claim=claim))

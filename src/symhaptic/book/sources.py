@@ -137,7 +137,7 @@ def _reads_otherwise(statement: Statement) -> str | None:
 
 def _not_text(statement: Statement) -> str | None:
     """What a statement has in place of text, or of several texts, if it has anything else."""
-    for name in ("id", "location", "says", "domain"):
+    for name in ("id", "location", "says", "domain", "quote"):
         if not isinstance(found := getattr(statement, name), str):
             return f"{statement.id}: {name}: {found!r} is not allowed; text is"
     for name in ("latex", "reading"):

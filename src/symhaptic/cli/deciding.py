@@ -68,8 +68,8 @@ def verify(
         bool,
         typer.Option(
             "--strict",
-            help="Fail on undecided too, on external where no ledger says so, and on another "
-            "print, condition, correction or counterexample than the ledger's.",
+            help="Fail on what no chapter settles, on undecided or external where no ledger says "
+            "so, and on another print, condition, correction or counterexample than the ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -98,6 +98,9 @@ def verify(
     ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
+
+    Of statements that are named the paper's own words, our reading and the proposition are printed
+    before the verdict.
 
     With --derivation those that your own chapters settle, or what is named.  With --source those
     of your own source, whose committed verdicts are in ledger.json beside it.
@@ -167,12 +170,12 @@ def verify(
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
     if strict:
-        surprises += committed.external(entries, known)
+        surprises += committed.unproved(entries, known)
         if source is not None and known is not None:
             surprises += committed.reworded(entries, source / "ledger.json")
         elif source is None and not own:
             surprises += committed.reworded(entries, chapters.expected_ledger())
-    undecided = [e for e in entries if e.verdict.kind == "undecided"]
+    undecided = [e for e in entries if e.verdict.kind == "undecided" and e.derivation is None]
     stale(entries)
     for path in own if source is None and surprises else []:
         if (path.parent / chapters.SOURCE_FILE).is_file():
@@ -185,7 +188,7 @@ def verify(
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    }[format](entries, surprises, strict, bad, perf_counter() - begin, bool(wanted))
     if output is None:
         typer.echo(text, nl=False)
     elif not (bad and format is ListFormat.text):

@@ -118,7 +118,8 @@ class _Reader:
         self.latex = latex
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
-        squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
+        squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", " e ", latex)
+        squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", squeezed)
         squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1 ", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):

@@ -30,9 +30,11 @@ class Statement:
     r"""A statement of the paper, as printed.
 
     ``latex`` holds the printed formula line by line, or nothing where the statement is in
-    words; ``says`` is what it says, in our words (LaTeX between dollar signs); ``reading`` is
-    LaTeX for the formula where the print has words instead of symbols.  A marker ``\br`` in
-    the LaTeX is a place to break the line; it is not part of the formula.
+    words.  ``quote`` is the sentence of the paper that makes the statement or introduces the
+    formula, with [...] for what is left out; ``says`` is our reading of it (both have LaTeX
+    between dollar signs).  ``reading`` is LaTeX for the formula where the print has words instead
+    of symbols.  A marker ``\br`` in the LaTeX is a place to break the line; it is not part of the
+    formula.
     """
 
     id: str
@@ -48,6 +50,8 @@ class Statement:
     """Numbers that the text quotes."""
     notation: Notation = ()
     """What its source calls otherwise."""
+    quote: str = ""
+    """The source's own words, in short; empty where a chapter states it itself."""
 
     def __getstate__(self) -> dict[str, object]:
         """Without what was read from the LaTeX, which not every SymPy can send to a process."""

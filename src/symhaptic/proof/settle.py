@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb
@@ -22,6 +22,9 @@ from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.units import UnitError, dimension_of
 from symhaptic.proof.verdict import PASSES, UNSETTLED, Kind, Unfounded, Verdict
 
+OPEN = "no theorem decides it"
+"""The method of a verdict that a chapter leaves open."""
+
 ACCEPTED = PASSES | {Kind.QUALIFIED}
 """Verdicts of what is right, with a condition or without."""
 
@@ -40,7 +43,14 @@ class Settlement:
     external: str | None = None
     values: tuple[Expr | arb, ...] = ()
     quoted: tuple[Quoted, ...] = ()
+    slip: str | None = None
+    """What is meant, of a wrong name, number or reference in the text, in LaTeX."""
+    left_open: bool = False
+    """No theorem decides the statement; the note says what is known."""
+    shows: str | None = None
     note: str | None = None
+    meant: Callable[[Expr], Expr] | None = None
+    """A form with what its names stand for in the chapter."""
     definitions: tuple[str, ...] = ()
     """LaTeX of the chapter's definitions from which the statement follows."""
     defines: bool = False
@@ -56,6 +66,13 @@ class Settlement:
             return self._constants(verdict) if self.values else verdict
         if told := carrying(*self.derived):
             raise Unfounded(told)
+        if self.slip is not None:
+            if printed:
+                raise Unfounded("a slip is a statement in words; a formula is compared")
+            return Verdict(Kind.SLIP, "", corrected=self.slip, shows=self.shows, note=self.note)
+        if self.left_open:
+            claim = None if self.claim is None else self.claim(printed)
+            return Verdict(Kind.UNDECIDED, OPEN, note=self.note, claim=claim)
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         return self._compared(printed)
@@ -80,9 +97,26 @@ class Settlement:
             found = self.judged.decide(self.claim(printed), right)
         except (NoTerm, ValueError) as wrong:
             raise Unfounded(f"no claim can be made of the print: {wrong}") from None
-        if self.derived and self.judged.instead is None and not compare(lines, self.derived).equal:
+        if self.derived and self.judged.instead is None and not self._derives(lines):
             raise Unfounded("the derived form is another than what the theorem is about")
         return found
+
+    def _derives(self, lines: Printed) -> bool:
+        """Whether the derived form is this one, as they are or with what their names stand for."""
+        forms = lines, self.derived
+        if compare(*forms).equal:
+            return True
+        if self.meant is None:
+            return False
+        theirs, ours = (tuple(self._meant(f) for f in form) for form in forms)
+        return bool(compare(theirs, ours).equal)
+
+    def _meant(self, form: Expr) -> Expr:
+        """A form with what its names stand for; a relation stays one."""
+        assert self.meant is not None
+        if isinstance(form, Relational):
+            return form.func(*map(self.meant, form.args), evaluate=False)
+        return self.meant(form)
 
     def _compared(self, printed: Printed) -> Verdict:
         """Compare the print of a definition, or of what rests on data outside, with our form."""

@@ -20,6 +20,7 @@ class Kind(StrEnum):
     MISPRINT = "misprint"
     REFUTED = "refuted"
     EXTERNAL = "external"
+    SLIP = "slip"
     UNDECIDED = "undecided"
 
 

@@ -18,7 +18,7 @@ from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import with_derivatives
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
-from symhaptic.forms.stable import STATEMENTS, Form, NoForm
+from symhaptic.forms.stable import AS_DERIVED, STATEMENTS, Form, NoForm
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.notation.suggest import suggested
@@ -39,8 +39,11 @@ def lambdify(
     """A function of numbers from a formula.
 
     ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
-    a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
-    digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
+    a function that `symhaptic export --list` prints.  (7), (12), (24) and (9) are computed in the
+    dimensionless parameters of Table I, as (27), (14) and (25): K = alpha m/T^2, B = beta m/T.
+    (31), in which nothing cancels, is its derived form, of T in s, b in Ns/m and m in kg.
+    ``form`` is ``"stable"``, which keeps its digits everywhere, or ``"derived"`` or ``"printed"``,
+    SymPy's own lambdify of these.
     ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
     pandas and Pint, which come back as such), or mpmath, which gives as many digits as
     ``mpmath.mp.dps`` says.  ``jax.vmap`` maps them; ``torch.vmap`` cannot, since NaN is looked for,
@@ -62,6 +65,8 @@ def lambdify(
     [2.0, 0.828427]
     >>> [float(x) for x in lambdify("discretize", scene=Parts(stiffness=False))(0.0)]
     [0.5, 0.5, 2.0, 1.0]
+    >>> round(lambdify("eq31")(0.001, 0.0, 0.1))  # T, b, m; in N/m
+    986960
     >>> alpha, alpha_by_d = lambdify("linear_limit", derivatives=["d"])(0.0, 1.0, 1.5)
     >>> float(alpha), float(alpha_by_d)
     (0.5, -0.25)
@@ -71,6 +76,8 @@ def lambdify(
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
+    if form == "stable" and id in AS_DERIVED and scene is None and not derivatives:
+        form = "derived"
     if form != "stable":
         if derivatives:
             raise ValueError(

@@ -27,12 +27,13 @@ from symhaptic.book.site.words import (
     words,
 )
 from symhaptic.book.sources import PAPER, source_of
-from symhaptic.book.tex.errata import CLASSES
+from symhaptic.book.tex.errata import WRONG
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
 from symhaptic.book.tex.words import anchor, as_sentence, place_of
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation.latex import latex
+from symhaptic.paper.statement import Statement
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind, Verdict
 
@@ -221,22 +222,18 @@ def _link_text(name: str) -> str:
 def _printed(item: Settled, place: Place) -> list[str]:
     """A statement of the paper as printed, what it claims, its verdict and what is right."""
     statement, verdict = item.statement, item.verdict
-    out = [f"**{statement.id}** — {plain(statement.location)} — {words(statement.says)}", ""]
-    if statement.latex:
-        out += display([f"&{line}" for line in statement.latex])
-    if statement.domain:
-        out += [math(statement.domain), ""]
+    out = [f"**{statement.id}** — {plain(statement.location)}", "", *statement_in_words(statement)]
+    if verdict.proposition:
+        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     if verdict.condition:
         out += [f"Right for {math(verdict.condition)}\\ .", ""]
     right = _right(verdict)
     if right:
         out += ["Right is:", "", *right]
-    if verdict.proposition:
-        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     consequence = CONSEQUENCES.get(statement.id)
     if consequence:
         out += [f"*For a device:* {words(consequence)}", ""]
-    if place.whole and source_of(statement.id) is PAPER and verdict.kind in dict(CLASSES):
+    if place.whole and source_of(statement.id) is PAPER and verdict.kind in WRONG:
         out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
     names = [name for name, ids in STATEMENTS.items() if statement.id in ids]
     if place.whole and names:
@@ -252,6 +249,17 @@ def _printed(item: Settled, place: Place) -> list[str]:
     foreign = checked(statement.id, judged) if judged else Checked()
     out += container("verdict", [kind(verdict.kind), "", said, "", *_foreign(foreign)])
     return [f".. _{label}:", "", *container("statement", out)]
+
+
+def statement_in_words(statement: Statement) -> list[str]:
+    """The source's own words, its formula, and our reading of them, in this order."""
+    out = [f"“{words(statement.quote)}”", ""] if statement.quote else []
+    if statement.latex:
+        out += display([f"&{line}" for line in statement.latex])
+    if statement.domain:
+        out += [math(statement.domain), ""]
+    label = "*Read as:* " if statement.quote and not statement.latex else ""
+    return [*out, f"{label}{words(statement.says)}", ""]
 
 
 def _right(verdict: Verdict) -> list[str]:

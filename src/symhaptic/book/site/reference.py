@@ -24,7 +24,7 @@ GROUPS = {
     "Stable walls": (
         *("is_stable", "max_stable_stiffness", "delay_margin", "stability_boundary"),
         *("stable_region", "robust_region", "unstable_roots", "characteristic_polynomial"),
-        *("grid_boundary", "linear_limit"),
+        *("grid_boundary", "linear_limit", "jury"),
     ),
     "Passive walls": (
         *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_margin_at"),

@@ -27,7 +27,7 @@ from symhaptic.book.record import Block
 from symhaptic.book.rests import between
 from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.believed import believed, symbols
-from symhaptic.book.tex.errata import errata
+from symhaptic.book.tex.errata import AT_HAND, errata
 from symhaptic.book.tex.mutants import mutants_listed
 from symhaptic.book.tex.page import chapter_tex
 from symhaptic.book.tex.parts import parts
@@ -45,6 +45,7 @@ MEANINGS = (
     (Kind.MISPRINT, "false as printed, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
+    (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),
     (Kind.UNDECIDED, "none of these yet"),
 )
 RESERVED = (
@@ -119,7 +120,14 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         ),
         ("results", {**results(entries, numbers), "graph": bool(between(numbered))}),
         ("believed", believed(entries)),
-        ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
+        (
+            "errata",
+            {
+                "classes": errata(entries, numbers),
+                "errors": _errors(entries),
+                "source": escaped(AT_HAND),
+            },
+        ),
         ("ledger", {"rows": rows, **_foreign(entries)}),
         *([("mutants", trials)] if trials else []),
         *([("bench", speed)] if speed else []),
@@ -151,8 +159,9 @@ def _errors(entries: list[Entry]) -> str:
     kinds = [entry.verdict.kind for entry in entries if entry.source is PAPER]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
-        f"Of {len(kinds)} statements of the paper {wrong} are wrong as printed and "
-        f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give"
+        f"Of {len(kinds)} statements of the paper {wrong} are wrong as they stand, "
+        f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give, and "
+        f"{kinds.count(Kind.SLIP)} are slips of the text"
     )
 
 

@@ -80,29 +80,41 @@ def _answered(item: Settled) -> str:
 
 
 def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
-    """What is printed, the condition under which it is right, and what it claims."""
+    """What is printed, what it claims, and the condition under which it is right."""
+    right = ""
     if verdict.condition:
         for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
-        shown += f"\\\\[4pt]{{\\footnotesize {for_}}}"
+        right = f"\\\\[4pt]{{\\footnotesize {for_}}}"
     if not verdict.proposition or width(verdict.proposition) > LONG_CLAIM:
-        return shown
+        return shown + right
     claim = running(verdict.proposition)
     if facing and width(claim) < NARROW:
-        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}$}}"
-    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}"
+        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}${right}}}"
+    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}{right}"
+
+
+def quoted(statement: Statement) -> str:
+    """The source's own words in quotation marks; empty where a chapter states it itself."""
+    return f"``{prose(statement.quote)}''" if statement.quote else ""
+
+
+def formula(statement: Statement) -> str:
+    """The formula of a statement, line by line, with its domain; empty where it has none."""
+    lines = [line for text in statement.latex for line in broken(text)]
+    shown = stack(lines) if lines else ""
+    if lines and statement.domain:
+        shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
+    return shown
 
 
 def printed(statement: Statement) -> str:
-    """The formula of a statement, line by line, with its domain; or what it says in words."""
-    lines = [line for text in statement.latex for line in broken(text)]
-    if not lines:
-        return prose(statement.says)
-    shown = stack(lines)
-    if statement.domain:
-        shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
-    if not _NUMBERED.fullmatch(statement.id):
-        shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
-    return shown
+    """The source's words, its formula, and our reading of them, in this order."""
+    reading = prose(statement.says)
+    if statement.quote:
+        label = "" if statement.latex else "\\emph{Read as:} "
+        reading = f"{{\\footnotesize {label}{reading}}}"
+    parts = (quoted(statement), formula(statement), reading)
+    return "\\\\[2pt]".join(part for part in parts if part)
 
 
 def running(claim: str) -> str:

