@@ -44,6 +44,7 @@ _NOT_RUN_BY_A_CALL = (
     inspect.isasyncgenfunction,
 )
 
+
 @dataclass(frozen=True)
 class Chapter:
     """A derivation that has been run."""
