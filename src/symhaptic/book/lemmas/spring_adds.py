@@ -105,7 +105,7 @@ class Both:
         """0 < f of the wall and the devices, by balls."""
         used = sp.expand(expr.xreplace(NAMED))
         ends = {s: BOX[s] for s in BOX if s in used.free_symbols}
-        certificate: Any = box.positive(used, ends).certificates[0]
+        certificate: Any = box.positive(used, ends)
         return closed(placed(on_plain_box(certificate), self.places), *self.known)
 
     def inequality(self, goal: Any, before: Theorem | None) -> Theorem:
