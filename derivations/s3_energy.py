@@ -129,7 +129,9 @@ def _settle(page, condition):
                 but=PUSHES,
             )
         ],
-        note="at equality no motion gains energy either, so that (4) is sufficient, and necessary "
-        "but for equality",
-        shows="$H=-(1+1/z+1/z^2)$ pulls, satisfies (4) for every damper, and gives energy away",
+        note="of walls with three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with a whole $d$, as (1) is; "
+        "no other $H$ is settled. At equality no motion gains energy either, so that (4) is "
+        "sufficient, and necessary but for equality",
+        shows="a wall of three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may pull: $H=-(1+1/z+1/z^2)$ "
+        "satisfies (4) for every damper, and gives energy away",
     )

@@ -75,7 +75,8 @@ def derive(page):
     page.settle(
         "fig6",
         conjoined(*map(fact, CLAIMED["fig6"](()).of)),
-        note=r"ten rows lie in the range and one far outside; for the 30\,\% of the caption see "
+        note=r"at $T=1$ ms; the excluded row has $k_H/m_H=6667$ against 1000 1/s$^2$ and "
+        r"$b_H/m_H=50$ against 20 1/s. For the 30\,\% of the caption see "
         r"\texttt{s4c-extension-30}",
     )
 

@@ -89,6 +89,6 @@ def derive(page):
     page.settle(
         "s5c-shape",
         other_shape_and_size(),
-        note=r"for $d=0$ a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a triangle "
-        r"with corners at $\beta=\pm\pi^2/2$",
+        note=r"for $d=0$ only: a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a "
+        r"triangle with corners at $\beta=\pm\pi^2/2$",
     )

@@ -169,7 +169,8 @@ class Record:
             raise FalseStep(f"step {title!r}: {told}")
         result = compare(left, right)
         if not result.equal and self.definitions:
-            meant = compare(*([self._meant(p) for p in parts(form)] for form in (left, right)))
+            ours, theirs = ([self._meant(p) for p in parts(form)] for form in (left, right))
+            meant = compare(ours, theirs)
             result = meant if meant.equal else result
         if result.equal:
             return result

@@ -24,7 +24,6 @@ from symhaptic.proof.derivative import derivative
 from symhaptic.proof.enclosed import Enclosed, Source, value
 from symhaptic.proof.recheck import confirm
 from symhaptic.proof.roots import BITS, NoSuchRoot, zero
-from symhaptic.proof.seal import KEY
 
 DEVICE = plant.Sampled(n_1, n_0, a, e)
 """A plant by the names of its numbers."""
@@ -86,7 +85,7 @@ def most(stiffness: Expr, damping: Expr, delay: int) -> Enclosed:
         return undelayed(stiffness, damping)
     tip = max_stable_stiffness(float(stiffness), float(damping), delay)
     peak = largest(stiffness, damping, delay, float(tip.theta) * (delay + 1))
-    return Enclosed(peak.value, peak.certificates, KEY)
+    return Enclosed(peak.value, peak.certificates)
 
 
 def largest(stiffness: Expr, damping: Expr, delay: int, near: float) -> Peak:

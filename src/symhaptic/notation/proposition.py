@@ -54,7 +54,7 @@ class Proposition:
         return self._keyed({}, 0)
 
     def _keyed(self, bound: Mapping[Symbol, Term], depth: int) -> tuple[Any, ...]:
-        own = tuple(getattr(self, name) for name in _own(type(self)))
+        own = tuple(getattr(self, name) for name in _own(type(self)))  # type: ignore[arg-type]
         kinds = tuple(map(is_complex, self.bound))
         if self.bound:
             places = {s: _place(depth + i) for i, s in enumerate(self.bound)}

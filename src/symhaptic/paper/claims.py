@@ -249,7 +249,8 @@ CLAIMS = (
     Statement(
         "s4d-all-stabilising",
         _IV_D,
-        "mass, spring and damper of the operator all stabilise",
+        "every wall that is stable stays so with more mass, a stiffer spring or a stronger damper "
+        "of the operator",
         quote="if modeled as linear mass-spring-damper system, all three elements (the mass, the "
         "spring and the damper) of a human operator are stabilizing an impedance type "
         "haptic system",
@@ -264,7 +265,7 @@ CLAIMS = (
     Statement(
         "s4d-delay-shrinks",
         _IV_D,
-        "a larger delay gives a smaller stable region",
+        "every wall that is stable with one more period of delay is stable without it",
         quote="For larger delays, the stable region becomes smaller",
     ),
     Statement(
@@ -381,7 +382,8 @@ CLAIMS = (
     Statement(
         "s5c-shape",
         _V_C,
-        "such stiff springs change shape and size of the stable region completely",
+        "without delay the stable walls lie below an arc with a spring of (23); with that of the "
+        "Nyquist frequency they fill a triangle, and one is 13 times as stiff as all of those",
         quote="Such high stiffness causes the stability boundaries to change completely their "
         "shape and size.",
     ),
@@ -408,7 +410,9 @@ CLAIMS = (
     Statement(
         "s5c-undamped-limit",
         _V_C,
-        r"for $\delta=0$ and $\gamma=\pi^2$ the whole region is limit stable",
+        r"for $\delta=0$ and $\gamma=\pi^2$ a pole stays at $-1$ for every wall and delay; without "
+        r"delay it is simple and all others lie inside for $\alpha>-\pi^2$, "
+        r"$\beta>-\frac{\pi^2}2$, $\alpha+2\beta<0$, and only there",
         quote=r"For $\delta = 0$, the whole stable region is limit stable at the Nyquist frequency"
         r" $\gamma = \pi^2$, as the system has a pole at $z = -1$ independent of time delay "
         "$d$.",

@@ -1,10 +1,23 @@
-"""What the abstract, Sec. V and Sec. VI state on passivity beside stability."""
+"""What the abstract, Sec. V and Sec. VI state on passivity beside stability, and on areas."""
 
 from __future__ import annotations
 
 from symhaptic.paper.statement import Statement
 
 CLAIMS_COMPARED = (
+    Statement(
+        "s4d-delay-shrinks-area",
+        "Sec. IV-D",
+        "a larger delay leaves less area, for the arm of Figs. 11 and 12 and up to eight periods",
+        quote="For larger delays, the stable region becomes smaller",
+    ),
+    Statement(
+        "s4d-all-stabilising-area",
+        "Sec. IV-D",
+        "mass, spring and damper each give the stable region more area, or no less, without delay",
+        quote="all three elements (the mass, the spring and the damper) of a human operator are "
+        "stabilizing an impedance type haptic system",
+    ),
     Statement(
         "one-delta",
         "Sec. V-A",

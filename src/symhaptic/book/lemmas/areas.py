@@ -5,25 +5,31 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-import sympy as sp
 from sympy import Expr, Rational, S
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
+from symhaptic.book.lemmas.more_damped import more_damped_is_stable
 from symhaptic.book.lemmas.outpaced import at_point, on_this_side
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.polygon import all_stable
-from symhaptic.book.lemmas.spring_box import PRIMED
-from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
-from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1
+from symhaptic.book.lemmas.spring_box import bounds
+from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
+from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import conjuncts, whole
-from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions import areas
 from symhaptic.paper.propositions.ratio import ARM
-from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part, placed
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.roots import first_minors
 from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
@@ -103,53 +109,36 @@ def around(delay: int) -> Theorem:
 
 
 @cache
+def inside(delay: int) -> Theorem:
+    """All walls of the inner polygon are stable."""
+    return all_stable(PLANT, delay, areas.inner(delay))
+
+
+@cache
 def delay_takes_area() -> Theorem:
     """Each period takes area from the region of the arm of Figs. 11 and 12."""
     found = []
     for delay in range(areas.LONGEST):
-        inside = all_stable(PLANT, delay, areas.inner(delay))
         *_, less = areas.smaller(delay).of  # type: ignore[attr-defined]
-        found.append(conjoined(inside, around(delay + 1), number(less)))
+        found.append(conjoined(inside(delay), around(delay + 1), number(less)))
     return conjoined(*found)
 
 
-# -- spring, damper and mass -----------------------------------------------------------------------
-
-CLOSE = Rational(1, 10**9)
-u, v = sp.symbols("u v")
-"""alpha + gamma, and the virtual damping."""
-NAMES = sp.symbols("m_1 m_0 L x_1 x_0")
-"""Numbers of the device without a spring, n_1, n_0 and 1 - e, and n_1 and n_0 of that with it."""
-
-
-def _narrow(plant: areas.Wall) -> list[tuple[Expr, Rational, Rational, list[Theorem]]]:
-    """n_1, n_0 and 1 - e between two numbers that are close, as theorems."""
-    values = dict(zip(NUMBERS, map(float, discretize(*map(float, plant))), strict=True))
-    here = {s: (value, value) for s, value in zip((gamma, delta), plant, strict=True)}
-    found = []
-    for of in (n_1, n_0, 1 - e):
-        middle = Rational(round(float(of.xreplace(values)) * 10**12), 10**12)
-        low, high = middle - CLOSE, middle + CLOSE
-        known = [
-            combined(of >= low, [at_point(of - low, here)]),
-            combined(of <= high, [at_point(high - of, here)]),
-        ]
-        found.append((of, low, high, known))
-    return found
+@cache
+def damper_adds() -> Theorem:
+    """With more damping all stable walls stay stable, without delay."""
+    symbols, given, _ = taken_apart(areas.kept_by_the_damper())
+    return for_all(symbols, given, weakened(more_damped_is_stable(), *given))
 
 
 @cache
-def spring_adds(damper: Expr) -> Theorem:
-    """A stable wall without a spring, less STIFF of stiffness, is stable with gamma = STIFF.
-
-    Each of Jury's inequalities gains by the move.
-    """
-    free, sprung = (S.Zero, damper), (STIFF, damper)
-    here = dict(zip((gamma, delta), free, strict=True))
-    there = dict(zip((gamma, delta), sprung, strict=True))
-    other = dict(zip(NUMBERS, PRIMED.values(), strict=True))
-    narrow, moved = _narrow(free), _narrow(sprung)
-    known = inequalities(0)
-    loop = placed(by_inequalities(0), {alpha: alpha - STIFF, gamma: STIFF, delta: damper, **other})
-    goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
-    return narrow, moved, known, goals
+def mass_adds() -> Theorem:
+    """Twice the mass: more area of walls (K, B)."""
+    _, rectangle, less = areas.grown_with_the_mass().of  # type: ignore[attr-defined]
+    heavy = all_stable((areas.HEAVY[gamma], areas.HEAVY[delta]), 0, areas.INSIDE)
+    wall = {name: numbers_known(placed(t, ARM)) for name, t in bounds().items()}
+    softer = positive(areas.AROUND[2][2] - alpha > 0, [wall["left"]], [ARM[gamma]])
+    ways = [wall["right"], wall["up"], softer, wall["down"]]
+    given, goals = conjuncts(rectangle.body.of[0]), conjuncts(rectangle.body.of[1])
+    known = [combined(goal, [way]) for goal, way in zip(goals, ways, strict=True)]
+    return conjoined(heavy, for_all((alpha, beta), given, conjoined(*known)), number(less))

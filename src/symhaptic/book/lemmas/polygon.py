@@ -117,12 +117,13 @@ def stretches(arm: Arm, delay: int, corners: Sequence[Wall]) -> list[Stretch]:
     known = dict(zip(NUMBERS, map(float, values), strict=True))
     grid = np.linspace(0.0, np.pi, 8001)
     runs: list[tuple[Side | None, np.ndarray[Any, Any]]] = []
-    for side in (*sides(corners), None):
-        expr = outweighs(corners) if side is None else beyond(side, delay)
-        good = sp.lambdify(theta, expr.xreplace(known), "numpy")(grid) > 0
-        if side is not None:
-            good &= grid < np.pi - 1e-3
-        runs.append((side, good))
+    symbols = sp.symbols("p q c")
+    value = sp.lambdify((theta, *symbols), beyond(symbols, delay).xreplace(known), "numpy")
+    for side in sides(corners):
+        found_beyond = value(grid, *map(float, side)) > 0
+        runs.append((side, found_beyond & (grid < np.pi - 1e-3)))
+    outweighed = sp.lambdify(theta, outweighs(corners).xreplace(known), "numpy")
+    runs.append((None, outweighed(grid) > 0))
 
     def best(at: int) -> tuple[int, int, Side | None]:
         """The side that tells at an angle, and the first and last angle up to which it does."""

@@ -104,14 +104,14 @@ def _root_between(sides: Sides) -> list[Theorem]:
     root, up = assume(ROOT), assume(w > 0)
     above = positive(w**2 - low**2 > 0, [on_box(SQUARE - low**2, arms)], [root, -1])
     below = positive(high**2 - w**2 > 0, [on_box(high**2 - SQUARE, arms)], [root, 1])
-    sides = [
+    found = [
         over(w - low > 0, above, positive(w + low > 0, [up], [low])),
         over(high - w > 0, below, positive(high + w > 0, [up], [high])),
     ]
     apart = positive(Ne(w + low, 0), [up], [low]), positive(Ne(high + w, 0), [up], [high])
     return [
         closed(positive(claim, [side]), *apart)
-        for claim, side in zip((w >= low, w <= high), sides, strict=True)
+        for claim, side in zip((w >= low, w <= high), found, strict=True)
     ]
 
 

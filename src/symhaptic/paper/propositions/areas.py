@@ -238,15 +238,19 @@ def _delay_takes_area(printed: Printed) -> Proposition:
 # -- what arm and mass do --------------------------------------------------------------------------
 
 
+ENDS = (S.Zero, DAMPED)
+"""The ends of the range of delta."""
+
+
 def moved_by_the_spring() -> Proposition:
     """Without delay a wall that is stable without a spring, less 0.001 of stiffness, is so with it.
 
-    The walls with gamma = 0.001 so fill a copy of the region without a spring at least, moved to
+    The walls with gamma = 0.001 so fill at least a copy of the region without a spring, moved to
     the left.  For both ends of the range of delta.
     """
     free, sprung = stable(0).at({gamma: S.Zero}), stable(0, (alpha - STIFF, beta))
     kept = ForAll((alpha, beta), implied([free], sprung.at({gamma: STIFF})))
-    return both(kept.at({delta: damper}) for damper in (S.Zero, DAMPED))
+    return both(kept.at({delta: damper}) for damper in ENDS)
 
 
 def kept_by_the_damper() -> Proposition:
@@ -265,6 +269,13 @@ AROUND = (
 """A rectangle that holds all stable walls of (23) without delay."""
 HEAVY = {gamma: STIFF / 2, delta: DAMPED / 2}
 """The arm of Figs. 11 and 12 with twice the mass."""
+INSIDE = (
+    (-STIFF / 4, Rational(0)),
+    (S.Half, Rational(45, 100)),
+    (Rational(65, 100), Rational(8, 10)),
+    (-STIFF / 4, Rational(19, 10)),
+)
+"""Corners of a polygon of walls that are stable with that arm."""
 
 
 def grown_with_the_mass() -> Proposition:
@@ -273,9 +284,8 @@ def grown_with_the_mass() -> Proposition:
     Without delay.  Of the same wall alpha and beta are half as large with twice the mass, so that
     the area counts four times.
     """
-    inside = ForAll((alpha, beta), implied(within(sides(inner(0))), stable(0))).at(HEAVY)
-    around = in_polygon(0, AROUND).at(ARM)
-    return both([inside, around, Relation(area(corners(AROUND)), "<", 4 * area(inner(0)))])
+    inside, around = holds_polygon(0, INSIDE).at(HEAVY), in_polygon(0, AROUND).at(ARM)
+    return both([inside, around, Relation(area(corners(AROUND)), "<", 4 * area(INSIDE))])
 
 
 @claims("s4d-all-stabilising-area")

@@ -13,19 +13,24 @@ from symhaptic.notation import (
     B,
     K,
     T,
+    a,
     alpha,
     b,
     beta,
     d,
     delta,
+    e,
     gamma,
     k,
     l,
     m,
+    n_0,
+    n_1,
     omega,
     omega_hat,
     x,
     y,
+    z,
 )
 from symhaptic.notation.proposition import (
     Exists,
@@ -212,13 +217,51 @@ def at_nyquist(of: Proposition) -> Proposition:
     return of.at({gamma: sp.pi**2 + delta**2 / 4, d: LATE})
 
 
-@claims("s5c-undamped-limit")
-def _limit_stable_at_best(printed: Printed) -> Proposition:
-    """A pole lies at -1, whatever wall and delay: no loop is more than stable in the limit."""
+NUMBERS = (n_1, n_0, a, e)
+TURNED = 2 / sp.pi**2
+"""n_1 = n_0 of the device without damping."""
+WALLS = (alpha + beta) * z - beta
+LOOSE = (z + 1) * z ** (d + 1) + TURNED * WALLS
+"""The characteristic polynomial over z + 1."""
+
+
+def kept_at_minus_one() -> Proposition:
+    """-1 is a pole, whatever wall and delay of l/q periods, so that no wall is stable."""
     pole = Predicate("pole", (), (*LOOP, -sp.S.One))
     both_ = both([pole, Not((STABLE,))])
     given = [whole(l), whole(q), q > 0]
     return ForAll((alpha, beta, l, q), implied(given, at_nyquist(both_).at({delta: sp.S.Zero})))
+
+
+def split_off() -> Proposition:
+    """The polynomial is z + 1 times LOOSE, and the device loses one of its two poles at -1.
+
+    For whole delays.  LOOSE is zero at -1 just where alpha + 2 beta is.
+    """
+    device = Predicate("device", (), (sp.pi**2, sp.S.Zero, *NUMBERS))
+    below, above = z**2 - a * z + e, n_1 * z + n_0
+    turned = sp.Eq(z ** (d + 1) * below + above * WALLS, (z + 1) * LOOSE, evaluate=False)
+    left = sp.Eq(above / below, TURNED / (z + 1), evaluate=False)
+    seen = ForAll((z,), both([implied([sp.Ne(z, 0)], turned), implied([sp.Ne(z, -1)], left)]))
+    once = Iff((proposition(sp.Eq(LOOSE.subs(z, -1), 0)), proposition(sp.Eq(alpha + 2 * beta, 0))))
+    return ForAll((alpha, beta, d, *NUMBERS), implied([whole(d), device], both([seen, once])))
+
+
+def limit_stable_undelayed() -> Proposition:
+    """Without delay all zeros but the one at -1 lie inside just for the walls of a triangle."""
+    inside = Predicate("stable", (z,), (sp.expand(LOOSE.subs(d, 0)),))
+    triangle = [alpha > -(sp.pi**2), beta > -(sp.pi**2) / 2, alpha + 2 * beta < 0]
+    return ForAll((alpha, beta), Iff((inside, both(triangle))))
+
+
+@claims("s5c-undamped-limit")
+def _limit_stable_at_best(printed: Printed) -> Proposition:
+    """A pole lies at -1, whatever wall and delay: no loop is more than stable in the limit.
+
+    It is the device's own, which the sampled motion does not show.  It is a simple one but for
+    alpha + 2 beta = 0, and without delay the other zeros lie inside for a triangle of walls.
+    """
+    return both([kept_at_minus_one(), split_off(), limit_stable_undelayed()])
 
 
 @claims("s5c-pole-inside")
