@@ -114,6 +114,7 @@ SLIPS: dict[str, str] = {
     "s1-conclusion": "None.",
     "s5b-ratio-panels": "None: read (b) and (c).",
     "s5b-captions-alike": "None.",
+    "s1-et-al": "None.",
     "s4c-et-al": "None.",
 }
 
