@@ -59,7 +59,7 @@ WRONG_UNITS = {
     "eq12": "b c_1 (...) lacks the factor m/T beside b^2 - 4km",
     "s4a-delay-equivalent": "d T_s is a time in an exponent",
 }
-SECTIONS = {"1": "I", "2": "II", "3": "III", "4": "IV", "5": "V", "6": "VI"}
+SECTIONS = {"0": "Abstract", "1": "I", "2": "II", "3": "III", "4": "IV", "5": "V", "6": "VI"}
 
 
 def test_contract_names_statements():
@@ -87,7 +87,7 @@ def test_every_statement_quotes_the_paper_and_reads_it_in_other_words():
 
 def test_statements_have_a_location_and_say_something():
     for id, statement in STATEMENTS.items():
-        assert statement.location.startswith(("Sec. ", "Table ", "Fig. ")), id
+        assert statement.location.startswith(("Abstract", "Sec. ", "Table ", "Fig. ")), id
         assert statement.says.strip(), id
         assert statement.text.strip(), id
 
