@@ -117,6 +117,10 @@ PROVED = [
     "fig13",
     "s5c-robust-shrinks",
     "s5c-robust-grows",
+    "s3c-upper-part",
+    "s4d-delay-shrinks-area",
+    "s4d-all-stabilising-area",
+    "s6-light-device",
 ]
 ENCLOSED = [
     "s3c-kmax-41",
@@ -134,6 +138,8 @@ ENCLOSED = [
     "one-period-share",
     "s6-damping-marginal",
     "s6-stiffness-marginal",
+    "s6-linear-small-error",
+    "s5c-delta-hardly-visible",
 ]
 MISPRINTS = [
     "eq12",
@@ -147,6 +153,7 @@ SLIPS = [
     "s5b-captions-alike",
     "s4d-bound-of-b",
     "s4c-et-al",
+    "s1-et-al",
 ]
 QUALIFIED = [
     "eq5",
