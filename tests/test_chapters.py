@@ -260,7 +260,7 @@ def test_no_statement_is_settled_twice():
 
 
 def test_verdicts_are_the_expected_ones_and_no_statement_is_left_out(settled):
-    assert {id: found.verdict.claimed for id, found in settled.items()} == EXPECTED
+    assert {id: found.verdict.kind for id, found in settled.items()} == EXPECTED
     assert set(STATEMENTS) <= set(settled)
 
 
@@ -275,5 +275,5 @@ def test_conditions_come_with_counterexamples(settled):
 def test_misprints_come_with_corrections(settled):
     for id in MISPRINTS:
         verdict = settled[id].verdict
-        assert verdict.corrected_latex, id
+        assert verdict.corrected, id
         assert verdict.counterexample is not None, id  # empty where nothing is to be chosen
