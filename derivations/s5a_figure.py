@@ -93,5 +93,7 @@ def _settled(page):
         "fig11",
         in_one_plane(),
         note="the text does not say which polynomial the solid curves for $d=\\tfrac14$ and "
-        "$d=\\tfrac12$ belong to, so that of these delays only the last lemma is claimed",
+        "$d=\\tfrac12$ belong to, so that of these delays only the last lemma is claimed. One "
+        "$\\delta$ stands for passivity and stability; for a held device the passive walls drawn "
+        "here are at least 32 times too large (\\texttt{one-delta-figures})",
     )

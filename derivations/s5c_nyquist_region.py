@@ -7,7 +7,11 @@ springs has become a triangle.
 
 from sympy import I, S, exp, eye, pi, symbols, tanh
 
-from symhaptic.book.lemmas.nyquist_triangle import is_triangle, other_shape_and_size
+from symhaptic.book.lemmas.nyquist_triangle import (
+    hardly_moved,
+    is_triangle,
+    other_shape_and_size,
+)
 from symhaptic.model import jury, loop, plant
 from symhaptic.model.parts import FULL
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
@@ -91,4 +95,10 @@ def derive(page):
         other_shape_and_size(),
         note=r"for $d=0$ only: a parabola-like arc up to $\alpha=0.71$, $\beta=2$ becomes a "
         r"triangle with corners at $\beta=\pm\pi^2/2$",
+    )
+    page.settle(
+        "s5c-delta-hardly-visible",
+        page.lemma("The sides of the triangle move by less than 0.05 in (23)", hardly_moved()),
+        enclosed=True,
+        note="for $d=0$ and the largest of the 41 springs only; the other curves are not settled",
     )

@@ -81,5 +81,7 @@ def derive(page):
         "fig13",
         up_to_nyquist(),
         note="the text does not say which polynomial the curves for $d=\\tfrac12$ belong to, so "
-        "that of this delay only the passive walls are claimed to be robustly stable",
+        "that of this delay only the passive walls are claimed to be robustly stable. One "
+        "$\\delta$ stands for passivity and stability; for a held device the passive walls drawn "
+        "here are at least 32 times too large (\\texttt{one-delta-figures})",
     )

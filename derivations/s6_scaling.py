@@ -15,6 +15,7 @@ from symhaptic.book.lemmas.scaling import (
     HELD,
     NOTHING,
     free_mass,
+    lighter_hands,
     with_the_mass,
     with_the_rate,
     with_the_stiffness,
@@ -72,6 +73,7 @@ def derive(page):
         note="the passive region is free of the mass, without condition",
     )
     performance(page)
+    light(page)
 
 
 def _grown(point, stiffness, damping):
@@ -91,6 +93,24 @@ def performance(page):
         for_all(symbols, given, weakened(found, *given)),
         example=example(point, given),
         note="if wall, damper and spring grow with the mass the loop moves as before",
+    )
+
+
+def light(page):
+    """A hand of less mass."""
+    page.say(
+        "A hand that holds the device loosely adds less mass. Of a device without damper and "
+        "spring just the share $(m_D+ym_H)/(m_D+m_H)$ of each stable wall stays stable with $y$ "
+        "times the mass of the hand:"
+    )
+    found = page.lemma(
+        "A lighter hand leaves the larger share the heavier the device is", lighter_hands()
+    )
+    page.settle(
+        "s6-light-device",
+        found,
+        note="without dampers and springs, where the mass scales the stable walls; a sensible mass "
+        "is a matter of judgement and is not settled",
     )
 
 

@@ -44,6 +44,13 @@ def derive(page):
         r"\text{virtual damping}\ B",
         "Table I, and the unit of the bound",
     )
+    page.say("By the list of references, [3] is by Hannaford and Ryu.")
+    page.settle_slip(
+        "s1-et-al",
+        "Hannaford, et al. [3]",
+        r"\text{Hannaford and Ryu [3]}",
+        "the list of references names two authors",
+    )
     page.say(
         "The list of references gives two authors for [21], [28] and [30], as for [27], which "
         "Table II names by both authors."

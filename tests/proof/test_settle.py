@@ -65,14 +65,6 @@ def test_what_follows_from_data_outside_is_compared():
     assert Settlement(external="on a table elsewhere").decide(PRINTED).claimed == Kind.EXTERNAL
 
 
-def test_a_slip_is_no_pass_and_never_of_a_formula():
-    found = Settlement(slip=r"\text{Section VI}", shows="IV is Stability").decide(())
-    assert found.kind == Kind.SLIP
-    assert not found
-    with pytest.raises(Unfounded, match="a formula is compared"):
-        Settlement(slip="K = 2b/T", shows="so").decide(PRINTED)
-
-
 # -- misprints ----------------------------------------------------------------------------
 
 DERIVED = (Eq(K, 2 * b / T),)

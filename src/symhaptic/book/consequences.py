@@ -68,7 +68,7 @@ UNSAFE: dict[str, str] = {
     "spring of the hand harmless. Do not rely on a device without damping.",
     "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
     "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
-    "unstable. Use the modified z-transform (	exttt{is\\_stable} with that delay).",
+    "unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
     "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
     "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
 }
@@ -114,6 +114,7 @@ SLIPS: dict[str, str] = {
     "s1-conclusion": "None.",
     "s5b-ratio-panels": "None: read (b) and (c).",
     "s5b-captions-alike": "None.",
+    "s1-et-al": "None.",
     "s4c-et-al": "None.",
 }
 

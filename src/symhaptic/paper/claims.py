@@ -94,6 +94,13 @@ CLAIMS = (
         "KT/2 + B$, also independent of delay $d$.",
     ),
     Statement(
+        "s3c-upper-part",
+        _III_C,
+        r"for $B\ge0$ condition (6) says $b>\frac{KT}2+B$",
+        quote="This condition corresponds to the upper part of the passivity boundary (6) for "
+        "$d = 0$.",
+    ),
+    Statement(
         "s3c-lower-part",
         _III_C,
         r"the lower part of the boundary is linear, and is the limit of (7) for $\omega\to0$",

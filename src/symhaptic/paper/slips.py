@@ -13,6 +13,13 @@ SLIPS = (
         "for designing stable haptic systems.",
     ),
     Statement(
+        "s1-et-al",
+        "Sec. I",
+        "an article by two authors is given as by one author and others",
+        quote="Therefore, Hannaford, et al. [3] introduced a more accurate approach with their "
+        "time-domain passivity",
+    ),
+    Statement(
         "s4c-et-al",
         "Table II",
         "three articles by two authors are given as by one author and others",

@@ -17,7 +17,7 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, n_0, y, z
+from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, m_D, m_H, n_0, y, z
 from symhaptic.notation.proposition import (
     Exists,
     Predicate,
@@ -26,6 +26,7 @@ from symhaptic.notation.proposition import (
     proposition,
     whole,
 )
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import (
     HEAVY,
     MORE,
@@ -34,8 +35,12 @@ from symhaptic.paper.propositions.stability import (
     STRONGER,
     in_units,
 )
+from symhaptic.paper.propositions.stability import (
+    SHARE as LIGHTER,
+)
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import square
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -47,6 +52,7 @@ from symhaptic.proof.theorems.kernel import (
     part,
     placed,
     substituted,
+    weakened,
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -58,7 +64,7 @@ from symhaptic.proof.theorems.roots import (
     jury,
     last_coefficient,
 )
-from symhaptic.proof.theorems.tactics import closed, either_way, fact, positive
+from symhaptic.proof.theorems.tactics import closed, either_way, fact, for_all, over, positive
 
 DAMPER, SPRING = MORE[1:]
 """Damper and spring of another loop."""
@@ -186,6 +192,34 @@ def free_mass(theorem: Theorem, kept: Sequence[Any]) -> Theorem:
         share = sp.expand((wanted.left - wanted.right) / symbol)
         found = closed(found, combined(wanted, [assume(none), share]))
     return closed(found, *APART)
+
+
+@cache
+def lighter_hands() -> Theorem:
+    """What a lighter hand leaves of the walls; and that it is more beside a heavier device."""
+    walls, rises = CLAIMED["s6-light-device"](()).parts
+    heavy, light = m_D + m_H, m_D + LIGHTER * m_H
+    both_ = [m_H > 0, LIGHTER >= 0]
+    masses = positive(heavy > 0, m_D > 0, m_H > 0), positive(light > 0, [m_D > 0], both_)
+    free = free_mass(with_the_mass(STIFFER, STRONGER), HELD)
+    found = placed(free, {m: heavy, HEAVY: light, b: S.Zero, k: S.Zero})
+    rest = light / heavy
+    found = placed(found, {STIFFER: K * rest, STRONGER: B * rest})
+    zero = identity(S.Zero, S.Zero)
+    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in masses]  # type: ignore[attr-defined]
+    same = [identity(wall * rest, wall * rest) for wall in (K, B)]
+    found = closed(found, zero, *same, *masses, *apart)
+    symbols, given, _ = taken_apart(walls)
+    kept = for_all(symbols, given, weakened(found, *given))
+    symbols, given, less = taken_apart(rises)
+    lost = positive(m_H * (1 - LIGHTER) * (HEAVY - m_D) > 0, [m_H > 0, LIGHTER < 1, m_D < HEAVY])
+    more = positive(HEAVY + m_H > 0, [m_D < HEAVY], [m_D > 0], [m_H > 0])
+    size = combined((HEAVY + m_H) * heavy > 0, [more, masses[0]])
+    top, bottom = lost.conclusion.right, size.conclusion.right  # type: ignore[attr-defined]
+    gap = combined(less, [over(top / bottom > 0, lost, size)])
+    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (more, masses[0], size)]  # type: ignore[attr-defined]
+    steep = for_all(symbols, given, weakened(closed(gap, *apart), *given))
+    return conjoined(kept, steep)
 
 
 # -- walls that cannot be made stable ----------------------------------------------------

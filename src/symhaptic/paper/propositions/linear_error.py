@@ -185,3 +185,25 @@ def threshold() -> Proposition:
         every += [implied([delta <= low], nowhere().at(arm))]
         every += [implied([delta >= high], far().at(arm))]
     return ForAll((delta,), implied([delta >= 0, delta <= DAMPED], both(every)))
+
+
+HALF_WAY = Rational(1, 20)
+"""The largest level of Fig. 10."""
+RANGE = {0: Rational(9, 100), 1: Rational(26, 1000)}
+"""Up to this alpha the error stays below it, for each delay of Fig. 10."""
+
+
+def close(delay: int) -> Proposition:
+    """(26) is at most 5 per cent, for alpha between 0 and the end of RANGE."""
+    given = [on_boundary_at(delay), alpha >= 0, alpha <= RANGE[delay]]
+    return implied(given, size(delay) <= HALF_WAY)
+
+
+@claims("s6-linear-small-error")
+def _small_over_a_range(printed: Printed) -> Proposition:
+    """The error is at most 5 per cent on the boundary near the origin, for all arms of (23).
+
+    Of a wall with more virtual damping than 0.1 nothing is said.
+    """
+    given = [*ARMS, beta <= NEAR]
+    return ForAll((alpha, beta, gamma, delta), implied(given, both(map(close, LATE))))

@@ -239,6 +239,13 @@ def _upper_part(printed: Printed) -> Proposition:
     return ForAll((*WALL, omega), implied([*LOOP, frequency], then))
 
 
+@claims("s3c-upper-part")
+def _upper_part_without_delay(printed: Printed) -> Proposition:
+    """Where B is not negative, (6) is the linear condition of that frequency."""
+    same = Iff((proposition(SIX), proposition(b > K * T / 2 + B)))
+    return ForAll(WALL[:-1], implied([*LOOP[:-1], B >= 0], same))
+
+
 def scaled(period: sp.Expr) -> Proposition:
     """The walls of (5) scale with b, and their stiffness with y as the period does."""
     walls = at_every_frequency(FIVE)

@@ -268,6 +268,31 @@ def _other_shape_and_size(printed: Printed) -> Proposition:
     return both([between_line_and_curve(), shape, ForAll((delta,), implied(DAMPERS, size))])
 
 
+def moved_sides() -> list[Expr]:
+    """How far the sides lie from those without a damper is less than 0.05."""
+    half = NYQUIST / (1 + LEFT)
+    ways = (NYQUIST - sp.pi**2, half - sp.pi**2 / 2, half * (1 - LEFT))
+    least = Rational(5, 100)
+    return [relation for way in ways for relation in (way > -least, way < least)]
+
+
+WIDTH = 19
+"""The triangle is wider than this."""
+
+
+@claims("s5c-delta-hardly-visible")
+def _damping_hardly_moves_the_triangle(printed: Printed) -> Proposition:
+    """For d = 0 and the spring of the Nyquist frequency, for all dampers of (23).
+
+    The sides move by less than 0.05; the corners are more than WIDTH apart in alpha.
+    """
+    shape = Iff((undelayed(spring=NYQUIST), both(triangle())))
+    corner = NYQUIST * (3 - LEFT) / (1 + LEFT)
+    wide = corner + NYQUIST > WIDTH
+    sides = ForAll((delta,), implied(DAMPERS, both([*moved_sides(), wide])))
+    return both([ForAll((alpha, beta, delta), implied(DAMPERS, shape)), sides])
+
+
 # -- passive and stable walls in one plane -------------------------------------------------
 
 

@@ -9,7 +9,26 @@ from __future__ import annotations
 import sympy as sp
 from sympy import Expr, I, Rational, S, Symbol, cos, exp, pi, sin
 
-from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    gamma,
+    k,
+    m,
+    m_D,
+    m_H,
+    n_0,
+    n_1,
+    theta,
+)
 from symhaptic.notation.proposition import (
     And,
     Exists,
@@ -207,6 +226,34 @@ def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
     given = [*LOOPS, SOON > 0, HEAVY > 0, sp.Eq(STRONGER, scaled)]
     symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER)
     return ForAll(symbols, implied(given, Iff((before, after))))
+
+
+SHARE = Symbol("y")
+"""The mass of a lighter hand over that of a heavier one."""
+
+
+def left_over(device: Expr = m_D) -> Expr:
+    """What the lighter hand leaves of the moving mass."""
+    return (device + SHARE * m_H) / (device + m_H)
+
+
+HANDS = [T > 0, m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, d >= 0]
+
+
+def lighter_hand() -> Proposition:
+    """A wall is stable with the heavier hand where that share of it is with the lighter one."""
+    heavy = in_units(K, B, T, m_D + m_H, S.Zero, S.Zero)
+    rest = left_over()
+    light = in_units(K * rest, B * rest, T, m_D + SHARE * m_H, S.Zero, S.Zero)
+    return ForAll((K, B, T, m_D, m_H, SHARE, d), implied(HANDS, Iff((heavy, light))))
+
+
+@claims("s6-light-device")
+def _light_device(printed: Printed) -> Proposition:
+    """The share that is left rises with the mass of the device; without dampers and springs."""
+    given = [m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, m_D < HEAVY]
+    rises = ForAll((m_D, m_H, SHARE, HEAVY), implied(given, left_over() < left_over(HEAVY)))
+    return both([lighter_hand(), rises])
 
 
 OTHER = Symbol("alpha_1")
