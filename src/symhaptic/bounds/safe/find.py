@@ -40,6 +40,9 @@ _SLOWEST = 2.0 ** (9 - prove.BITS)
 """The smallest theta^2 of a softest wall that balls tell from 0; heavier arms are not searched."""
 
 
+_UNSTABLE = "arms: no wall is found that is stable for all of them"
+
+
 class NothingSafe(ValueError):
     """No wall is shown to be stable for all arms; the message is one line that says why."""
 
@@ -95,22 +98,19 @@ def widest(loops: Loops) -> float:
 def linear(loops: Loops, B: NDArray[np.float64]) -> NDArray[np.float64]:
     """The stiffness of the linear condition (24), for the arm of least damping."""
     least = float(loops.hands[1][0]) * (float(loops.hands[0][0]) if loops.by_mass[0] else 1.0)
-    return (B + float(loops.damping) + least) / float(loops.period * (loops.periods[0] + Fraction(1, 2)))
-
-
-def _highest(K: NDArray[np.float64]) -> float:
-    return float(np.max(K[np.isfinite(K)], initial=0.0))
+    return (B + float(loops.damping) + least) / float(
+        loops.period * (loops.periods[0] + Fraction(1, 2))
+    )
 
 
 def guessed(loops: Loops, columns: int = 96) -> Columns:
     """Columns from B = 0 on, as high as the boundaries of some arms leave them, but a little."""
     width = widest(loops)
     if not width > 0:
-        raise NothingSafe("arms: no virtual damping is stable for all of them")
+        raise NothingSafe(_UNSTABLE)
     edges = np.linspace(0, width, columns + 1)
-    curves = outlines(loops)
-    tops = np.full(columns, max(_highest(K[(B >= 0) & (width >= B)]) for K, B in curves))
-    for K, B in curves:
+    tops = np.full(columns, np.inf)
+    for K, B in outlines(loops):
         known = np.isfinite(K) & np.isfinite(B)
         K, B = K[known], B[known]
         place = np.searchsorted(edges, B, side="right") - 1
@@ -121,7 +121,10 @@ def guessed(loops: Loops, columns: int = 96) -> Columns:
         for at, there in ((place, K), (edge, on_edge), (edge - 1, on_edge)):
             inside = (at >= 0) & (at < len(tops)) & (there > 0)
             np.minimum.at(tops, at[inside], there[inside])
+    tops = np.where(np.isfinite(tops), tops, np.max(tops[np.isfinite(tops)], initial=0.0))
     low = float(1e-6 * max(tops))
+    if not low > 0:
+        raise NothingSafe(_UNSTABLE)
     tops = np.where(tops > 4 * low, 0.99 * tops, 0.0)
     return Columns(tuple(map(float, edges)), tuple(map(float, tops)), low)
 

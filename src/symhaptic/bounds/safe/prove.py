@@ -27,7 +27,7 @@ BITS = 64
 PI = Fraction(31415926535897933, 10**16)
 """A little more than pi: where pieces of the circle end."""
 
-_FINE = 2**-7
+_FINE = 2**-9
 """Pieces are not halved below this relative width; what they touch is cut off."""
 
 _EASY, _HARD = 3_000, 10_000
@@ -152,9 +152,7 @@ def halved(angles: Ends, hands: Hands, across: int) -> list[tuple[Ends, Hands]]:
     return found
 
 
-def shown(
-    loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float = _FINE
-) -> Shown:
+def shown(loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float = _FINE) -> Shown:
     """Lower the columns until no arm has a root on the circle for any wall in them.
 
     A piece that touches columns is halved.  It lowers them instead if it is ``fine`` enough, or
@@ -230,5 +228,3 @@ def best_halves(
         if not touched:
             break
     return found
-
-
