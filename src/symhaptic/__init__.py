@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.numeric.tracing.extremes import max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
-    from symhaptic.numeric.tracing.margin import delay_margin
+    from symhaptic.numeric.tracing.margin import delay_margin, max_delay
     from symhaptic.numeric.tracing.region import Region, stable_region
     from symhaptic.numeric.tracing.robust import robust_region
     from symhaptic.proof.enclose import enclose, enclose_maximum
@@ -61,6 +61,7 @@ _HOME = {
     "is_stable": "symhaptic.numeric.stability",
     "lambdify": "symhaptic.scene.callables",
     "linear_limit": "symhaptic.numeric.linear",
+    "max_delay": "symhaptic.numeric.tracing.margin",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
     "max_stable_stiffness": "symhaptic.numeric.tracing.extremes",
     "passivity_boundary": "symhaptic.numeric.passivity",
@@ -96,6 +97,7 @@ __all__ = [
     "is_stable",
     "lambdify",
     "linear_limit",
+    "max_delay",
     "max_passive_stiffness",
     "max_stable_stiffness",
     "passivity_boundary",

@@ -40,7 +40,7 @@ _EACH = 2**-6
 """What a column counts that is touched, beside the share of its height that is touched."""
 
 _BETTER = 0.98
-"""A piece is halved across another dimension than its widest if that touches less by this factor."""
+"""Halving across another dimension than the widest has to touch less by this factor."""
 
 _MORE = 1 + 2**-40
 """More than what a few operations on floats may be off."""
@@ -211,7 +211,8 @@ def best_halves(
     The widest dimension is not always the best one: heavy arms differ much in damping, yet only
     the angle decides how large the wall's damping has to be.
     """
-    found, least = (widest, []), math.inf
+    found: tuple[int, list[Piece]] = (widest, [])
+    least = math.inf
     box = (piece.angles, *piece.hands)
     others = (i for i in range(4) if i != widest and touching.low < tops.max())
     for across in (widest, *others):
