@@ -47,7 +47,9 @@ def lambdify(
     and arrays that are broadcast do the same.  ``scene`` leaves arguments out, as a :class:`Scene`
     or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments of a stable
     form are dimensionless and in the order that `--list` prints; those of the others are in
-    the order of their names.  ``derivatives`` names arguments of a stable form: after its results
+    the order of their names.  If the scene has an arm, gamma and delta of stability are those of
+    device and arm together (``scene.dimensionless``), and delta of passivity is that of the device
+    alone (``scene.device.dimensionless``).  ``derivatives`` names arguments of a stable form: after its results
     come their derivatives with respect to the first of these, then to the next.  Returns one number
     or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
     ``"unstable_roots"`` is -1, and nothing is stable.  It can be pickled; another process makes it
@@ -82,6 +84,9 @@ def lambdify(
     parts = _parts(scene)
     try:
         (wanted,) = request.chosen([id], parts)
+        if isinstance(scene, Scene) and "passiv" in wanted.name:
+            parts = scene.device.parts
+            (wanted,) = request.chosen([id], parts)
     except Refused as wrong:
         raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
     if not isinstance(derivatives, Sequence | None):

@@ -259,6 +259,13 @@ def _range(arm: Arms) -> ArmRange:
 
 def safe_walls(scene: Scene, arm: Arms) -> SafeWalls:
     """What :meth:`symhaptic.scene.scene.Scene.safe_walls` returns."""
+    if scene.arm is not None:
+        if arm is not None:
+            raise ValueError(
+                f"arm: {shown(arm)} beside the scene's {scene.arm!r} is not allowed; "
+                "scene.device.safe_walls(...) takes another arm"
+            )
+        scene, arm = scene.device, scene.arm
     arms = _range(arm)
     loops = Loops(
         decimal(scene.mass),

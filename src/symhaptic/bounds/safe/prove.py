@@ -167,7 +167,7 @@ def shown(loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float
     cuts, looked, angles = [], 0, circle(loops, columns.low)
     with ctx.workprec(BITS):
         pieces = [Piece.of(loops, arc, loops.hands) for arc in pairwise(angles)][::-1]
-        while pieces:
+        while pieces and tops.any():
             piece = pieces.pop()
             looked += 1
             which, heights = touching(piece.walls, tops)
