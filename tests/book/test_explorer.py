@@ -276,7 +276,9 @@ def test_an_arm_that_was_measured_with_its_device_takes_its_place(page):
     page.select_option("#arm", label="Daniel et al.")
     rest(page)
     assert page.is_checked("#with_device")
-    coupled = "explorer.coupled(explorer.fromHash(document.getElementById('link').value.split('#')[1]))"
+    coupled = (
+        "explorer.coupled(explorer.fromHash(document.getElementById('link').value.split('#')[1]))"
+    )
     page.wait_for_function(f"{coupled}.m === '1'")
     assert page.evaluate(coupled) == {"m": "1", "b": "12.6", "k": "39.5"}
     assert "with_device=True" in page.inner_text("#code")
@@ -317,7 +319,11 @@ def test_a_number_for_a_fractional_delay_stands_beside_the_condition_for_fractio
     theta = np.linspace(1e-4, math.pi - 1e-4, 100_001)
     K = told(page, "told-stiffest-passive")
     B = np.linspace(0.19, 0.21, 81)[:, None]
-    assert spare(0.999 * K, B, theta).min(axis=1).max() > 0 > spare(1.001 * K, B, theta).min(axis=1).max()
+    assert (
+        spare(0.999 * K, B, theta).min(axis=1).max()
+        > 0
+        > spare(1.001 * K, B, theta).min(axis=1).max()
+    )
     K = told(page, "told-passive-limit")
     assert spare(0.999 * K, 0.1, theta).min() > 0 > spare(1.001 * K, 0.1, theta).min()
     b = told(page, "told-needed")

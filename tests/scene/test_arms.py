@@ -68,7 +68,10 @@ HELD = ALONE.held_by(ARM)
 
 def test_passivity_counts_the_device_alone():
     """3949 N/m and passive before: the arm's 6 Ns/m counted."""
-    for scene in (HELD, Scene(mass=0.072, damping=0.005, sampling_period=1e-3, delay=1.5e-3, arm=ARM)):
+    for scene in (
+        HELD,
+        Scene(mass=0.072, damping=0.005, sampling_period=1e-3, delay=1.5e-3, arm=ARM),
+    ):
         assert 3.2 < scene.max_passive_stiffness() < 3.4
         assert scene.max_passive_stiffness() == ALONE.max_passive_stiffness()
         assert np.isnan(scene.max_passive_stiffness(B=5.0).K)
@@ -99,7 +102,9 @@ def test_the_device_of_a_scene_has_no_arm():
     assert HELD.arm == ARM
     assert "arm=Arm(mass=0.5" in repr(HELD)
     assert eval(repr(HELD), {"Scene": Scene, "Arm": Arm}) == HELD
-    with pytest.raises(ValueError, match=r"^arm: Arm\(.* beside Arm\(.* is not allowed; scene.device"):
+    with pytest.raises(
+        ValueError, match=r"^arm: Arm\(.* beside Arm\(.* is not allowed; scene.device"
+    ):
         HELD.held_by(ARM)
     with pytest.raises(ValueError, match=r"^arm: 'Hogan' is not allowed; an Arm is$"):
         Scene(mass=0.1, sampling_period=1e-3, arm="Hogan")
@@ -120,7 +125,7 @@ def test_a_device_without_damping_has_no_passive_walls_in_any_arm():
 def test_a_formula_of_a_scene_takes_the_damping_that_it_counts():
     _, delta, d = HELD.device.dimensionless
     K = lambdify("max_passive_stiffness", scene=HELD)(delta, d)[0] * 0.072 / 1e-3**2
-    assert K == pytest.approx(HELD.max_passive_stiffness(), rel=1e-12)
+    assert pytest.approx(HELD.max_passive_stiffness(), rel=1e-12) == K
 
 
 def test_a_picture_shows_the_passive_walls_of_the_device():
@@ -165,7 +170,7 @@ def test_safe_walls_of_a_scene_are_those_of_its_arm():
     assert safe.scene == ALONE
     assert safe.stiffest[0] > 0.9 * 54296
     assert safe.stiffest_passive[0] < 3.289
-    with pytest.raises(ValueError, match="^arm: Arm.* beside the scene's Arm.* is not allowed; "):
+    with pytest.raises(ValueError, match=r"^arm: Arm.* beside the scene's Arm.* is not allowed; "):
         HELD.safe_walls(ARM)
 
 

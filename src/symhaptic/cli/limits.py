@@ -58,8 +58,8 @@ def limits(
 
     With [arms], a range of arms, also prove which walls are stable for every one of them.
     """
-    from symhaptic.bounds.safe.find import NothingSafe
     from symhaptic.book.listing import replace
+    from symhaptic.bounds.safe.find import NothingSafe
     from symhaptic.scene.device_file import BadDevice, read
 
     writable(output)

@@ -36,27 +36,48 @@ def lambdify(
     scene: Scene | Parts | str | None = None,
     derivatives: Sequence[str] | str = (),
 ) -> Callable[..., Any]:
-    """A function of numbers from a formula.
+    """Return a function of numbers for a formula.
 
-    ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
-    a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
-    digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
-    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
-    pandas and Pint, which come back as such), or mpmath, which gives as many digits as
-    ``mpmath.mp.dps`` says.  ``jax.vmap`` maps them; ``torch.vmap`` cannot, since NaN is looked for,
-    and arrays that are broadcast do the same.  ``scene`` leaves arguments out, as a :class:`Scene`
-    or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments of a stable
-    form are dimensionless and in the order that `--list` prints; those of the others are in
-    the order of their names.  If the scene has an arm, gamma and delta of stability are those of
-    device and arm together (``scene.dimensionless``), and delta of passivity is that of the device
-    alone (``scene.device.dimensionless``).  ``derivatives`` names arguments of a stable form: after its results
-    come their derivatives with respect to the first of these, then to the next.  Returns one number
-    or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
-    ``"unstable_roots"`` is -1, and nothing is stable.  It can be pickled; another process makes it
-    anew.
+    Parameters
+    ----------
+    id : str
+        A formula of the paper that has a stable form, such as ``"eq11"``, or the name of a function
+        that ``symhaptic export --list`` prints.
+    form : {"stable", "derived", "printed"}, optional
+        ``"stable"`` keeps its digits everywhere.  The other two are SymPy's own lambdify of the
+        derived and the published formula.
+    modules : {"numpy", "jax", "torch", "cupy", "mpmath"}, optional
+        The library of the arrays; arrays of xarray, Dask, pandas and Pint come back as such.
+        ``"mpmath"`` returns as many digits as ``mpmath.mp.dps`` says.
+    scene : Scene, Parts or str, optional
+        Leaves out the arguments that the scene does not have; a string is written as on the command
+        line (``"no-stiffness,no-delay"``).  If a scene has an arm, gamma and delta of stability are
+        those of device and arm together (``scene.dimensionless``), and delta of passivity is that
+        of the device alone (``scene.device.dimensionless``).
+    derivatives : sequence of str, optional
+        Arguments of a stable form.  Its results are followed by their derivatives with respect to
+        the first of these, then to the next.
 
-    Raises :class:`ValueError` for what is not known, or not in the scene.
+    Returns
+    -------
+    callable
+        A function that returns one number or a tuple; ``"is_stable"`` returns a truth value.  The
+        arguments of a stable form are dimensionless and in the order that ``--list`` prints, those
+        of the other forms in the order of their names.  Outside the domain numbers are NaN, the
+        count ``"unstable_roots"`` is -1, and nothing is stable.
 
+    Raises
+    ------
+    ValueError
+        If an argument is not known, or if the scene lacks a part of the formula.
+
+    Notes
+    -----
+    The function can be pickled; another process builds it again.  ``jax.vmap`` maps it.
+    ``torch.vmap`` cannot, because the function looks for NaN; arrays that broadcast do the same.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> stiffest = lambdify("eq11")
     >>> alpha, beta, theta = stiffest(1.0, np.array([0.0, 1.0]))

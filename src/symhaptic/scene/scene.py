@@ -375,11 +375,12 @@ class Scene:
     def max_passive_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
         """Largest stiffness in N/m of a passive wall, of any damping or of the damping ``B``.
 
-        Counts the device alone, (3), whatever arm holds it.  A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``; with
-        a ``B`` that is an array a :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.
-        NaN where no wall of this damping is passive.
+        Counts the device alone, (3), whatever arm holds it.  Returns a number with the attributes
+        ``.B`` in Ns/m and ``.frequency_hz``, the worst frequency.  For an array ``B`` returns a
+        :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.  NaN if no wall of this
+        damping is passive.
 
-        Raises :class:`ValueError` for a ``B`` that is no finite number.
+        Raises :class:`ValueError` if ``B`` is not a finite number.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
@@ -577,7 +578,7 @@ class Scene:
         return scipy_system(self)
 
     def to_sympy(self) -> Any:
-        """The sampled device with its arm and its delay, from N to m, as SymPy's ``TransferFunction``."""
+        """The sampled device with arm and delay, from N to m, as a SymPy ``TransferFunction``."""
         from symhaptic.scene.systems import sympy_system
 
         return sympy_system(self)

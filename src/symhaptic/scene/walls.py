@@ -277,10 +277,10 @@ def sensitivity(scene: Scene, B: float | None = None) -> dict[str, float]:
 
 def _changed(scene: Scene, name: str, value: float) -> Scene:
     """The scene with another value of a parameter, of its own or of its arm."""
-    own = name.removeprefix("arm_")
-    if own == name or scene.arm is None:
-        return replace(scene, **{name: value})
-    return replace(scene, arm=replace(scene.arm, **{own: value}))
+    own: dict[str, Any] = {name.removeprefix("arm_"): value}
+    if name in own or scene.arm is None:
+        return replace(scene, **own)
+    return replace(scene, arm=replace(scene.arm, **own))
 
 
 def stable_region(scene: Scene) -> StableWalls:

@@ -87,7 +87,11 @@ def latex(scene: Scene) -> str:
         (f"k{device}", scene.stiffness, "N/m"),
     ]
     if arm is not None:
-        parts += [("m_H", arm.mass, "kg"), ("b_H", arm.damping, "Ns/m"), ("k_H", arm.stiffness, "N/m")]
+        parts += [
+            ("m_H", arm.mass, "kg"),
+            ("b_H", arm.damping, "Ns/m"),
+            ("k_H", arm.stiffness, "N/m"),
+        ]
     parts += [
         ("T", scene.sampling_period, "s"),
         ("t_d", seconds if scene.parts.delay else None, "s"),

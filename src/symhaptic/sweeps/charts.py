@@ -144,11 +144,10 @@ def delay_margin(
     scene = _together(scene)
     names = ("alpha", "beta") if scene is None else ("K", "B")
     fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
-    half = "delay" if scene is None else "delay_samples"
-    own = 0.0 if scene is None else float(scene.periods)
-    far = sweep("max_stable_stiffness", scene, **fixed, **{half: own + 0.5})
-    if scene is None:
-        fixed["delay"] = 0.0
+    later: dict[str, Any] = {"delay": 0.5}
+    if scene is not None:
+        later = {"delay_samples": float(scene.periods) + 0.5}
+    far = sweep("max_stable_stiffness", scene, **fixed, **later)
     high = (float(far[names[0]]), 2.2 * float(far[names[1]]))
     ends = {"K": K or (0.0, high[0]), "B": B or (0.0, high[1])}
     lines = (_line(name, e, _enough(points)) for name, e in ends.items())

@@ -64,11 +64,11 @@ CHAPTERS = {
 
 @dataclass(frozen=True)
 class Fraction:
-    """The formula of a limit for a delay of l + epsilon periods, and the chapter that derives it."""
+    """A limit for a delay of l + epsilon periods in words, its condition, and their chapter."""
 
     words: str
-    formula: tuple[str, ...]
-    chapter: str
+    formula: tuple[str, ...] = ()
+    chapter: str = "s6d_fractional_passivity"
 
 
 @dataclass(frozen=True)
@@ -97,10 +97,6 @@ FRACTIONAL_PASSIVITY = (
 
 _BETWEEN = (*FRACTIONAL_PASSIVITY, r"0 < \theta < \pi,\quad K \ge 0,\quad d = \ell+\varepsilon")
 
-
-def _fraction(words: str, chapter: str = "s6d_fractional_passivity") -> Fraction:
-    return Fraction(words, _BETWEEN, chapter)
-
 TOLD = (
     Told(
         "told-limit", "Largest stable stiffness at this damping", (_BOUNDARY,),
@@ -113,22 +109,22 @@ TOLD = (
     Told(
         "told-passive-limit", "Largest passive stiffness at this damping", _WHOLE,
         "s3a_passivity_condition",
-        _fraction("The largest $K$ that satisfies at every angle"),
+        Fraction("The largest $K$ that satisfies", _BETWEEN),
     ),
     Told(
         "told-stiffest-passive", "Largest passive stiffness at any damping",
         (r"K = \frac{2b}{T}\tan\frac{\pi}{4(d+1)},\quad d \in \mathbb{N}_0",),
         "s3c_stiffness_maximum",
-        _fraction(
-            "The largest $K$ for which some $B$ satisfies at every angle",
-            "s6f_stiffest_passive_wall",
+        Fraction(
+            "The largest $K$ that satisfies the condition above with some $B$",
+            chapter="s6f_stiffest_passive_wall",
         ),
     ),
     Told("told-linear", "Linear condition", PAPER["eq24"].latex, "s4e_line"),
     Told(
         "told-needed", "Damping that this wall requires to be passive", _PUSHES,
         "s3_energy",
-        _fraction("The least $b > 0$ that satisfies at every angle"),
+        Fraction("The least $b > 0$ that satisfies the condition above"),
     ),
     Told(
         "told-delay", "Delay margin of this wall: what may be added to the delay",
@@ -181,6 +177,7 @@ def page(chapters: Collection[str]) -> str:
         "",
         *_raw(_markup("explorer.html")),
         *heading("Limits of this loop", "-"),
+        *_paragraph(words(_COUNTED)),
     ]
     for told in TOLD:
         out += _limit(told, chapters)
@@ -192,6 +189,11 @@ def page(chapters: Collection[str]) -> str:
     out += _raw(f'<link rel="stylesheet" href="_static/{NAME}/{NAME}.css">\n{scripts}')
     return "\n".join(out) + "\n"
 
+
+_COUNTED = (
+    "For stability $m$, $b$ and $k$ are those of device and arm together. For passivity $b$ is "
+    "that of the device alone."
+)
 
 _RULES = (
     "What one of these rules allows for this loop, beside the exact limit at this damping. None "
@@ -210,10 +212,9 @@ def _limit(told: Told, chapters: Collection[str]) -> list[str]:
     if told.fraction is None:
         return container("limit", lines + formula)
     derived = _linked("derivation", told.fraction.chapter, chapters)
-    between = [
-        *_paragraph(f"{words(told.fraction.words)} ({derived})"),
-        *display([f"&{line}" for line in told.fraction.formula]),
-    ]
+    between = _paragraph(f"{words(told.fraction.words)} ({derived})")
+    if told.fraction.formula:
+        between += display([f"&{line}" for line in told.fraction.formula])
     lines += container("delay-whole", formula) + container("delay-fraction", between)
     return container("limit", lines)
 

@@ -23,7 +23,13 @@ GROUPS = {
     "A device in SI units": ("Scene",),
     "Stable walls": (
         *("is_stable", "max_stable_stiffness", "delay_margin", "max_delay"),
-        *("stability_boundary", "stable_region", "robust_region", "unstable_roots", "characteristic_polynomial"),
+        *(
+            "stability_boundary",
+            "stable_region",
+            "robust_region",
+            "unstable_roots",
+            "characteristic_polynomial",
+        ),
         *("grid_boundary", "linear_limit"),
     ),
     "Passive walls": (

@@ -134,11 +134,11 @@ def delay_margin(
 
 def _added(sheet: str, *loop: Array) -> list[Array]:
     """The delay margin of walls, plants and delays."""
-    *loops, delay = loop
-    margin = np.asarray(max_delay(*loops, sheet) - delay)
+    al, be, g, dl, delay = loop
+    margin = np.asarray(max_delay(al, be, g, dl, sheet) - delay)
     lost = margin <= 0  # not for NaN
-    beyond = [np.broadcast_to(a, margin.shape)[lost] for a in loop]
-    margin[lost] = np.where(is_stable(*beyond, sheet=sheet), np.nan, 0.0)
+    al, be, g, dl, delay = (np.broadcast_to(a, margin.shape)[lost] for a in loop)
+    margin[lost] = np.where(is_stable(al, be, g, dl, delay, sheet), np.nan, 0.0)
     return [margin]
 
 
