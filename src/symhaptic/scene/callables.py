@@ -16,12 +16,13 @@ from sympy.logic.boolalg import Boolean
 from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
-from symhaptic.forms.derivatives import with_derivatives
+from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.stable import STATEMENTS, Form, NoForm
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.notation.suggest import suggested
+from symhaptic.numeric import slopes
 from symhaptic.numeric.containers import kept
 from symhaptic.scene.scene import Scene
 
@@ -159,8 +160,31 @@ def _on_arrays(form: Form, asked: tuple[Any, ...]) -> _Lambdified:
     _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
     space: dict[str, Any] = {}  # of no name: Torch's compiler would import a module of this name
     exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
+    function = space[form.name]
+    if (form.plain or form).name in SEARCHES:
+        results = tuple(name for name, _ in form.results)
+        function = slopes.in_jax(results, *_slopes(form))(function)
     around = kept(None, True, **{name: float for name, _ in form.results})
-    return _Lambdified.of(around(space[form.name]), asked)
+    return _Lambdified.of(around(function), asked)
+
+
+SEARCHES = "max_stable_stiffness", "max_passive_stiffness", "passivity_margin", "passivity_boundary"
+"""Forms that search for an angle, through which JAX cannot differentiate."""
+
+
+def _slopes(form: Form) -> tuple[tuple[str, ...], slopes.Slopes | None]:
+    """The arguments by which JAX may differentiate, and the derivatives."""
+    names = tuple(symbol.name for symbol in form.arguments)
+    if form.plain is not None:
+        return (), None
+    if names != ("delta", "d"):
+        return differentiable(form), partial(slopes.of, form)
+
+    def found(*values: Any) -> dict[tuple[str, str], Any]:
+        known = slopes.of_passive_stiffness(*values)
+        return {(result, {"delay": "d"}.get(by, by)): row for (result, by), row in known.items()}
+
+    return names, found
 
 
 def _in_digits(form: Form, asked: tuple[Any, ...]) -> _Lambdified:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.notation import sizes
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
@@ -31,6 +31,7 @@ _BLOCK = 8192
 
 
 @kept(delay=float)
+@slopes.in_jax(("delay",))
 def max_delay(
     alpha: ArrayLike,
     beta: ArrayLike,
@@ -79,6 +80,7 @@ def max_delay(
 
 
 @kept(margin=float)
+@slopes.in_jax(("margin",))
 def delay_margin(
     alpha: ArrayLike,
     beta: ArrayLike,
