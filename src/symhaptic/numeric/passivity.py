@@ -47,11 +47,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 
 @at_once("passivity_margin")
 @kept(margin=float)
-@slopes.in_jax(
-    ("margin",),
-    ("alpha", "beta", "delta", "delay"),
-    partial(slopes.of_public, "passivity_margin"),
-)
+@slopes.in_jax(("margin",), instead="lambdify('passivity_margin', modules='jax') has derivatives")
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
@@ -157,7 +153,7 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 
 @at_once("passivity_boundary")
 @kept(alpha=float, beta=float)
-@slopes.in_jax(("alpha", "beta"), ("delta",), partial(slopes.of_public, "passivity_boundary"))
+@slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
@@ -191,7 +187,11 @@ def passivity_boundary(
 
 @at_once("max_passive_stiffness", into=Extremum, work=_stiffest)
 @kept(Extremum, alpha=float, beta=float, theta=float)
-@slopes.in_jax(("alpha", "beta", "theta"), ("delta", "delay"), slopes.of_passive_stiffness)
+@slopes.in_jax(
+    Extremum._fields,
+    ("delta",),
+    instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
+)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 

@@ -8,6 +8,7 @@ from inspect import Parameter, Signature
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.relational import Relational
@@ -19,8 +20,10 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.stable import STATEMENTS, Form, NoForm
+from symhaptic.forms.stable import form as stable_form
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
+from symhaptic.notation import d
 from symhaptic.notation.suggest import suggested
 from symhaptic.numeric import slopes
 from symhaptic.numeric.containers import kept
@@ -173,18 +176,41 @@ SEARCHES = "max_stable_stiffness", "max_passive_stiffness", "passivity_margin", 
 
 
 def _slopes(form: Form) -> tuple[tuple[str, ...], slopes.Slopes | None]:
-    """The arguments by which JAX may differentiate, and the derivatives."""
-    names = tuple(symbol.name for symbol in form.arguments)
+    """The arguments by which JAX may differentiate a form that searches, and the derivatives."""
     if form.plain is not None:
         return (), None
-    if names != ("delta", "d"):
-        return differentiable(form), partial(slopes.of, form)
+    if form.name == "max_passive_stiffness" and d in form.arguments:
+        return ("delta", "d"), partial(_of_passive_stiffness, form)
+    return differentiable(form), partial(_derivatives, form)
 
-    def found(*values: Any) -> dict[tuple[str, str], Any]:
-        known = slopes.of_passive_stiffness(*values)
-        return {(result, {"delay": "d"}.get(by, by)): row for (result, by), row in known.items()}
 
-    return names, found
+def _derivatives(form: Form, *values: Any) -> dict[tuple[str, str], Any]:
+    """The derivatives of a form, by the names of its results and of its arguments.
+
+    An angle that is searched for is held, by the envelope theorem.
+    """
+    wanted = with_derivatives(form, differentiable(form))
+    shape = np.broadcast_shapes(*(v.shape for v in values))
+    function = _on_arrays(wanted, ())
+    rows = function(*(np.broadcast_to(v, shape) for v in values))
+    names = (name.partition("_by_") for name, _ in wanted.results)
+    return {(one, by): np.asarray(row) for (one, _, by), row in zip(names, rows, strict=True)}
+
+
+def _of_passive_stiffness(form: Form, delta: Any, delay: Any) -> dict[tuple[str, str], Any]:
+    """The derivatives of the largest passive stiffness.
+
+    At the wall of largest stiffness the margin m(alpha, beta, d) is 0 and does not change with
+    beta, so that alpha changes with the delay by -m_d/m_alpha.  NaN without delay, where every
+    angle is a worst one.
+    """
+    found = _derivatives(form, delta, delay)
+    margin = _derivatives(
+        stable_form("passivity_margin"), found["alpha", ""], found["beta", ""], delta, delay
+    )
+    slope = -margin["margin", "d"] / margin["margin", "alpha"]
+    found["alpha", "d"] = np.where(delay == 0, np.nan, slope)
+    return found
 
 
 def _in_digits(form: Form, asked: tuple[Any, ...]) -> _Lambdified:

@@ -71,7 +71,7 @@ def outlines(loops: Loops) -> list[tuple[NDArray[np.float64], NDArray[np.float64
     return found
 
 
-def widest(loops: Loops) -> float:
+def largest_damping(loops: Loops) -> float:
     """The largest virtual damping with which some wall is stable for some arms; 0 if none is.
 
     Walls are tried at shares of the linear condition, in steps of 1 % and less.
@@ -105,7 +105,7 @@ def linear(loops: Loops, B: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def guessed(loops: Loops, columns: int = 96) -> Columns:
     """Columns from B = 0 on, as high as the boundaries of some arms leave them, but a little."""
-    width = widest(loops)
+    width = largest_damping(loops)
     if not width > 0:
         raise NothingSafe(_UNSTABLE)
     edges = np.linspace(0, width, columns + 1)

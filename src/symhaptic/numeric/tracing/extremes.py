@@ -45,9 +45,7 @@ _TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
 @at_once("max_stable_stiffness", into=Extremum, finite=True)
 @kept(Extremum, alpha=float, beta=float, theta=float)
 @slopes.in_jax(
-    ("alpha", "beta", "theta"),
-    ("gamma", "delta", "delay"),
-    partial(slopes.of_public, "max_stable_stiffness"),
+    Extremum._fields, instead="lambdify('max_stable_stiffness', modules='jax') has derivatives"
 )
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
