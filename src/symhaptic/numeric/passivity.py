@@ -13,11 +13,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from array_api_compat import is_numpy_array
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
@@ -48,6 +47,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 
 @at_once("passivity_margin")
 @kept(margin=float)
+@slopes.in_jax(("margin",), instead="lambdify('passivity_margin', modules='jax') has derivatives")
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
@@ -69,7 +69,7 @@ def passivity_margin(
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
 
-    if sheet == "exact" and is_numpy_array(given.values[0]):
+    if sheet == "exact" and not given.traced:
         return given(haptic.passivity_margin)  # type: ignore[no-any-return]
 
     def margin(xp: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
@@ -153,6 +153,7 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 
 @at_once("passivity_boundary")
 @kept(alpha=float, beta=float)
+@slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
@@ -186,6 +187,11 @@ def passivity_boundary(
 
 @at_once("max_passive_stiffness", into=Extremum, work=_stiffest)
 @kept(Extremum, alpha=float, beta=float, theta=float)
+@slopes.in_jax(
+    Extremum._fields,
+    ("delta",),
+    instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
+)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 

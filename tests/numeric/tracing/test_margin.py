@@ -8,7 +8,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from oracle import moduli, radius
 
-from symhaptic import delay_margin, is_stable, stability_boundary
+from symhaptic import delay_margin, is_stable, max_delay, stability_boundary
 from symhaptic.numeric.crossings import crossings, surplus, wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
@@ -25,6 +25,49 @@ def stable_loops(rng, count):
     alpha = np.where(alpha < -gamma, -alpha, alpha)
     keep = np.asarray(is_stable(alpha, beta, gamma, delta, 0))
     return tuple(v[keep] for v in (alpha, beta, gamma, delta))
+
+
+@pytest.mark.parametrize("sheet", ["exact", "principal"])
+def test_the_margin_is_what_may_be_added_to_the_delay(sheet):
+    loop = [v[:300] for v in stable_loops(np.random.default_rng(40), 900)]
+    most = max_delay(*loop, sheet=sheet)
+    assert delay_margin(*loop, sheet=sheet).tolist() == most.tolist()
+    for delay in (0.5, 1.0, 3.0):
+        margin = delay_margin(*loop, delay, sheet=sheet)
+        below = most > delay
+        assert below.sum() > 50
+        assert margin[below].tolist() == (most - delay)[below].tolist()
+        stable = is_stable(*loop, delay, sheet=sheet)
+        assert np.all(margin[~stable] == 0)
+        assert np.all(np.isnan(margin[stable & ~below]))  # the margin is not computed there
+
+
+def test_the_delay_plus_the_margin_is_where_an_eigenvalue_leaves_the_circle():
+    loop = (0.01, 0.05, 0.0, 0.005)
+    total = 1.5 + float(delay_margin(*loop, 1.5))
+    assert moduli(*loop, total - 1e-4).max() < 1 < moduli(*loop, total + 1e-4).max()
+
+
+def test_a_wall_that_only_a_delay_makes_stable_has_no_known_margin():
+    """Unstable without delay and stable at three periods, by eigenvalues."""
+    loop = (0.0877960, -0.12466, 0.649895, 0.0005)
+    assert moduli(*loop, 0.0).max() > 1 > moduli(*loop, 3.0).max()
+    assert max_delay(*loop) == 0
+    assert np.isnan(delay_margin(*loop, 3.0))
+    assert not delay_margin(*loop, 3.0) > 0
+    assert delay_margin(*loop) == delay_margin(*loop, 20.0) == 0
+
+
+def test_the_delay_of_a_margin_is_checked():
+    wall = (0.01, 0.05, 0.0, 0.0)
+    for bad in (-0.5, [0.0, -1e-9], np.inf):
+        with pytest.raises(ValueError, match=r"^delay: .* are$"):
+            delay_margin(*wall, bad)
+    with pytest.raises(ValueError, match=r"^delay: 'principal' is not allowed; real "):
+        delay_margin(*wall, "principal")  # the delay stands before the sheet
+    assert np.isnan(delay_margin(*wall, np.nan))
+    assert np.isinf(delay_margin(0.0, 0.0, 0.3, 0.1, 1e6))
+    assert delay_margin(*wall, [[0.0], [1.0]]).shape == (2, 1)
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""The delay margin: the largest delay up to which a wall stays stable.
+"""The largest delay up to which a wall stays stable, and the delay margin.
 
 For whole delays the first loss is known in closed form; between them it is enclosed
 by :mod:`symhaptic.numeric.tracing.losses`.
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.notation import sizes
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
@@ -31,7 +31,8 @@ _BLOCK = 8192
 
 
 @kept(delay=float)
-def delay_margin(
+@slopes.in_jax(("delay",))
+def max_delay(
     alpha: ArrayLike,
     beta: ArrayLike,
     gamma: ArrayLike,
@@ -61,7 +62,9 @@ def delay_margin(
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
 
-    >>> round(float(delay_margin(0.01, 0.05, 0.0, 0.0)), 6)
+    See :func:`delay_margin` for what may be added to a delay.
+
+    >>> round(float(max_delay(0.01, 0.05, 0.0, 0.0)), 6)
     3.969213
     """
     arguments.one_of("sheet", sheet, SHEETS)
@@ -74,6 +77,71 @@ def delay_margin(
         told="delay margins",
     )
     return given.by_numpy(work)[0]  # type: ignore[no-any-return]
+
+
+@kept(margin=float)
+@slopes.in_jax(("margin",))
+def delay_margin(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    gamma: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike = 0.0,
+    sheet: str = "exact",
+) -> Array:
+    """Delay that may be added to ``delay`` until the loop is unstable, in sampling periods.
+
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Stiffness and damping of the wall, finite.
+    gamma, delta : array_like
+        Stiffness and damping of the plant, >= 0.
+    delay : array_like, optional
+        Delay of the loop in sampling periods, >= 0.  Arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Reading of a fractional delay.
+
+    Returns
+    -------
+    Array
+        The loop is stable for every delay from ``delay`` to ``delay`` plus the margin.  0 if the
+        loop is unstable at ``delay``.  Infinite if no delay destabilises it.  NaN if the loop is
+        stable at ``delay`` but not at every smaller delay, where the margin is not computed, and
+        if an argument is NaN.
+
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, the plant is impossible or ``delay`` is negative.
+
+    See Also
+    --------
+    max_delay : Largest delay of a loop that is stable for every smaller one.
+
+    Notes
+    -----
+    The margin is ``max_delay(alpha, beta, gamma, delta) - delay`` where that is positive.  For
+    ``delay = 0`` both functions agree.
+
+    Examples
+    --------
+    >>> [round(float(x), 6) for x in delay_margin(0.01, 0.05, 0.0, 0.0, [0.0, 1.5, 5.0])]
+    [3.969213, 2.469213, 0.0]
+    """
+    arguments.one_of("sheet", sheet, SHEETS)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    return given.by_numpy(partial(_added, sheet))[0]  # type: ignore[no-any-return]
+
+
+def _added(sheet: str, *loop: Array) -> list[Array]:
+    """The delay margin of walls, plants and delays."""
+    al, be, g, dl, delay = loop
+    margin = np.asarray(max_delay(al, be, g, dl, sheet) - delay)
+    lost = margin <= 0  # not for NaN
+    al, be, g, dl, delay = (np.broadcast_to(a, margin.shape)[lost] for a in loop)
+    margin[lost] = np.where(is_stable(al, be, g, dl, delay, sheet), np.nan, 0.0)
+    return [margin]
 
 
 def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
