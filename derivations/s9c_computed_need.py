@@ -53,23 +53,49 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "What is left at one angle is (5). The sine in it, of $(d+\\frac12)\\theta$, is that of "
-        "$2d+1$ halves of the angle, whose product is not rounded:"
+        "For a whole delay (5) gives the margin at one angle. The sine in it, of "
+        "$(d+\\frac12)\\theta$, is computed as that of $2d+1$ half angles, whose product is not "
+        "rounded:"
     )
     margin = passivity.margin().xreplace(UNITS)
     sine = SinNext(2 * d, theta / 2) / (2 * sin(theta / 2))
     page.show(
-        "What is left at an angle has two functions",
+        "The margin at an angle has two functions",
         r"\delta-\delta_\mathrm{min}",
         r"\delta-\frac{\alpha\,\mathrm{SinNext}(2d,\theta/2)}{2\sin(\theta/2)}"
         r"+\beta\,\mathrm{CosNext}(d,\theta)",
         page.same("margin", delta - alpha * written_out(sine) + beta * turned(), margin),
     )
+    page.say(
+        "For a delay of $\\ell+\\varepsilon$ periods the need $n$ of a straight motion is the mean "
+        "over the whole delays $\\ell$ and $\\ell+1$. One sine and one cosine of "
+        "$(\\ell+1)\\theta$ are enough for it:"
+    )
+    page.show(
+        "The need of a straight motion has one sine and one cosine",
+        "n",
+        r"\frac\alpha2\left(\frac{2\cos^2(\theta/2)}{\sin\theta}\,\mathrm{SinNext}(\ell,\theta)"
+        r"-(1-2\varepsilon)\,\mathrm{CosNext}(\ell,\theta)\right)"
+        r"\br-\beta\left((1-\varepsilon)\,\mathrm{CosNext}(\ell,\theta)"
+        r"+\varepsilon\,(\cos\theta\,\mathrm{CosNext}(\ell,\theta)"
+        r"-\sin\theta\,\mathrm{SinNext}(\ell,\theta))\right)",
+        page.same(
+            "need at an angle",
+            written_out(required_damping.straight_at()),
+            fractional.required_straight().xreplace(UNITS),
+        ),
+    )
+    page.say(
+        "All motions need the positive solution $b$ of "
+        "$b^2-bn-\\tfrac14\\varepsilon(1-\\varepsilon)s=0$, where $s$ is the square of the wall's "
+        "size. The margin is $\\delta-b$."
+    )
     settle(
         page,
         "passivity_margin_at",
         (MARGIN,),
-        "the computed margin at an angle is the derived one, (5), for every angle",
+        "the computed margin at an angle is the derived one: (5) for whole delays, and the margin "
+        "of the worst motion for delays with a fraction",
     )
 
 

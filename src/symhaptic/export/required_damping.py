@@ -8,7 +8,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol, atan2, cos, floor, pi, sin, sqrt
 
-from symhaptic.export.pairs import exact, minus, over, rounded, scaled
+from symhaptic.export.pairs import exact, minus, over, plus, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, choose
 from symhaptic.export.search import crossing
@@ -56,6 +56,37 @@ def damping_at() -> Routine:
     return do.routine("DampingAt", "the damping that the wall needs at the angle 2 psi",
                       required_damping.ARGUMENTS,
                       choose(_whole, early, (n + root) / 2))  # fmt: skip
+
+
+def required_at(precision: Precision = DOUBLE) -> Routine:
+    """The same at any angle of (0, pi), where the delay turns many times as well.
+
+    Of a wall whose squares would vanish it is that of a larger one, by a power of two.
+    """
+    do = Steps()
+    lift = do("lift", _lift(precision))
+    stiffness, damping = do("stiffness", lift * alpha), do("damping", lift * beta)
+    cosine, sine = do.several(("cosine", "sine"), "NextWave", l, theta)
+    half = do("half", theta / 2)
+    up, along = do("up", sin(half)), do("along", cos(half))
+    turn = do("turn", (l + 1) * theta)
+    slow = turn < 1  # there a quotient of sines rounds more than one of functions that are near 1
+    top = do("top", choose(slow, 2 * (l + 1) * Sinc(choose(slow, turn, 0)), sine))
+    bottom = do("bottom", choose(slow, Sinc(half), up))
+    wave = over(do, scaled(do, top, exact(along)), exact(bottom))
+    twice = do("twice", 2 * epsilon)
+    push = minus(do, plus(do, wave, scaled(do, twice, exact(cosine))), exact(cosine))
+    middle = plus(do, scaled(do, sine, exact(along)), scaled(do, cosine, exact(up)))
+    later = scaled(do, twice, scaled(do, up, middle))
+    pull = scaled(do, damping, minus(do, exact(cosine), later))
+    n = do("n", rounded(minus(do, scaled(do, stiffness / 2, push), pull)))
+    size = do("size", (stiffness * along) ** 2 + ((stiffness + 2 * damping) * up) ** 2)
+    extra = do("extra", epsilon * (1 - epsilon) * size)
+    root = do("root", sqrt(n * n + extra))
+    slight = extra / (2 * do.divisor(root - n))  # without the difference of both
+    return do.routine("RequiredAt", "the damping that the wall needs at the angle theta, at a "
+                      "fraction of a period", (alpha, beta, l, epsilon, theta),
+                      choose(n < 0, slight, (n + root) / 2) / lift)  # fmt: skip
 
 
 def rising() -> Routine:
@@ -293,5 +324,5 @@ ROUTINES = (
 )  # fmt: skip
 PRECISE = (
     worst_angle, worst_whole_angle, critical_angle, turn, passive_angle, largest_required_damping,
-    lifted,
+    lifted, required_at,
 )  # fmt: skip

@@ -134,13 +134,13 @@ static Entry entries[] = {
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
     "\n"
-    "physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.\n"
+    "physical damping minus the damping that the wall needs at the angle theta = omega T; a wall with alpha >= 0 is passive where this is not negative at any angle.\n"
     "theta: angle on the unit circle, omega T [1]\n"
     "alpha: virtual stiffness, K T^2/m [1]\n"
     "beta: virtual damping, B T/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.\n"
+    "Domain: 0 < theta < pi, delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(passivity_margin, 4, 1, 0,
     "margin of (alpha, beta, delta, d)\n"
@@ -209,7 +209,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "e4cdb70f667542d8")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "572fbb9faf5c534c")) return -1;
     return filled(module);
 }
 

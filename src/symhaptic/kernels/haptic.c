@@ -1019,6 +1019,33 @@ static inline double sinc(double x) {
     return sin(x)/x;
 }
 
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline double required_at(double alpha, double beta, double l, double epsilon,
+    double theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const double lift = fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
+        6.668014432879854e+240 : 1.0;
+    const double stiffness = alpha*lift, damping = beta*lift, half = 0.5*theta, up = sin(half);
+    const double along = cos(half), turn_ = theta*(l + 1.0), twice = 2.0*epsilon;
+    const double size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness));
+    const double extra = epsilon*size*(1.0 - epsilon);
+    double top, bottom;
+    if (turn_ < 1.0) {
+        top = (2.0*l + 2.0)*sinc(turn_); bottom = sinc(half);
+    } else {
+        top = cossin.sine; bottom = up;
+    }
+    const double n = rounded(pair_diff(wide_prod(0.5*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(top, along), (Pair){bottom, 0.0}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up))))))));
+    const double root = sqrt(extra + n*n), whole = root - n;
+    return (n < 0.0 ? 0.5*extra/whole : 0.5*n + 0.5*root)/lift;
+}
+
 // the damping that the wall needs at the angle 2 psi
 static inline double damping_at(double alpha, double beta, double l, double epsilon, double psi) {
     const double early = 0.5*alpha*(2.0*l + 1.0)*sinc(psi*(2.0*l + 1.0))/sinc(psi) - beta*
@@ -1343,9 +1370,13 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
         fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) {
         return NAN;
     }
-    const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
-    const double sine = next_wave(2.0*d, t0).sine;
-    return beta*cosine - 0.5*alpha*sine/sin(t0) + delta;
+    const double whole = floor(d), part = d - whole;
+    if (part == 0.0) {
+        const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
+        const double sine = next_wave(2.0*d, t0).sine;
+        return beta*cosine - 0.5*alpha*sine/sin(t0) + delta;
+    }
+    return delta - required_at(alpha, beta, whole, part, theta);
 }
 
 double haptic_passivity_margin(double alpha, double beta, double delta, double d) {

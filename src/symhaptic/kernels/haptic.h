@@ -88,14 +88,14 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
     double *beta_out, double *theta_out);
 
 /*
- * physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is
- * passive where it is positive at every angle.
+ * physical damping minus the damping that the wall needs at the angle theta = omega T; a wall with
+ * alpha >= 0 is passive where this is not negative at any angle.
  * theta: angle on the unit circle, omega T [1]
  * alpha: virtual stiffness, K T^2/m [1]
  * beta: virtual damping, B T/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
- * Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+ * Domain: 0 < theta < pi, delta >= 0, d >= 0.
  * NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
  */
 double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d);

@@ -1856,6 +1856,42 @@ def sinc(xp, x):
         x)
 
 
+def required_at(xp, alpha, beta, l, epsilon, theta):
+    """the damping that the wall needs at the angle theta, at a fraction of a period"""
+    number, number2 = (9.094947017729282e-13,
+        1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
+        6.668014432879854e+240)
+    cosine, sine = next_wave(xp, l, theta)
+    lift = xp.where(xp.abs(alpha) + xp.abs(beta) < number, xp.full_like(alpha, number2), 1.0)
+    stiffness = alpha*lift
+    damping = beta*lift
+    half = 0.5*theta
+    up = xp.sin(half)
+    along = xp.cos(half)
+    turn_ = theta*(l + 1.0)
+    twice = 2.0*epsilon
+    size = (
+        (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness))
+    )
+    extra = epsilon*size*(1.0 - epsilon)
+
+    def yes(half, l, turn_):
+        return (2.0*l + 2.0)*sinc(xp, turn_), sinc(xp, half)
+
+    top, bottom = select(xp, turn_ < 1.0, yes, (half, l, turn_), lambda sine, up: (sine, up),
+        (sine, up))
+    n = rounded(xp, *pair_diff(xp, *wide_prod(xp, 0.5*stiffness,
+        *pair_diff(xp, *pair_sum(xp, *pair_quot(xp, *two_prod(xp, top, along), bottom,
+        xp.full_like(along, 0.0)), *two_prod(xp, twice, cosine)), cosine, 0.0)),
+        *wide_prod(xp, damping, *pair_diff(xp, cosine, 0.0,
+        *wide_prod(xp, twice, *wide_prod(xp, up,
+        *pair_sum(xp, *two_prod(xp, sine, along), *two_prod(xp, cosine, up))))))))
+    root = square_root(xp, extra + n*n)
+    whole = xp.where(n - root == 0.0, 1.0, root - n)
+    return xp.where(n < 0.0, 0.5*extra/whole, 0.5*n + 0.5*root)/lift
+
+
 def damping_at(xp, alpha, beta, l, epsilon, psi):
     """the damping that the wall needs at the angle 2 psi"""
     early = (
@@ -2334,24 +2370,34 @@ def max_stable_stiffness(gamma, delta, d):
 
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at the angle theta = omega T; the
-    wall is passive where it is positive at every angle.
+    """physical damping minus the damping that the wall needs at the angle theta = omega T; a
+    wall with alpha >= 0 is passive where this is not negative at any angle.
 
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
 
     def work(theta, alpha, beta, delta, d):
-        t0 = 0.5*theta
-        cosine = cos_next(xp, d, theta)
-        sine = sin_next(xp, 2.0*d, t0)
-        return beta*cosine - 0.5*alpha*sine/xp.sin(t0) + delta
+        whole = xp.floor(d)
+        part = d - whole
+
+        def yes(alpha, beta, d, delta, theta):
+            t0 = 0.5*theta
+            cosine = cos_next(xp, d, theta)
+            sine = sin_next(xp, 2.0*d, t0)
+            return beta*cosine - 0.5*alpha*sine/xp.sin(t0) + delta
+
+        def no(alpha, beta, delta, part, theta, whole):
+            return delta - required_at(xp, alpha, beta, whole, part, theta)
+
+        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, theta), no,
+            (alpha, beta, delta, part, theta, whole))
 
     return guarded(xp, work, "theta alpha beta delta d", 1, math.nan, theta, alpha, beta, delta, d)
 

@@ -1028,6 +1028,31 @@ static inline float sinc(float x) {
     return sinf(x)/x;
 }
 
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline float required_at(float alpha, float beta, float l, float epsilon, float theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const float lift = fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f;
+    const float stiffness = alpha*lift, damping = beta*lift, half = 0.5f*theta, up = sinf(half);
+    const float along = cosf(half), turn_ = theta*(l + 1.0f), twice = 2.0f*epsilon;
+    const float size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0f*damping + stiffness)*(2.0f*damping + stiffness));
+    const float extra = epsilon*size*(1.0f - epsilon);
+    float top, bottom;
+    if (turn_ < 1.0f) {
+        top = (2.0f*l + 2.0f)*sinc(turn_); bottom = sinc(half);
+    } else {
+        top = cossin.sine; bottom = up;
+    }
+    const float n = rounded(pair_diff(wide_prod(0.5f*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(top, along), (Pair){bottom, 0.0f}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0f})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0f},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up))))))));
+    const float root = sqrtf(extra + n*n), whole = root - n;
+    return (n < 0.0f ? 0.5f*extra/whole : 0.5f*n + 0.5f*root)/lift;
+}
+
 // the damping that the wall needs at the angle 2 psi
 static inline float damping_at(float alpha, float beta, float l, float epsilon, float psi) {
     const float early = 0.5f*alpha*(2.0f*l + 1.0f)*sinc(psi*(2.0f*l + 1.0f))/sinc(psi) - beta*
@@ -1354,9 +1379,13 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         fabsf(beta) <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) {
         return NAN;
     }
-    const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
-    const float sine = next_wave(2.0f*d, t0).sine;
-    return beta*cosine - 0.5f*alpha*sine/sinf(t0) + delta;
+    const float whole = floorf(d), part = d - whole;
+    if (part == 0.0f) {
+        const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
+        const float sine = next_wave(2.0f*d, t0).sine;
+        return beta*cosine - 0.5f*alpha*sine/sinf(t0) + delta;
+    }
+    return delta - required_at(alpha, beta, whole, part, theta);
 }
 
 float haptic_single_passivity_margin(float alpha, float beta, float delta, float d) {
