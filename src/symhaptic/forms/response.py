@@ -91,6 +91,22 @@ class FractionalNumeratorGap(Compensated):
         return cls.definition(*args) if args[1].is_number else None
 
 
+class HalfTurned(Compensated):
+    """M at z = -1 as it is found otherwise, of (found, gamma, delta, epsilon).
+
+    Near an odd number of half turns in a period its terms cancel; the routine takes the formula
+    :func:`symhaptic.forms.fractional_delay.half_turned` there, which is a sum of small terms.
+    """
+
+    nargs = 4
+    meaning = "the first number, which is M(-1) of the device behind a fraction of a period"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The number itself."""
+        return args[0]
+
+
 class KickLow(Compensated):
     """What the last rounding of Kick takes: nothing, where nothing is rounded."""
 

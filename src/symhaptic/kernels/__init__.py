@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "572fbb9faf5c534c"
+STAMP = "38cd8d1c86aefe23"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -639,6 +639,38 @@ static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, do
         (Pair){2.0*prod3.hi, 2.0*prod3.lo}), (Pair){last, 0.0}), (Pair){turned, 0.0}));
 }
 
+// m2 - m1 + m0 of a device that swings, hardly damped
+static inline double half_turned_swing(double gamma, double delta, double part) {
+    const Motion motion = device_motion(gamma, delta);
+    const double angle = 0.5*motion.root, angle_low = 0.5*root_miss(motion.w, motion.root);
+    const Pair prod = pair_prod((Pair){angle, angle_low}, fast_two_sum(1.0, -part));
+    const Pair prod2 = pair_prod((Pair){angle, angle_low}, (Pair){part, 0.0});
+    const double wave = sin(angle), still = cos(angle), sine = angle_low*still + wave;
+    const double cosine = still - angle_low*wave, wave2 = sin(prod.hi), still2 = cos(prod.hi);
+    const double sine2 = prod.lo*still2 + wave2, cosine2 = still2 - prod.lo*wave2;
+    const double wave3 = sin(prod2.hi), still3 = cos(prod2.hi), sine3 = prod2.lo*still3 + wave3;
+    const double cosine3 = still3 - prod2.lo*wave3, along = cosine2*cosine3 + sine2*sine3;
+    const double across = cosine3*sine2 - cosine2*sine3, before = 0.5 - part;
+    const double step = expm1(0.5*motion.half), weak = 0.5*step + 0.5*step/(step + 1.0);
+    const double more = 0.5*(step*step)/(step + 1.0), strong = more + 1.0;
+    const double fallen = expm1(-before*motion.half), grown = fallen + 1.0;
+    const double ratio = motion.half/motion.root;
+    const double lost = weak*weak - along*cosine*(fallen*strong + more);
+    const double turned = grown*sine*weak*(across - along*ratio);
+    const double kept = across*cosine*grown*ratio*strong;
+    const double total2 = -2.0*cosine*sine2*sine3 - kept + lost + turned;
+    return 4.0*total2*exp(-motion.half)/gamma;
+}
+
+// m2 - m1 + m0 behind a fraction of a period
+static inline double half_turned(double found, double gamma, double delta, double part) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.half < 0.25 && motion.root > 3.0 && motion.root < 67108864.0 && motion.w.hi < 0.0) {
+        return half_turned_swing(gamma, delta, part);
+    }
+    return found;
+}
+
 // kick, kick_low, n_gap, n0 and n1 of the device
 static inline Device4 device_kick_kick_low_n_gap_n0_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
@@ -665,10 +697,10 @@ static inline Delayed late_device(double gamma, double delta, double part) {
     const double t5 = part*part, t6 = gamma*t5, t7 = delta*part;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
     const double t9 = device2.n0*t5;
-    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
-        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+    return (Delayed){half_turned(fractional_numerator_gap(part, device.kick, device2.kick, delta*
+        device.n_gap*(t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
         (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
-        device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
+        gamma, delta, part), device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
 }
 
 // 1 where the loop is stable, else 0

@@ -1238,6 +1238,52 @@ def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turne
         *pair_diff(xp, first, 0.0, 2.0*prod2, 2.0*prod_low2), last, 0.0), turned, 0.0))
 
 
+def half_turned_swing(xp, gamma, delta, part):
+    """m2 - m1 + m0 of a device that swings, hardly damped"""
+    half, w, w_low, root, _ = device_motion(xp, gamma, delta)
+    angle = 0.5*root
+    angle_low = 0.5*root_miss(xp, w, w_low, root)
+    prod, prod_low = pair_prod(xp, angle, angle_low, *fast_two_sum(xp, 1.0, -part))
+    prod2, prod_low2 = pair_prod(xp, angle, angle_low, part, xp.full_like(angle, 0.0))
+    wave = xp.sin(angle)
+    still = xp.cos(angle)
+    sine = angle_low*still + wave
+    cosine = still - angle_low*wave
+    wave = xp.sin(prod)
+    still = xp.cos(prod)
+    sine2 = prod_low*still + wave
+    cosine2 = still - prod_low*wave
+    wave = xp.sin(prod2)
+    still = xp.cos(prod2)
+    sine3 = prod_low2*still + wave
+    cosine3 = still - prod_low2*wave
+    along = cosine2*cosine3 + sine2*sine3
+    across = cosine3*sine2 - cosine2*sine3
+    before = 0.5 - part
+    step_ = xp.expm1(0.5*half)
+    weak = 0.5*step_ + 0.5*step_/(step_ + 1.0)
+    more = 0.5*(step_*step_)/(step_ + 1.0)
+    strong = more + 1.0
+    fallen = xp.expm1(-before*half)
+    grown = fallen + 1.0
+    whole = xp.where(root == 0.0, 1.0, root)
+    ratio = half/whole
+    lost = weak*weak - along*cosine*(fallen*strong + more)
+    turned = grown*sine*weak*(across - along*ratio)
+    kept = across*cosine*grown*ratio*strong
+    total = lost - 2.0*cosine*sine2*sine3 - kept + turned
+    whole = xp.where(gamma == 0.0, 1.0, gamma)
+    return 4.0*total*xp.exp(-half)/whole
+
+
+def half_turned(xp, found, gamma, delta, part):
+    """m2 - m1 + m0 behind a fraction of a period"""
+    number = 4096.0 if found.dtype == xp.float32 else 67108864.0
+    half, w, _, root, _ = device_motion(xp, gamma, delta)
+    return select(xp, (half < 0.25) & (root > 3.0) & (root < number) & (w < 0.0),
+        lambda *v: half_turned_swing(xp, *v), (gamma, delta, part), lambda found: found, (found,))
+
+
 def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
     """kick, kick_low, n_gap, n0 and n1 of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
@@ -1283,9 +1329,12 @@ def late_device(xp, gamma, delta, part):
     t7 = delta*part
     kick_of2, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t6, t7)
     t9 = n0*t5
-    return fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of2*t7 + n1_2*t6) + n1*n1_2*
-        t2*t5 - t3*t9*decay(xp, t3)), n1*t1, kick_of*t0, t9*xp.exp(-t3)
+    return (
+        half_turned(xp, fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2,
+        kick_low_of2, delta*n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*
+        (kick_of2*t7 + n1_2*t6) + n1*n1_2*t2*t5 - t3*t9*decay(xp, t3)), gamma, delta, part), n1*
+        t1, kick_of*t0, t9*xp.exp(-t3)
+    )
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):

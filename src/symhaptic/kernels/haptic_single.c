@@ -638,6 +638,38 @@ static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, floa
         (Pair){2.0f*prod3.hi, 2.0f*prod3.lo}), (Pair){last, 0.0f}), (Pair){turned, 0.0f}));
 }
 
+// m2 - m1 + m0 of a device that swings, hardly damped
+static inline float half_turned_swing(float gamma, float delta, float part) {
+    const Motion motion = device_motion(gamma, delta);
+    const float angle = 0.5f*motion.root, angle_low = 0.5f*root_miss(motion.w, motion.root);
+    const Pair prod = pair_prod((Pair){angle, angle_low}, fast_two_sum(1.0f, -part));
+    const Pair prod2 = pair_prod((Pair){angle, angle_low}, (Pair){part, 0.0f});
+    const float wave = sinf(angle), still = cosf(angle), sine = angle_low*still + wave;
+    const float cosine = still - angle_low*wave, wave2 = sinf(prod.hi), still2 = cosf(prod.hi);
+    const float sine2 = prod.lo*still2 + wave2, cosine2 = still2 - prod.lo*wave2;
+    const float wave3 = sinf(prod2.hi), still3 = cosf(prod2.hi), sine3 = prod2.lo*still3 + wave3;
+    const float cosine3 = still3 - prod2.lo*wave3, along = cosine2*cosine3 + sine2*sine3;
+    const float across = cosine3*sine2 - cosine2*sine3, before = 0.5f - part;
+    const float step = expm1f(0.5f*motion.half), weak = 0.5f*step + 0.5f*step/(step + 1.0f);
+    const float more = 0.5f*(step*step)/(step + 1.0f), strong = more + 1.0f;
+    const float fallen = expm1f(-before*motion.half), grown = fallen + 1.0f;
+    const float ratio = motion.half/motion.root;
+    const float lost = weak*weak - along*cosine*(fallen*strong + more);
+    const float turned = grown*sine*weak*(across - along*ratio);
+    const float kept = across*cosine*grown*ratio*strong;
+    const float total2 = -2.0f*cosine*sine2*sine3 - kept + lost + turned;
+    return 4.0f*total2*expf(-motion.half)/gamma;
+}
+
+// m2 - m1 + m0 behind a fraction of a period
+static inline float half_turned(float found, float gamma, float delta, float part) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.half < 0.25f && motion.root > 3.0f && motion.root < 4096.0f && motion.w.hi < 0.0f) {
+        return half_turned_swing(gamma, delta, part);
+    }
+    return found;
+}
+
 // kick, kick_low, n_gap, n0 and n1 of the device
 static inline Device4 device_kick_kick_low_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
@@ -664,10 +696,10 @@ static inline Delayed late_device(float gamma, float delta, float part) {
     const float t5 = part*part, t6 = gamma*t5, t7 = delta*part;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
     const float t9 = device2.n0*t5;
-    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
-        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+    return (Delayed){half_turned(fractional_numerator_gap(part, device.kick, device2.kick, delta*
+        device.n_gap*(t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
         (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
-        device.n1*t1, device.kick.hi*t0, t9*expf(-t3)};
+        gamma, delta, part), device.n1*t1, device.kick.hi*t0, t9*expf(-t3)};
 }
 
 // 1 where the loop is stable, else 0
