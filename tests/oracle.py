@@ -211,6 +211,25 @@ def wall(theta, gamma, delta, delay, digits=60):
         return found[0], found[1]
 
 
+def late_wall(theta, gamma, delta, delay, digits=60):
+    """(alpha, beta) with a root at exp(j theta) for any delay, exact for fractions.
+
+    The held force of ``delay`` periods ago acts for the rest of a period, the one before it first.
+    """
+    with mpmath.workdps(digits):
+        theta, gamma, delta, delay = map(mpmath.mpf, (theta, gamma, delta, delay))
+        z, steps = mpmath.expj(theta), mpmath.floor(delay)
+        free, _ = _held_mp(gamma, delta, 1)
+        after, newer = _held_mp(gamma, delta, 1 - (delay - steps))
+        _, older = _held_mp(gamma, delta, delay - steps)
+        push = (newer + after * older / z) * mpmath.expj(-steps * theta)
+        # displacement per force: (1, 0) (z - F)^-1 push
+        top = (z - free[1, 1]) * push[0] + free[0, 1] * push[1]
+        needed = -(z**2 - (free[0, 0] + free[1, 1]) * z + mpmath.exp(-delta)) / top
+        beta = needed.imag / mpmath.sin(theta)
+        return needed.real - beta * (1 - mpmath.cos(theta)), beta
+
+
 def residual(alpha, beta, theta, gamma, delta, delay, digits=50, sheet="exact"):
     """|p(z)| at z = exp(j theta) over the sum of the sizes of its terms, as a float.
 
