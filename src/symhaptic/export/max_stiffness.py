@@ -155,10 +155,11 @@ def max_stiffness_angle(precision: Precision = DOUBLE) -> Routine:
     later = sp.Function("LaterAngle")(d, steps, *numbers, across)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, choose(d < 1, early, later)))
+    known = gamma, *numbers[1:]
     roots = choose(
         whole,
-        WholeRoots(*_INSIDE, steps, first, last, *numbers),
-        FractionalRoots(*_INSIDE, steps, first, last, *numbers),
+        WholeRoots(*_INSIDE, steps, first, last, *known),
+        FractionalRoots(*_INSIDE, steps, first, last, *known, first - last),
     )
     found = _bordering(do, top, across, steps, roots, precision)
     return do.routine("MaxStiffnessAngle",
@@ -196,7 +197,7 @@ def max_stiffness_whole_angle(precision: Precision = DOUBLE) -> Routine:
     later = sp.Function("LaterAngle")(d, d, *numbers, first)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, later))
-    roots = WholeRoots(*_INSIDE, d, first, last, *numbers)
+    roots = WholeRoots(*_INSIDE, d, first, last, gamma, *numbers[1:])
     found = _bordering(do, top, first, d, roots, precision)
     return do.routine("MaxStiffnessWholeAngle",
                       "the angle of the wall of largest stable stiffness, or NaN",

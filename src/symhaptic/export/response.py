@@ -23,7 +23,6 @@ from symhaptic.export.pairs import (
     times,
     two_diff,
 )
-from symhaptic.export.precision import Precision
 from symhaptic.export.routine import Routine, TwoProdError, choose, expm1
 from symhaptic.export.steps import Steps
 from symhaptic.notation import psi
@@ -107,12 +106,12 @@ _GIVEN = sp.symbols("found gamma delta part")
 _MOTION = ("half", "w", "w_low", "root", "reach")
 
 
-def half_turned(precision: Precision) -> Routine:
+def half_turned() -> Routine:
     """Only a device that swings half a turn and more, hardly damped, has to be looked at."""
     do = Steps()
     found, gamma, delta, _ = _GIVEN
     half, w, _, root, _ = do.several(_MOTION, "DeviceMotion", gamma, delta)
-    swings = And(w < 0, root > 3, root < 2 ** (precision.bits // 2), half < _LIGHT)
+    swings = And(w < 0, root > 3, half < _LIGHT)
     return do.routine("HalfTurned", "m2 - m1 + m0 behind a fraction of a period", _GIVEN,
                       choose(swings, sp.Function("HalfTurnedSwing")(*_GIVEN[1:]), found))  # fmt: skip
 
@@ -159,5 +158,5 @@ def _waves(do: Steps, angle: Pair) -> tuple[Expr, Expr]:
     return do("sine", wave + angle[1] * still), do("cosine", still - angle[1] * wave)
 
 
-ROUTINES = (in_phase, ahead, fractional_numerator_gap, half_turned_swing)
-PRECISE = (half_turned,)
+ROUTINES = (in_phase, ahead, fractional_numerator_gap, half_turned, half_turned_swing)
+PRECISE = ()

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "38cd8d1c86aefe23"
+STAMP = "0044e8991f0142fd"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -97,7 +97,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n"
     "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
@@ -108,7 +108,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n"
     "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
@@ -209,7 +209,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "38cd8d1c86aefe23")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "0044e8991f0142fd")) return -1;
     return filled(module);
 }
 

@@ -28,15 +28,18 @@ typedef struct { double near, risen, sunk, moved; } Turns;
 typedef struct { double envelope; Pair even, wave; double near, risen, sunk, moved; } Swinging;
 typedef struct { double n0, n1, trace; } Device;
 typedef struct { double together, trace; } Device2;
-typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
-typedef struct { double halves, rest; } Angle;
+typedef struct { double at_minus_one, kick, together, n_gap, n0, n1; } Device3;
+typedef struct { double halves, rest, size, per, off, blur; } Angle;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
 typedef struct { double apart, m2, kicked, m0; } Delayed;
+typedef struct { double at, still, away, loose, free, there; } Point;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
 typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
-typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
+typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device6;
+typedef struct { double alpha, slope, far, force, d, n1, loss, together, apart, apart_off, n1_off,
+    a_off, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
@@ -493,13 +496,14 @@ static inline double numerator_gap_swing(const Motion *motion, const Swinging *s
         wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0}));
 }
 
-// at_minus_one, together, n_gap, n0 and n1 of the device
-static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta) {
+// at_minus_one, kick, together, n_gap, n0 and n1 of the device
+static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
         return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
@@ -508,6 +512,7 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, dou
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
     return (Device3){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -529,24 +534,90 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
     return y;
 }
 
-// the angle of x + j y in half turns, and the rest
-static inline Angle turn_angle(double x, double y) {
-    return (Angle){x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0, atan2(x < 0.0 ? -y : y, fabs(x))};
+// the angle of x + j y in half turns and the rest, the size and its inverse, and the most by which
+// size and angle are off
+static inline Angle turn_angle(double x, double y, double x_off, double y_off) {
+    const double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
+    const double whole = most == 0.0 ? 1.0 : most, ratio = least/whole;
+    const double longer = sqrt(ratio*ratio + 1.0), size = longer*most;
+    const double whole2 = size == 0.0 ? 1.0 : size, per = 1.0/whole2, one = per*fabs(x);
+    const double two = per*fabs(y), along = per*x_off, across = per*y_off, away = across + along;
+    return (Angle){x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0, atan2(x < 0.0 ? -y : y, fabs(x)), size,
+        per, across*two + along*one + away*away, away < 0.25 ? (2.0*away + 1.0)*
+        (across*one + along*two) : 4.0};
 }
 
-// the nearest whole number of turns in the phase at a crossing
-static inline double phase_turns(const Loop *loop, double y, double rest, double off) {
+// the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
+static inline double phase_turns(const Loop *loop, double y, double rest, double off, double loose,
+    double free) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
-    const Angle angle = turn_angle(off*(2.0*loop->loss - 4.0), loop->loss*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
+    const double tilt = 0.25*still - 0.25*at, total = 2.0 - loop->loss;
+    const double lost = loop->loss*loop->loss, square = 0.5*(total*total);
+    const double whole = 0.25*at + 0.25*still, steep = loop->together + fabs(loop->apart);
+    const double falls = loop->apart + loop->together, own = loop->n1*loop->n1;
+    const double plain = loose + 4.440892098500626e-16, made = loose + 1.3322676295501878e-15;
+    const double size_off = made*fabs(loop->n1) + loop->n1_off, real = -2.0*off*total;
+    const double up = loop->loss*sine;
+    const Angle angle = turn_angle(real, up, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine);
+    const double late = still*loop->together - loop->apart*at, up2 = loop->n1*sine;
+    const Angle angle2 = turn_angle(late, up2, loop->apart_off*at + made*
+        (at*fabs(loop->apart) + still*loop->together), sine*size_off);
+    const double real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
+    const Angle angle3 = turn_angle(real3, up3, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope));
+    const double ratio = angle.per*angle2.size, gap_ = 1.0 - 0.25*ratio*angle3.size;
+    const double rough = angle.off + angle2.off + angle3.off + 1.3322676295501878e-15;
+    const double t = angle.per*(16.0*lost*tilt + 16.0*off*square), t2 = angle.per*t;
+    const double t3 = angle.per*(16.0*lost*whole + 16.0*square*fabs(off)), t4 = angle.per*t3;
+    const double t5 = angle.per*(8.0*lost + 16.0*square), t6 = angle.per*t5;
+    const double t7 = angle2.per*(16.0*own*tilt - 2.0*falls*late), t8 = angle2.per*t7;
+    const double t9 = angle2.per*(16.0*own*whole + 2.0*angle2.size*steep), t10 = angle2.per*t9;
+    const double t11 = angle2.per*(8.0*own + 2.0*(steep*steep)), t12 = angle2.per*t11;
+    const double t13 = 16.0*loop->force*angle3.per, t14 = angle3.per*t13;
+    const double t15 = 16.0*angle3.per*fabs(loop->force), t16 = angle3.per*t15;
+    const double log_slope = t2 - t14 - t8;
+    const double slope_off = t10*(3.0*angle2.off + 8.881784197001252e-16) + t16*
+        (3.0*angle3.off + 8.881784197001252e-16) + t4*(3.0*angle.off + 8.881784197001252e-16);
+    const double sure_slope = fabs(log_slope) - slope_off;
+    const double whole2 = sure_slope == 0.0 ? 1.0 : sure_slope;
+    const double reach = 0.25*(9.0*rough + 9.0*fabs(gap_))/whole2;
+    const double bend_ = t10*t10 + t12 + t16*t16 + t4*t4 + t6;
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
-    const double late = loop->d + 2.0;
-    const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late : 0.0);
-    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
+    const double late2 = loop->d + 2.0;
+    const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late2 : 0.0);
+    const double share = 0.5*(-late2*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
         angle3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
-    return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
+    const double near = fabs(share - floor(share + 0.5));
+    const double distance = left == 0.5 ? near : 0.5 - near, whole3 = sine == 0.0 ? 1.0 : sine;
+    const double inverse = 1.0/whole3, whole4 = at == 0.0 ? 1.0 : at, low = 1.0/whole4;
+    const double whole5 = still == 0.0 ? 1.0 : still, high = 1.0/whole5;
+    const double wave_tilt = 0.5*low - 0.5*high, delayed = 2.0*inverse*late2;
+    const double along = angle.per*real, across = angle.per*up, one = across*along*wave_tilt;
+    const double two = -2.0*across*angle.per*total, most = fabs(one) + fabs(two);
+    const double along2 = late*angle2.per, across2 = angle2.per*up2;
+    const double one2 = across2*along2*wave_tilt, two2 = -across2*falls*angle2.per;
+    const double most2 = fabs(one2) + fabs(two2), along3 = angle3.per*real3;
+    const double across3 = angle3.per*up3, one3 = across3*along3*wave_tilt;
+    const double two3 = across3*angle3.per*(-loop->alpha - loop->far);
+    const double most3 = fabs(one3) + fabs(two3);
+    const double far_off = reach*(2.0*bend_ + (high + low)*
+        (2.0*delayed + 2.0*most + 2.0*most2 + 2.0*most3));
+    const double turning_ = -delayed - one + one2 + one3 + two - two2 - two3;
+    const double blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
+        (loose + 8.881784197001252e-16) + reach*
+        (8.881784197001252e-16*delayed + far_off + most*(3.0*angle.off + 8.881784197001252e-16) +
+        most2*(3.0*angle2.off + 8.881784197001252e-16) + most3*
+        (3.0*angle3.off + 8.881784197001252e-16) + fabs(turning_)) + 4.440892098500626e-16*
+        fabs(angle.rest) + 4.440892098500626e-16*fabs(angle2.rest) + 4.440892098500626e-16*
+        fabs(angle3.rest);
+    const double good = at > 4.0*reach && blur4 < 6.0*distance && still > 4.0*reach &&
+        sure_slope > 0.0 && sure_slope > 8.0*bend_*reach ? 1.0 : 0.0;
+    if (good > 0.0) {
+        return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
+    }
+    return NAN;
 }
 
 // what the crossing on a piece, if there is one, adds
@@ -559,12 +630,45 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
         if (rest > 0.0 && y > 0.0) {
             const double off = zone == 0.0 ? x - loop->center :
                 (zone == 1.0 ? x : loop->beyond - x);
-            const double found = phase_turns(loop, y, rest, off);
+            const double loose = zone == 1.0 ? 1.7763568394002505e-15 : 2.220446049250313e-16;
+            const double free = zone == 1.0 ? 0.0 : 8.881784197001252e-16*
+                (zone == 0.0 ? loop->center : loop->beyond);
+            const double found = phase_turns(loop, y, rest, off, loose, free);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             return -2.0*found*rises;
         }
     }
     return 0.0;
+}
+
+// NaN where wall and device may be equally strong, else 0
+static inline double touches(const Loop *loop, double y, double rest, double off, double loose,
+    double free) {
+    const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
+    const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
+    const double made = loose + 1.3322676295501878e-15;
+    const double size_off = made*fabs(loop->n1) + loop->n1_off;
+    const Angle angle = turn_angle(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine);
+    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*size_off);
+    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope));
+    const double ratio = angle.per*angle2.size, gap_ = 1.0 - 0.25*ratio*angle3.size;
+    const double rough = angle.off + angle2.off + angle3.off + 1.3322676295501878e-15;
+    if (fabs(gap_) <= 2.0*rough && rest > 0.0 && y > 0.0) { return NAN; }
+    return 0.0;
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline double zone_touches(const Loop *loop, double x, double zone) {
+    const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
+    const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
+    const double off = zone == 0.0 ? x - loop->center : (zone == 1.0 ? x : loop->beyond - x);
+    const double loose = zone == 1.0 ? 1.7763568394002505e-15 : 2.220446049250313e-16;
+    const double free = zone == 1.0 ? 0.0 : 8.881784197001252e-16*
+        (zone == 0.0 ? loop->center : loop->beyond);
+    return touches(loop, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -583,26 +687,42 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double p = first*(first*(first*k3 + k2) + k1) + k0;
     const double p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const double found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
-    const double found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
-    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
+    const double found = cut2 > low ? zone_touches(loop, cut2, zone) : 0.0;
+    const double found2 = found + (cut3 > low ? zone_touches(loop, cut3, zone) : 0.0);
+    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const double found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const double found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found5 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
-// roots outside the unit circle behind a fractional delay, -1 where that is not known
+// roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
-    double at_one, double at_minus_one, double loss, double together, double apart) {
-    const double strength = fabs(alpha) + fabs(beta);
-    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
-    const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
-    const double across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
-    const double even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
-    const double near0 = (at_one - pushed_)*(at_one + pushed_);
+    double gamma, double at_minus_one, double loss, double together, double apart, double across) {
+    if (alpha == 0.0 && beta == 0.0) { return 0.0; }
+    const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
+    const double wall_far = alpha + 2.0*beta, size2 = m2 + together + fabs(m0);
+    const double near_half = sqrt(fmin(1.0, at_minus_one));
+    const double apart_off = 7.105427357601002e-15*near_half*size2;
+    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
+    const double pull = fabs(apart*wall_far);
+    const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
+        1.7763568394002505e-15*pull;
+    if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
+        strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        end_off >= fabs(at_minus_one - pull)) {
+        return -1.0;
+    }
+    const double slope = alpha + beta, force = beta*slope, lost = loss*loss, square = m0*m2;
+    const double size = across*across, at_one = gamma*together, whole = gamma == 0.0 ? 1.0 : gamma;
+    const double n1_off = 1.4210854715202004e-14*
+        (gamma > 10.0 && loss < 0.5 ? 2.0*sqrt(fmin(1.0, at_one))/whole : 0.125*size2);
+    const double apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
+    const double even2 = together*(m0 + m2), linear = size - even2, near0 = apart_one*even;
     const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
         lost;
     const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0, near3 = -force*square;
-    const double even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
-    const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
+    const double pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
+    const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
         (wall_far*wall_far) + lost;
     const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
@@ -620,14 +740,16 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, force, d, across, loss, together, apart, apart_off,
+        n1_off, a_off, middle, rest};
     const double total = ((((((near2 == 0.0 && near3 < 0.0) || near2 < 0.0) && near1 == 0.0) ||
         near1 < 0.0) && near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0) +
         zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
-    return total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) && far1 == 0.0) ||
-        far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    const double total2 = total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) &&
+        far1 == 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    return (total2 >= 0.0 ? total2 : -1.0);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -665,7 +787,7 @@ static inline double half_turned_swing(double gamma, double delta, double part) 
 // m2 - m1 + m0 behind a fraction of a period
 static inline double half_turned(double found, double gamma, double delta, double part) {
     const Motion motion = device_motion(gamma, delta);
-    if (motion.half < 0.25 && motion.root > 3.0 && motion.root < 67108864.0 && motion.w.hi < 0.0) {
+    if (motion.half < 0.25 && motion.root > 3.0 && motion.w.hi < 0.0) {
         return half_turned_swing(gamma, delta, part);
     }
     return found;
@@ -714,17 +836,39 @@ static inline double stable(double roots, double alpha, double beta, double gamm
     return 0.0;
 }
 
+// a point that is known about three, and whether it is on the circle
+static inline Point nearest_point(const Loop *loop, double y, double rest, double off) {
+    const double edge = rest > y ? y : rest;
+    const double inside = edge > fabs(off) && loop->beyond - off > 0.0 && loop->center +
+        off > 0.0 ? 1.0 : 0.0;
+    return (Point){inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest), inside > 0.0 ?
+        loop->beyond - off : (rest > y ? 4.0 - y : rest), inside > 0.0 ? off :
+        (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0 ?
+        1.7763568394002505e-15 : 2.220446049250313e-16, inside > 0.0 ? 0.0 : 8.881784197001252e-16*
+        (rest > y ? loop->center : loop->beyond), edge < 4.0 && rest > 0.0 && y > 0.0 ? 1.0 : 0.0};
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline double bottom_touches(const Loop *loop, double y, double rest, double off) {
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
+            loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
+            .apart_off = 0.0, .n1_off = 0.0, .a_off = loop->a_off};
+        return touches(&loop2, point.at, point.still, point.away, point.loose, point.free);
+    }
+    return 0.0;
+}
+
 // the turns at a crossing, if there is one
 static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
-    const double edge = rest > y ? y : rest;
-    if (edge < 4.0 && rest > 0.0 && y > 0.0) {
-        const double inside = edge > fabs(off) && loop->beyond - off > 0.0 && loop->center +
-            off > 0.0 ? 1.0 : 0.0;
-        const double at = inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest);
-        const double still = inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest);
-        const double away = inside > 0.0 ? off :
-            (rest > y ? y - loop->center : loop->beyond - rest);
-        return phase_turns(loop, at, still, away);
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .force =
+            loop->force, .d = loop->d, .n1 = loop->n1, .loss = loop->loss, .together =
+            loop->together, .apart = loop->apart, .apart_off = 0.0, .n1_off = 0.0, .a_off =
+            loop->a_off};
+        return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0;
 }
@@ -738,16 +882,26 @@ static inline Roots quadratic_roots(double c, double b, double a, double root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle, -1 where that is not known
+// roots outside the unit circle, -1 where that is not certain
 static inline double whole_roots(double alpha, double beta, double d, double n1, double n0,
-    double at_one, double at_minus_one, double loss, double together, double apart) {
-    const double strength = fabs(alpha) + fabs(beta);
-    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
-    const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
-    const double force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
-    const double push = alpha*together, pull = apart*wall_far;
-    const double near0 = (at_one - push)*(at_one + push);
-    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost;
+    double gamma, double at_minus_one, double loss, double together, double apart) {
+    if (alpha == 0.0 && beta == 0.0) { return 0.0; }
+    const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
+    const double wall_far = alpha + 2.0*beta;
+    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
+    const double pull2 = fabs(apart*wall_far);
+    const double end_off = a_off + 1.7763568394002505e-15*at_minus_one + 1.7763568394002505e-15*
+        pull2;
+    if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
+        strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        end_off >= fabs(at_minus_one - pull2)) {
+        return -1.0;
+    }
+    const double e = 1.0 - loss, slope = alpha + beta, force = beta*slope, cross = n0*n1;
+    const double lost = loss*loss, square = cross*force + e, at_one = gamma*together;
+    const double even = together*together, pull = apart*wall_far;
+    const double apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
+    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost;
     const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
     const double far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) +
         lost;
@@ -765,20 +919,35 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
     const double disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
         (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
-    double total = 0.0;
+    double total;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .force = force, .d = d,
+            .n1 = n1, .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center =
+            center, .beyond = beyond};
         total = 2.0*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
+    } else {
+        double bottom, bottom2;
+        if (square == 0.0) {
+            bottom = -1.0; bottom2 = -1.0;
+        } else {
+            bottom = -0.5*near1/square; bottom2 = -0.5*far1/square;
+        }
+        const double bottom3 = own2 == 0.0 ? -1.0 : -0.5*own1/own2;
+        const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
+            loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
+            beyond};
+        total = bottom_touches(&loop2, bottom, bottom2, bottom3);
     }
     const double total2 = total + ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
         near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0);
-    return total2 - ((((far1 == 0.0 && square < 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ?
-        end : 0.0);
+    const double total3 = total2 - ((((far1 == 0.0 && square < 0.0) || far1 < 0.0) &&
+        far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    return (total3 >= 0.0 ? total3 : -1.0);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -824,6 +993,26 @@ static inline CosSin next_wave(double k, double x) {
         return (CosSin){cosine - off*sine, cosine*off + sine};
     }
     return (CosSin){cosine*cos(off) - sine*sin(off), cosine*sin(off) + sine*cos(off)};
+}
+
+// at_minus_one, together, n_gap, n0 and n1 of the device
+static inline Device6 device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (Device6){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
+    }
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (Device6){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -1020,9 +1209,9 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         } else {
             const double inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma;
             const double outside = part == 0.0 ?
-                whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
-                apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart);
+                whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
+                apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
+                together, apart, first - last);
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0) { return theta; }
@@ -1305,16 +1494,18 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
         fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return false;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
-    const double t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = delta*decay(delta);
+    const double t3 = delta*device.n_gap;
     if (part == 0.0) {
-        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
-            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
+            t1, device.together, t3), alpha, beta, gamma, delta) != 0.0;
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
-        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma, delta) != 0.0;
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
+        device.at_minus_one, t1, device.together, delayed.apart, 0.5*device.kick*
+        (delta*delayed.m2 + 2.0*delayed.kicked) + 0.5*delayed.m2*(gamma*device.together + t1) - 0.5*
+        device.together + 0.5*t3), alpha, beta, gamma, delta) != 0.0;
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
@@ -1322,16 +1513,18 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
         fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return -1.0;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
-    const double t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = delta*decay(delta);
+    const double t3 = delta*device.n_gap;
     if (part == 0.0) {
-        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
-            device.together, delta*device.n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one, t1,
+            device.together, t3);
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
-        t3, device.together, delayed.apart);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma, device.at_minus_one,
+        t1, device.together, delayed.apart, 0.5*device.kick*
+        (delta*delayed.m2 + 2.0*delayed.kicked) + 0.5*delayed.m2*(gamma*device.together + t1) - 0.5*
+        device.together + 0.5*t3);
 }
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
@@ -1367,7 +1560,7 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
         gamma <= 1e+15)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device6 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta), t16 = 2.0*t3;
     if (part == 0.0) {

@@ -40,7 +40,8 @@ void haptic_discretize_fractional(double gamma, double delta, double epsilon, do
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
- * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+ * gamma) < 2^-400 (single: 2^-40).
  * False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d);
@@ -53,7 +54,8 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
- * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+ * gamma) < 2^-400 (single: 2^-40).
  * -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
  */
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d);

@@ -25,15 +25,18 @@ typedef struct { float near, risen, sunk, moved; } Turns;
 typedef struct { float envelope; Pair even, wave; float near, risen, sunk, moved; } Swinging;
 typedef struct { float n0, n1, trace; } Device;
 typedef struct { float together, trace; } Device2;
-typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device3;
-typedef struct { float halves, rest; } Angle;
+typedef struct { float at_minus_one, kick, together, n_gap, n0, n1; } Device3;
+typedef struct { float halves, rest, size, per, off, blur; } Angle;
 typedef struct { Pair kick; float n_gap, n0, n1; } Device4;
 typedef struct { float apart, m2, kicked, m0; } Delayed;
+typedef struct { float at, still, away, loose, free, there; } Point;
 typedef struct { float low, high; } Roots;
 typedef struct { float ahead, in_phase; } Response;
 typedef struct { float at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { float cosine, sine; } CosSin;
-typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
+typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device6;
+typedef struct { float alpha, slope, far, force, d, n1, loss, together, apart, apart_off, n1_off,
+    a_off, center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
@@ -490,13 +493,14 @@ static inline float numerator_gap_swing(const Motion *motion, const Swinging *sw
         wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0f}));
 }
 
-// at_minus_one, together, n_gap, n0 and n1 of the device
-static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta) {
+// at_minus_one, kick, together, n_gap, n0 and n1 of the device
+static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
         return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
@@ -505,6 +509,7 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, floa
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
     return (Device3){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -526,26 +531,89 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
     return y;
 }
 
-// the angle of x + j y in half turns, and the rest
-static inline Angle turn_angle(float x, float y) {
+// the angle of x + j y in half turns and the rest, the size and its inverse, and the most by which
+// size and angle are off
+static inline Angle turn_angle(float x, float y, float x_off, float y_off) {
+    const float most = fmaxf(fabsf(x), fabsf(y)), least = fminf(fabsf(x), fabsf(y));
+    const float whole = most == 0.0f ? 1.0f : most, ratio = least/whole;
+    const float longer = sqrtf(ratio*ratio + 1.0f), size = longer*most;
+    const float whole2 = size == 0.0f ? 1.0f : size, per = 1.0f/whole2, one = per*fabsf(x);
+    const float two = per*fabsf(y), along = per*x_off, across = per*y_off, away = across + along;
     return (Angle){x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f,
-        atan2f(x < 0.0f ? -y : y, fabsf(x))};
+        atan2f(x < 0.0f ? -y : y, fabsf(x)), size, per, across*two + along*one + away*away,
+        away < 0.25f ? (2.0f*away + 1.0f)*(across*one + along*two) : 4.0f};
 }
 
-// the nearest whole number of turns in the phase at a crossing
-static inline float phase_turns(const Loop *loop, float y, float rest, float off) {
+// the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
+static inline float phase_turns(const Loop *loop, float y, float rest, float off, float loose,
+    float free) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
-    const Angle angle = turn_angle(off*(2.0f*loop->loss - 4.0f), loop->loss*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
+    const float tilt = 0.25f*still - 0.25f*at, total = 2.0f - loop->loss;
+    const float lost = loop->loss*loop->loss, square = 0.5f*(total*total);
+    const float whole = 0.25f*at + 0.25f*still, steep = loop->together + fabsf(loop->apart);
+    const float falls = loop->apart + loop->together, own = loop->n1*loop->n1;
+    const float plain = loose + 2.3841858e-07f, made = loose + 7.1525574e-07f;
+    const float size_off = made*fabsf(loop->n1) + loop->n1_off, real = -2.0f*off*total;
+    const float up = loop->loss*sine;
+    const Angle angle = turn_angle(real, up, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine);
+    const float late = still*loop->together - loop->apart*at, up2 = loop->n1*sine;
+    const Angle angle2 = turn_angle(late, up2, loop->apart_off*at + made*
+        (at*fabsf(loop->apart) + still*loop->together), sine*size_off);
+    const float real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
+    const Angle angle3 = turn_angle(real3, up3, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope));
+    const float ratio = angle.per*angle2.size, gap_ = 1.0f - 0.25f*ratio*angle3.size;
+    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f;
+    const float t = angle.per*(16.0f*lost*tilt + 16.0f*off*square), t2 = angle.per*t;
+    const float t3 = angle.per*(16.0f*lost*whole + 16.0f*square*fabsf(off)), t4 = angle.per*t3;
+    const float t5 = angle.per*(8.0f*lost + 16.0f*square), t6 = angle.per*t5;
+    const float t7 = angle2.per*(16.0f*own*tilt - 2.0f*falls*late), t8 = angle2.per*t7;
+    const float t9 = angle2.per*(16.0f*own*whole + 2.0f*angle2.size*steep), t10 = angle2.per*t9;
+    const float t11 = angle2.per*(8.0f*own + 2.0f*(steep*steep)), t12 = angle2.per*t11;
+    const float t13 = 16.0f*loop->force*angle3.per, t14 = angle3.per*t13;
+    const float t15 = 16.0f*angle3.per*fabsf(loop->force), t16 = angle3.per*t15;
+    const float log_slope = t2 - t14 - t8;
+    const float slope_off = t10*(3.0f*angle2.off + 4.7683716e-07f) + t16*
+        (3.0f*angle3.off + 4.7683716e-07f) + t4*(3.0f*angle.off + 4.7683716e-07f);
+    const float sure_slope = fabsf(log_slope) - slope_off;
+    const float whole2 = sure_slope == 0.0f ? 1.0f : sure_slope;
+    const float reach = 0.25f*(9.0f*rough + 9.0f*fabsf(gap_))/whole2;
+    const float bend_ = t10*t10 + t12 + t16*t16 + t4*t4 + t6;
     const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
         sqrtf(still));
-    const float late = loop->d + 2.0f;
-    const float halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
-    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
+    const float late2 = loop->d + 2.0f;
+    const float halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0f ? late2 : 0.0f);
+    const float share = 0.5f*(-late2*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
         angle2.rest + angle3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
-    return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
+    const float near = fabsf(share - floorf(share + 0.5f));
+    const float distance = left == 0.5f ? near : 0.5f - near, whole3 = sine == 0.0f ? 1.0f : sine;
+    const float inverse = 1.0f/whole3, whole4 = at == 0.0f ? 1.0f : at, low = 1.0f/whole4;
+    const float whole5 = still == 0.0f ? 1.0f : still, high = 1.0f/whole5;
+    const float wave_tilt = 0.5f*low - 0.5f*high, delayed = 2.0f*inverse*late2;
+    const float along = angle.per*real, across = angle.per*up, one = across*along*wave_tilt;
+    const float two = -2.0f*across*angle.per*total, most = fabsf(one) + fabsf(two);
+    const float along2 = late*angle2.per, across2 = angle2.per*up2, one2 = across2*along2*wave_tilt;
+    const float two2 = -across2*falls*angle2.per, most2 = fabsf(one2) + fabsf(two2);
+    const float along3 = angle3.per*real3, across3 = angle3.per*up3;
+    const float one3 = across3*along3*wave_tilt;
+    const float two3 = across3*angle3.per*(-loop->alpha - loop->far);
+    const float most3 = fabsf(one3) + fabsf(two3);
+    const float far_off = reach*(2.0f*bend_ + (high + low)*
+        (2.0f*delayed + 2.0f*most + 2.0f*most2 + 2.0f*most3));
+    const float turning_ = -delayed - one + one2 + one3 + two - two2 - two3;
+    const float blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
+        (loose + 4.7683716e-07f) + reach*(4.7683716e-07f*delayed + far_off + most*
+        (3.0f*angle.off + 4.7683716e-07f) + most2*(3.0f*angle2.off + 4.7683716e-07f) + most3*
+        (3.0f*angle3.off + 4.7683716e-07f) + fabsf(turning_)) + 2.3841858e-07f*fabsf(angle.rest) +
+        2.3841858e-07f*fabsf(angle2.rest) + 2.3841858e-07f*fabsf(angle3.rest);
+    const float good = at > 4.0f*reach && blur4 < 6.0f*distance && still > 4.0f*reach &&
+        sure_slope > 0.0f && sure_slope > 8.0f*bend_*reach ? 1.0f : 0.0f;
+    if (good > 0.0f) {
+        return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
+    }
+    return NAN;
 }
 
 // what the crossing on a piece, if there is one, adds
@@ -558,12 +626,44 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
         if (rest > 0.0f && y > 0.0f) {
             const float off = zone == 0.0f ? x - loop->center :
                 (zone == 1.0f ? x : loop->beyond - x);
-            const float found = phase_turns(loop, y, rest, off);
+            const float loose = zone == 1.0f ? 9.536743e-07f : 1.1920929e-07f;
+            const float free = zone == 1.0f ? 0.0f : 4.7683716e-07f*
+                (zone == 0.0f ? loop->center : loop->beyond);
+            const float found = phase_turns(loop, y, rest, off, loose, free);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
             return -2.0f*found*rises;
         }
     }
     return 0.0f;
+}
+
+// NaN where wall and device may be equally strong, else 0
+static inline float touches(const Loop *loop, float y, float rest, float off, float loose,
+    float free) {
+    const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
+    const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
+    const float made = loose + 7.1525574e-07f, size_off = made*fabsf(loop->n1) + loop->n1_off;
+    const Angle angle = turn_angle(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine);
+    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*size_off);
+    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope));
+    const float ratio = angle.per*angle2.size, gap_ = 1.0f - 0.25f*ratio*angle3.size;
+    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f;
+    if (fabsf(gap_) <= 2.0f*rough && rest > 0.0f && y > 0.0f) { return NAN; }
+    return 0.0f;
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline float zone_touches(const Loop *loop, float x, float zone) {
+    const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
+    const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
+    const float off = zone == 0.0f ? x - loop->center : (zone == 1.0f ? x : loop->beyond - x);
+    const float loose = zone == 1.0f ? 9.536743e-07f : 1.1920929e-07f;
+    const float free = zone == 1.0f ? 0.0f : 4.7683716e-07f*
+        (zone == 0.0f ? loop->center : loop->beyond);
+    return touches(loop, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -582,26 +682,40 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float middle2 = fminf(middle, more), p = first*(first*(first*k3 + k2) + k1) + k0;
     const float p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const float p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
-    const float found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
-    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
+    const float found = cut2 > low ? zone_touches(loop, cut2, zone) : 0.0f;
+    const float found2 = found + (cut3 > low ? zone_touches(loop, cut3, zone) : 0.0f);
+    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const float found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const float found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found5 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
-// roots outside the unit circle behind a fractional delay, -1 where that is not known
+// roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
-    float at_one, float at_minus_one, float loss, float together, float apart) {
-    const float strength = fabsf(alpha) + fabsf(beta);
-    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
-    const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
-    const float even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
-    const float near0 = (at_one - pushed_)*(at_one + pushed_);
+    float gamma, float at_minus_one, float loss, float together, float apart, float across) {
+    if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
+    const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
+    const float wall_far = alpha + 2.0f*beta, size2 = m2 + together + fabsf(m0);
+    const float near_half = sqrtf(fminf(1.0f, at_minus_one));
+    const float apart_off = 3.8146973e-06f*near_half*size2;
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull = fabsf(apart*wall_far);
+    const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
+        9.536743e-07f*pull;
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || end_off >= fabsf(at_minus_one - pull)) {
+        return -1.0f;
+    }
+    const float slope = alpha + beta, force = beta*slope, lost = loss*loss, square = m0*m2;
+    const float size = across*across, at_one = gamma*together, whole = gamma == 0.0f ? 1.0f : gamma;
+    const float n1_off = 7.6293945e-06f*(gamma > 10.0f && loss < 0.5f ? 2.0f*
+        sqrtf(fminf(1.0f, at_one))/whole : 0.125f*size2);
+    const float apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
+    const float even2 = together*(m0 + m2), linear = size - even2, near0 = apart_one*even;
     const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
         lost;
     const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f, near3 = -force*square;
-    const float even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
-    const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
+    const float pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
+    const float far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
         (wall_far*wall_far) + lost;
     const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
@@ -619,14 +733,16 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, force, d, across, loss, together, apart, apart_off,
+        n1_off, a_off, middle, rest};
     const float total = ((((((near2 == 0.0f && near3 < 0.0f) || near2 < 0.0f) && near1 == 0.0f) ||
         near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
         zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0f);
-    return total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) && far1 == 0.0f) ||
-        far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    const float total2 = total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) &&
+        far1 == 0.0f) || far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    return (total2 >= 0.0f ? total2 : -1.0f);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -664,7 +780,7 @@ static inline float half_turned_swing(float gamma, float delta, float part) {
 // m2 - m1 + m0 behind a fraction of a period
 static inline float half_turned(float found, float gamma, float delta, float part) {
     const Motion motion = device_motion(gamma, delta);
-    if (motion.half < 0.25f && motion.root > 3.0f && motion.root < 4096.0f && motion.w.hi < 0.0f) {
+    if (motion.half < 0.25f && motion.root > 3.0f && motion.w.hi < 0.0f) {
         return half_turned_swing(gamma, delta, part);
     }
     return found;
@@ -713,17 +829,40 @@ static inline float stable(float roots, float alpha, float beta, float gamma, fl
     return 0.0f;
 }
 
+// a point that is known about three, and whether it is on the circle
+static inline Point nearest_point(const Loop *loop, float y, float rest, float off) {
+    const float edge = rest > y ? y : rest;
+    const float inside = edge > fabsf(off) && loop->beyond - off > 0.0f && loop->center +
+        off > 0.0f ? 1.0f : 0.0f;
+    return (Point){inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest),
+        inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest), inside > 0.0f ? off :
+        (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0f ? 9.536743e-07f :
+        1.1920929e-07f, inside > 0.0f ? 0.0f : 4.7683716e-07f*
+        (rest > y ? loop->center : loop->beyond), edge < 4.0f && rest > 0.0f && y > 0.0f ? 1.0f :
+        0.0f};
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline float bottom_touches(const Loop *loop, float y, float rest, float off) {
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0f) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
+            loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
+            .apart_off = 0.0f, .n1_off = 0.0f, .a_off = loop->a_off};
+        return touches(&loop2, point.at, point.still, point.away, point.loose, point.free);
+    }
+    return 0.0f;
+}
+
 // the turns at a crossing, if there is one
 static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
-    const float edge = rest > y ? y : rest;
-    if (edge < 4.0f && rest > 0.0f && y > 0.0f) {
-        const float inside = edge > fabsf(off) && loop->beyond - off > 0.0f && loop->center +
-            off > 0.0f ? 1.0f : 0.0f;
-        const float at = inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest);
-        const float still = inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest);
-        const float away = inside > 0.0f ? off :
-            (rest > y ? y - loop->center : loop->beyond - rest);
-        return phase_turns(loop, at, still, away);
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0f) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .force =
+            loop->force, .d = loop->d, .n1 = loop->n1, .loss = loop->loss, .together =
+            loop->together, .apart = loop->apart, .apart_off = 0.0f, .n1_off = 0.0f, .a_off =
+            loop->a_off};
+        return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0f;
 }
@@ -737,16 +876,23 @@ static inline Roots quadratic_roots(float c, float b, float a, float root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle, -1 where that is not known
-static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
+// roots outside the unit circle, -1 where that is not certain
+static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float gamma,
     float at_minus_one, float loss, float together, float apart) {
-    const float strength = fabsf(alpha) + fabsf(beta);
-    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
-    const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
-    const float force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
-    const float push = alpha*together, pull = apart*wall_far;
-    const float near0 = (at_one - push)*(at_one + push);
-    const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - force*(together*together) + lost;
+    if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
+    const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
+    const float wall_far = alpha + 2.0f*beta, a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma);
+    const float pull2 = fabsf(apart*wall_far);
+    const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || end_off >= fabsf(at_minus_one - pull2)) {
+        return -1.0f;
+    }
+    const float e = 1.0f - loss, slope = alpha + beta, force = beta*slope, cross = n0*n1;
+    const float lost = loss*loss, square = cross*force + e, at_one = gamma*together;
+    const float even = together*together, pull = apart*wall_far;
+    const float apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
+    const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - even*force + lost;
     const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
     const float far1 = (apart*apart)*force - at_minus_one*(e + 1.0f) - cross*(wall_far*wall_far) +
         lost;
@@ -764,20 +910,35 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
     const float disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
         (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
-    float total = 0.0f;
+    float total;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .force = force, .d = d,
+            .n1 = n1, .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center =
+            center, .beyond = beyond};
         total = 2.0f*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0f*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
+    } else {
+        float bottom, bottom2;
+        if (square == 0.0f) {
+            bottom = -1.0f; bottom2 = -1.0f;
+        } else {
+            bottom = -0.5f*near1/square; bottom2 = -0.5f*far1/square;
+        }
+        const float bottom3 = own2 == 0.0f ? -1.0f : -0.5f*own1/own2;
+        const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
+            loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
+            beyond};
+        total = bottom_touches(&loop2, bottom, bottom2, bottom3);
     }
     const float total2 = total + ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
         near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
-    return total2 - ((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) && far0 == 0.0f) ||
-        far0 < 0.0f ? end : 0.0f);
+    const float total3 = total2 - ((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) &&
+        far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    return (total3 >= 0.0f ? total3 : -1.0f);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -833,6 +994,26 @@ static inline CosSin next_wave(float k, float x) {
     const float value2 = turn_ == 1.0f || turn_ == 3.0f ? cosine : sine;
     return (CosSin){turn_ >= 1.0f && turn_ <= 2.0f ? -value : value, turn_ >= 2.0f ? -value2 :
         value2};
+}
+
+// at_minus_one, together, n_gap, n0 and n1 of the device
+static inline Device6 device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (Device6){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
+    }
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (Device6){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -1029,9 +1210,9 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         } else {
             const float inside = 0.9999237f*stiffness - 7.6293945e-05f*gamma;
             const float outside = part == 0.0f ?
-                whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
-                apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart);
+                whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
+                apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
+                together, apart, first - last);
             good = stable(outside, inside, t14, gamma, delta);
         }
         if (good > 0.0f) { return theta; }
@@ -1312,17 +1493,18 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
         fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return false;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
-    const float t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = delta*decay(delta);
+    const float t3 = delta*device.n_gap;
     if (part == 0.0f) {
-        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
-            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0f;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
+            t1, device.together, t3), alpha, beta, gamma, delta) != 0.0f;
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
-        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma,
-        delta) != 0.0f;
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
+        device.at_minus_one, t1, device.together, delayed.apart, 0.5f*device.kick*
+        (delta*delayed.m2 + 2.0f*delayed.kicked) + 0.5f*delayed.m2*(gamma*device.together + t1) -
+        0.5f*device.together + 0.5f*t3), alpha, beta, gamma, delta) != 0.0f;
 }
 
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d) {
@@ -1330,16 +1512,18 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
         fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return -1.0f;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
-    const float t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = delta*decay(delta);
+    const float t3 = delta*device.n_gap;
     if (part == 0.0f) {
-        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
-            device.together, delta*device.n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one, t1,
+            device.together, t3);
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
-        t3, device.together, delayed.apart);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma, device.at_minus_one,
+        t1, device.together, delayed.apart, 0.5f*device.kick*
+        (delta*delayed.m2 + 2.0f*delayed.kicked) + 0.5f*delayed.m2*(gamma*device.together + t1) -
+        0.5f*device.together + 0.5f*t3);
 }
 
 void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
@@ -1375,7 +1559,7 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         gamma <= 1e+08f)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device6 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta), t16 = 2.0f*t3;
     if (part == 0.0f) {
