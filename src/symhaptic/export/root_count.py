@@ -269,28 +269,28 @@ def touches(precision: Precision = DOUBLE) -> Routine:
 
 
 def _reach(
-    do: Steps, parts: tuple[_Part, _Part, _Part], unit: Expr
+    do: Steps, parts: tuple[_Part, _Part, _Part], edge: Expr, unit: Expr
 ) -> tuple[Expr, Boolean, Expr]:
-    """How far from this point in y the crossing is at most, whether that is sure, and how the parts
-    bend.
+    """How far from this point in y the crossing is at most, whether that is sure, and how fast the
+    logarithms of the parts change; all in units of the distance to the nearer end.
 
     By Newton and Kantorovich, of 2 ln |A/(M W)|: its derivative is the sum of those of the parts.
     """
     gap, rough = _gap(do, parts, unit)
-    slope, off, bend = sp.S.Zero, sp.S.Zero, sp.S.Zero
+    slope, off, bend, fast = sp.S.Zero, sp.S.Zero, sp.S.Zero, sp.S.Zero
     for sign, part in zip((1, -1, -1), parts, strict=True):
-        per = part.angle.per
-        steep, most, bent = (
-            do("t", do("t", 16 * x * per) * per) if x != 0 else x
-            for x in (part.even, part.most, part.bend)
+        per, near = part.angle.per, do("near", part.angle.per * edge)
+        steep, most = (
+            do("t", do("t", 16 * x * per) * near) if x != 0 else x for x in (part.even, part.most)
         )
+        bent = do("t", 16 * part.bend * near) * near if part.bend != 0 else part.bend
         slope += sign * steep
         off += most * (unit + 3 * part.angle.off)
         bend += bent + most * most
+        fast += most
     slope = do("sure_slope", sp.Abs(do("log_slope", slope)) - do("slope_off", off))
     reach = do("reach", 9 * (sp.Abs(gap) + rough) / (4 * do.nonzero(slope)))
-    bend = do("bend", bend)
-    return reach, And(slope > 0, 8 * bend * reach < slope), bend
+    return reach, And(slope > 0, 8 * do("bend", bend) * reach < slope), do("fast", fast)
 
 
 def phase_turns(precision: Precision = DOUBLE) -> Routine:
@@ -298,7 +298,8 @@ def phase_turns(precision: Precision = DOUBLE) -> Routine:
     do, last = Steps(), unit(precision)
     y, rest = do("at", Max(_Y, 0)), do("still", Max(_REST, 0))
     parts, sine = _parts(do, y, rest, last)
-    reach, sure, bend = _reach(do, parts, last)
+    edge = do("edge", Min(y, rest))
+    reach, sure, fast = _reach(do, parts, edge, last)
     below, above, force = (part.angle for part in parts)
     far = y > 2
     half = do("half", atan2(sqrt(choose(far, rest, y)), sqrt(choose(far, y, rest))))
@@ -313,23 +314,24 @@ def phase_turns(precision: Precision = DOUBLE) -> Routine:
     near = do("near", sp.Abs(share - floor(share + sp.S.Half)))
     apart_ = do("distance", choose(odd, near, sp.S.Half - near))
     # the phase turns by so much with y; the waves in it go with the root of y and of 4 - y
-    inverse = do("inverse", 1 / do.nonzero(sine))
-    low, high = do("low", 1 / do.nonzero(y)), do("high", 1 / do.nonzero(rest))
-    tilt, delayed = do("wave_tilt", (low - high) / 2), do("delayed", 2 * late * inverse)
+    low, high = do("low", edge / do.nonzero(y)), do("high", edge / do.nonzero(rest))
+    tilt = do("wave_tilt", (low - high) / 2)
+    delayed = do("delayed", 2 * late * edge / do.nonzero(sine))
     turning, most, off = -delayed, delayed, last * delayed
     blur = late * (last + LOOSE) * half
     for sign, part in zip((-1, 1, 1), parts, strict=True):
         along = do("along", part.real * part.angle.per)
         across = do("across", part.up * part.angle.per)
-        one, two = do("one", along * across * tilt), do("two", across * part.steep * part.angle.per)
+        steep = do("two", part.steep * do("near", part.angle.per * edge))
+        one, two = do("one", along * across * tilt), do("two", across * steep)
         turning += sign * (one - two)
         size = do("most", sp.Abs(one) + sp.Abs(two))
         most += size
         off += size * (last + 3 * part.angle.off)
         blur += part.angle.blur + last * sp.Abs(part.angle.rest) / 2
-    far_off = do("far_off", reach * (2 * most * (low + high) + 2 * bend))
+    far_off = do("far_off", 2 * reach * most * (low + high + fast))
     blur += reach * (sp.Abs(do("turning", turning)) + off + far_off)
-    good = And(sure, 4 * reach < y, 4 * reach < rest, do("blur", blur) < 6 * apart_)
+    good = And(sure, 4 * reach < 1, do("blur", blur) < 6 * apart_)
     good = do("good", choose(good, 1, 0)) > 0
     return do.routine("PhaseTurns", "the nearest whole number of turns in the phase at a crossing, "
                       "NaN where that is not certain",

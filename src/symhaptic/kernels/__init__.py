@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "0044e8991f0142fd"
+STAMP = "b8030a2dfb69e92d"
 """Of the sources in C, as the module that is compiled of them has it."""

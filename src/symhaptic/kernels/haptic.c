@@ -566,45 +566,45 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
     const double real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
     const Angle angle3 = turn_angle(real3, up3, plain*
         (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope));
-    const double ratio = angle.per*angle2.size, gap_ = 1.0 - 0.25*ratio*angle3.size;
+    const double edge = fmin(at, still), ratio = angle.per*angle2.size;
+    const double gap_ = 1.0 - 0.25*ratio*angle3.size;
     const double rough = angle.off + angle2.off + angle3.off + 1.3322676295501878e-15;
-    const double t = angle.per*(16.0*lost*tilt + 16.0*off*square), t2 = angle.per*t;
-    const double t3 = angle.per*(16.0*lost*whole + 16.0*square*fabs(off)), t4 = angle.per*t3;
-    const double t5 = angle.per*(8.0*lost + 16.0*square), t6 = angle.per*t5;
-    const double t7 = angle2.per*(16.0*own*tilt - 2.0*falls*late), t8 = angle2.per*t7;
-    const double t9 = angle2.per*(16.0*own*whole + 2.0*angle2.size*steep), t10 = angle2.per*t9;
-    const double t11 = angle2.per*(8.0*own + 2.0*(steep*steep)), t12 = angle2.per*t11;
-    const double t13 = 16.0*loop->force*angle3.per, t14 = angle3.per*t13;
-    const double t15 = 16.0*angle3.per*fabs(loop->force), t16 = angle3.per*t15;
-    const double log_slope = t2 - t14 - t8;
-    const double slope_off = t10*(3.0*angle2.off + 8.881784197001252e-16) + t16*
-        (3.0*angle3.off + 8.881784197001252e-16) + t4*(3.0*angle.off + 8.881784197001252e-16);
+    const double near = edge*angle.per, t = angle.per*(16.0*lost*tilt + 16.0*off*square);
+    const double t2 = near*t, t3 = angle.per*(16.0*lost*whole + 16.0*square*fabs(off));
+    const double t4 = near*t3, t5 = near*(8.0*lost + 16.0*square), near2 = edge*angle2.per;
+    const double t6 = angle2.per*(16.0*own*tilt - 2.0*falls*late), t7 = near2*t6;
+    const double t8 = angle2.per*(16.0*own*whole + 2.0*angle2.size*steep), t9 = near2*t8;
+    const double t10 = near2*(8.0*own + 2.0*(steep*steep)), near3 = edge*angle3.per;
+    const double t11 = 16.0*loop->force*angle3.per, t12 = near3*t11;
+    const double t13 = 16.0*angle3.per*fabs(loop->force), t14 = near3*t13;
+    const double log_slope = t2 - t12 - t7;
+    const double slope_off = t14*(3.0*angle3.off + 8.881784197001252e-16) + t4*
+        (3.0*angle.off + 8.881784197001252e-16) + t9*(3.0*angle2.off + 8.881784197001252e-16);
     const double sure_slope = fabs(log_slope) - slope_off;
     const double whole2 = sure_slope == 0.0 ? 1.0 : sure_slope;
     const double reach = 0.25*(9.0*rough + 9.0*fabs(gap_))/whole2;
-    const double bend_ = t10*t10 + t12 + t16*t16 + t4*t4 + t6;
+    const double bend_ = near*t5 + near2*t10 + t14*t14 + t4*t4 + t9*t9, fast = t14 + t4 + t9;
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
     const double late2 = loop->d + 2.0;
     const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late2 : 0.0);
     const double share = 0.5*(-late2*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
         angle3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
-    const double near = fabs(share - floor(share + 0.5));
-    const double distance = left == 0.5 ? near : 0.5 - near, whole3 = sine == 0.0 ? 1.0 : sine;
-    const double inverse = 1.0/whole3, whole4 = at == 0.0 ? 1.0 : at, low = 1.0/whole4;
-    const double whole5 = still == 0.0 ? 1.0 : still, high = 1.0/whole5;
-    const double wave_tilt = 0.5*low - 0.5*high, delayed = 2.0*inverse*late2;
-    const double along = angle.per*real, across = angle.per*up, one = across*along*wave_tilt;
-    const double two = -2.0*across*angle.per*total, most = fabs(one) + fabs(two);
-    const double along2 = late*angle2.per, across2 = angle2.per*up2;
-    const double one2 = across2*along2*wave_tilt, two2 = -across2*falls*angle2.per;
-    const double most2 = fabs(one2) + fabs(two2), along3 = angle3.per*real3;
-    const double across3 = angle3.per*up3, one3 = across3*along3*wave_tilt;
-    const double two3 = across3*angle3.per*(-loop->alpha - loop->far);
-    const double most3 = fabs(one3) + fabs(two3);
-    const double far_off = reach*(2.0*bend_ + (high + low)*
-        (2.0*delayed + 2.0*most + 2.0*most2 + 2.0*most3));
-    const double turning_ = -delayed - one + one2 + one3 + two - two2 - two3;
+    const double near4 = fabs(share - floor(share + 0.5));
+    const double distance = left == 0.5 ? near4 : 0.5 - near4, whole3 = at == 0.0 ? 1.0 : at;
+    const double low = edge/whole3, whole4 = still == 0.0 ? 1.0 : still, high = edge/whole4;
+    const double wave_tilt = 0.5*low - 0.5*high, whole5 = sine == 0.0 ? 1.0 : sine;
+    const double delayed = 2.0*edge*late2/whole5, along = angle.per*real, across = angle.per*up;
+    const double near5 = edge*angle.per, two = -2.0*near5*total, one = across*along*wave_tilt;
+    const double two2 = across*two, most = fabs(one) + fabs(two2), along2 = late*angle2.per;
+    const double across2 = angle2.per*up2, near6 = edge*angle2.per, two3 = -falls*near6;
+    const double one2 = across2*along2*wave_tilt, two4 = across2*two3;
+    const double most2 = fabs(one2) + fabs(two4), along3 = angle3.per*real3;
+    const double across3 = angle3.per*up3, near7 = edge*angle3.per;
+    const double two5 = near7*(-loop->alpha - loop->far), one3 = across3*along3*wave_tilt;
+    const double two6 = across3*two5, most3 = fabs(one3) + fabs(two6);
+    const double far_off = 2.0*reach*(fast + high + low)*(delayed + most + most2 + most3);
+    const double turning_ = -delayed - one + one2 + one3 + two2 - two4 - two6;
     const double blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
         (loose + 8.881784197001252e-16) + reach*
         (8.881784197001252e-16*delayed + far_off + most*(3.0*angle.off + 8.881784197001252e-16) +
@@ -612,8 +612,8 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
         (3.0*angle3.off + 8.881784197001252e-16) + fabs(turning_)) + 4.440892098500626e-16*
         fabs(angle.rest) + 4.440892098500626e-16*fabs(angle2.rest) + 4.440892098500626e-16*
         fabs(angle3.rest);
-    const double good = at > 4.0*reach && blur4 < 6.0*distance && still > 4.0*reach &&
-        sure_slope > 0.0 && sure_slope > 8.0*bend_*reach ? 1.0 : 0.0;
+    const double good = blur4 < 6.0*distance && reach < 0.25 && sure_slope > 0.0 &&
+        sure_slope > 8.0*bend_*reach ? 1.0 : 0.0;
     if (good > 0.0) {
         return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
     }

@@ -1127,31 +1127,34 @@ def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, 
     up3 = sine*slope
     halves3, turned3, size3, per3, away3, blur3 = turn_angle(xp, real3, up3, plain*
         (at*xp.abs(far) + still*xp.abs(alpha)), plain*sine*xp.abs(slope))
+    edge = xp.where(at < still, at, still)
     ratio = per*size2
     gap_ = 1.0 - 0.25*ratio*size3
     rough = away + away2 + away3 + number
+    near = edge*per
     t = per*(16.0*lost*tilt + 16.0*off*square)
-    t = per*t
+    t = near*t
     t3 = per*(16.0*lost*whole + 16.0*square*xp.abs(off))
-    t3 = per*t3
-    t5 = per*(8.0*lost + 16.0*square)
-    t5 = per*t5
-    t7 = per2*(16.0*own*tilt - 2.0*falls*late)
-    t7 = per2*t7
-    t9 = per2*(16.0*own*whole + 2.0*size2*steep)
-    t9 = per2*t9
-    t11 = per2*(8.0*own + 2.0*(steep*steep))
-    t11 = per2*t11
-    t13 = 16.0*force*per3
-    t13 = per3*t13
-    t15 = 16.0*per3*xp.abs(force)
-    t15 = per3*t15
-    log_slope = t - t13 - t7
-    slope_off = t9*(3.0*away2 + number2) + t15*(3.0*away3 + number2) + t3*(3.0*away + number2)
+    t3 = near*t3
+    t5 = near*(8.0*lost + 16.0*square)
+    near2 = edge*per2
+    t6 = per2*(16.0*own*tilt - 2.0*falls*late)
+    t6 = near2*t6
+    t8 = per2*(16.0*own*whole + 2.0*size2*steep)
+    t8 = near2*t8
+    t10 = near2*(8.0*own + 2.0*(steep*steep))
+    near3 = edge*per3
+    t11 = 16.0*force*per3
+    t11 = near3*t11
+    t13 = 16.0*per3*xp.abs(force)
+    t13 = near3*t13
+    log_slope = t - t11 - t6
+    slope_off = t13*(3.0*away3 + number2) + t3*(3.0*away + number2) + t8*(3.0*away2 + number2)
     sure_slope = xp.abs(log_slope) - slope_off
     whole = xp.where(sure_slope == 0.0, 1.0, sure_slope)
     reach = 0.25*(9.0*rough + 9.0*xp.abs(gap_))/whole
-    bend_ = t9*t9 + t11 + t15*t15 + t3*t3 + t5
+    bend_ = near*t5 + near2*t10 + t13*t13 + t3*t3 + t8*t8
+    fast = t13 + t3 + t8
     case1 = at > 2.0
     half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
         xp.where(case1, square_root(xp, at), square_root(xp, still)))
@@ -1163,41 +1166,46 @@ def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, 
     )
     even = xp.floor(0.5*halves3)
     left = 0.5*halves3 - even
-    near = xp.abs(share - xp.floor(share + 0.5))
-    distance = xp.where(left == 0.5, near, 0.5 - near)
-    whole = xp.where(sine == 0.0, 1.0, sine)
-    inverse = 1.0/whole
+    near2 = xp.abs(share - xp.floor(share + 0.5))
+    distance = xp.where(left == 0.5, near2, 0.5 - near2)
     whole = xp.where(at == 0.0, 1.0, at)
-    low = 1.0/whole
+    low = edge/whole
     whole = xp.where(still == 0.0, 1.0, still)
-    high = 1.0/whole
+    high = edge/whole
     wave_tilt = 0.5*low - 0.5*high
-    delayed = 2.0*inverse*late2
+    whole = xp.where(sine == 0.0, 1.0, sine)
+    delayed = 2.0*edge*late2/whole
     along = per*real
     across = per*up
+    near2 = edge*per
+    two = -2.0*near2*total
     one = across*along*wave_tilt
-    two = -2.0*across*per*total
+    two = across*two
     most_ = xp.abs(one) + xp.abs(two)
     along = late*per2
     across = per2*up2
+    near2 = edge*per2
+    two3 = -falls*near2
     one2 = across*along*wave_tilt
-    two2 = -across*falls*per2
-    most2 = xp.abs(one2) + xp.abs(two2)
+    two3 = across*two3
+    most2 = xp.abs(one2) + xp.abs(two3)
     along = per3*real3
     across = per3*up3
+    near2 = edge*per3
+    two5 = near2*(-alpha - far)
     one3 = across*along*wave_tilt
-    two3 = across*per3*(-alpha - far)
-    most3 = xp.abs(one3) + xp.abs(two3)
-    far_off = reach*(2.0*bend_ + (high + low)*(2.0*delayed + 2.0*most_ + 2.0*most2 + 2.0*most3))
-    turning_ = one2 - delayed - one + one3 + two - two2 - two3
+    two5 = across*two5
+    most3 = xp.abs(one3) + xp.abs(two5)
+    far_off = 2.0*reach*(fast + high + low)*(delayed + most_ + most2 + most3)
+    turning_ = one2 - delayed - one + one3 + two - two3 - two5
     blur3 = (
         blur + blur2 + blur3 + half*late2*(loose + number2) + reach*
         (number2*delayed + far_off + most_*(3.0*away + number2) + most2*(3.0*away2 + number2) +
         most3*(3.0*away3 + number2) + xp.abs(turning_)) + close*xp.abs(turned) + close*
         xp.abs(turned2) + close*xp.abs(turned3)
     )
-    good = xp.where((at > 4.0*reach) & (blur3 < 6.0*distance) & (still > 4.0*reach) &
-        (sure_slope > 0.0) & (sure_slope > 8.0*bend_*reach), xp.full_like(at, 1.0), 0.0)
+    good = xp.where((blur3 < 6.0*distance) & (reach < 0.25) & (sure_slope > 0.0) &
+        (sure_slope > 8.0*bend_*reach), xp.full_like(bend_, 1.0), 0.0)
     return xp.where(good > 0.0, even + xp.where(left == 0.5, xp.floor(share) + 1.0,
         xp.floor(left + share + 0.5)), xp.nan)
 

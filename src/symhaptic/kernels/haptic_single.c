@@ -563,23 +563,24 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
     const float real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
     const Angle angle3 = turn_angle(real3, up3, plain*
         (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope));
-    const float ratio = angle.per*angle2.size, gap_ = 1.0f - 0.25f*ratio*angle3.size;
-    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f;
-    const float t = angle.per*(16.0f*lost*tilt + 16.0f*off*square), t2 = angle.per*t;
-    const float t3 = angle.per*(16.0f*lost*whole + 16.0f*square*fabsf(off)), t4 = angle.per*t3;
-    const float t5 = angle.per*(8.0f*lost + 16.0f*square), t6 = angle.per*t5;
-    const float t7 = angle2.per*(16.0f*own*tilt - 2.0f*falls*late), t8 = angle2.per*t7;
-    const float t9 = angle2.per*(16.0f*own*whole + 2.0f*angle2.size*steep), t10 = angle2.per*t9;
-    const float t11 = angle2.per*(8.0f*own + 2.0f*(steep*steep)), t12 = angle2.per*t11;
-    const float t13 = 16.0f*loop->force*angle3.per, t14 = angle3.per*t13;
-    const float t15 = 16.0f*angle3.per*fabsf(loop->force), t16 = angle3.per*t15;
-    const float log_slope = t2 - t14 - t8;
-    const float slope_off = t10*(3.0f*angle2.off + 4.7683716e-07f) + t16*
-        (3.0f*angle3.off + 4.7683716e-07f) + t4*(3.0f*angle.off + 4.7683716e-07f);
+    const float edge = fminf(at, still), ratio = angle.per*angle2.size;
+    const float gap_ = 1.0f - 0.25f*ratio*angle3.size;
+    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f, near = edge*angle.per;
+    const float t = angle.per*(16.0f*lost*tilt + 16.0f*off*square), t2 = near*t;
+    const float t3 = angle.per*(16.0f*lost*whole + 16.0f*square*fabsf(off)), t4 = near*t3;
+    const float t5 = near*(8.0f*lost + 16.0f*square), near2 = edge*angle2.per;
+    const float t6 = angle2.per*(16.0f*own*tilt - 2.0f*falls*late), t7 = near2*t6;
+    const float t8 = angle2.per*(16.0f*own*whole + 2.0f*angle2.size*steep), t9 = near2*t8;
+    const float t10 = near2*(8.0f*own + 2.0f*(steep*steep)), near3 = edge*angle3.per;
+    const float t11 = 16.0f*loop->force*angle3.per, t12 = near3*t11;
+    const float t13 = 16.0f*angle3.per*fabsf(loop->force), t14 = near3*t13;
+    const float log_slope = t2 - t12 - t7;
+    const float slope_off = t14*(3.0f*angle3.off + 4.7683716e-07f) + t4*
+        (3.0f*angle.off + 4.7683716e-07f) + t9*(3.0f*angle2.off + 4.7683716e-07f);
     const float sure_slope = fabsf(log_slope) - slope_off;
     const float whole2 = sure_slope == 0.0f ? 1.0f : sure_slope;
     const float reach = 0.25f*(9.0f*rough + 9.0f*fabsf(gap_))/whole2;
-    const float bend_ = t10*t10 + t12 + t16*t16 + t4*t4 + t6;
+    const float bend_ = near*t5 + near2*t10 + t14*t14 + t4*t4 + t9*t9, fast = t14 + t4 + t9;
     const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
         sqrtf(still));
     const float late2 = loop->d + 2.0f;
@@ -587,29 +588,28 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
     const float share = 0.5f*(-late2*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
         angle2.rest + angle3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
-    const float near = fabsf(share - floorf(share + 0.5f));
-    const float distance = left == 0.5f ? near : 0.5f - near, whole3 = sine == 0.0f ? 1.0f : sine;
-    const float inverse = 1.0f/whole3, whole4 = at == 0.0f ? 1.0f : at, low = 1.0f/whole4;
-    const float whole5 = still == 0.0f ? 1.0f : still, high = 1.0f/whole5;
-    const float wave_tilt = 0.5f*low - 0.5f*high, delayed = 2.0f*inverse*late2;
-    const float along = angle.per*real, across = angle.per*up, one = across*along*wave_tilt;
-    const float two = -2.0f*across*angle.per*total, most = fabsf(one) + fabsf(two);
-    const float along2 = late*angle2.per, across2 = angle2.per*up2, one2 = across2*along2*wave_tilt;
-    const float two2 = -across2*falls*angle2.per, most2 = fabsf(one2) + fabsf(two2);
-    const float along3 = angle3.per*real3, across3 = angle3.per*up3;
-    const float one3 = across3*along3*wave_tilt;
-    const float two3 = across3*angle3.per*(-loop->alpha - loop->far);
-    const float most3 = fabsf(one3) + fabsf(two3);
-    const float far_off = reach*(2.0f*bend_ + (high + low)*
-        (2.0f*delayed + 2.0f*most + 2.0f*most2 + 2.0f*most3));
-    const float turning_ = -delayed - one + one2 + one3 + two - two2 - two3;
+    const float near4 = fabsf(share - floorf(share + 0.5f));
+    const float distance = left == 0.5f ? near4 : 0.5f - near4, whole3 = at == 0.0f ? 1.0f : at;
+    const float low = edge/whole3, whole4 = still == 0.0f ? 1.0f : still, high = edge/whole4;
+    const float wave_tilt = 0.5f*low - 0.5f*high, whole5 = sine == 0.0f ? 1.0f : sine;
+    const float delayed = 2.0f*edge*late2/whole5, along = angle.per*real, across = angle.per*up;
+    const float near5 = edge*angle.per, two = -2.0f*near5*total, one = across*along*wave_tilt;
+    const float two2 = across*two, most = fabsf(one) + fabsf(two2), along2 = late*angle2.per;
+    const float across2 = angle2.per*up2, near6 = edge*angle2.per, two3 = -falls*near6;
+    const float one2 = across2*along2*wave_tilt, two4 = across2*two3;
+    const float most2 = fabsf(one2) + fabsf(two4), along3 = angle3.per*real3;
+    const float across3 = angle3.per*up3, near7 = edge*angle3.per;
+    const float two5 = near7*(-loop->alpha - loop->far), one3 = across3*along3*wave_tilt;
+    const float two6 = across3*two5, most3 = fabsf(one3) + fabsf(two6);
+    const float far_off = 2.0f*reach*(fast + high + low)*(delayed + most + most2 + most3);
+    const float turning_ = -delayed - one + one2 + one3 + two2 - two4 - two6;
     const float blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
         (loose + 4.7683716e-07f) + reach*(4.7683716e-07f*delayed + far_off + most*
         (3.0f*angle.off + 4.7683716e-07f) + most2*(3.0f*angle2.off + 4.7683716e-07f) + most3*
         (3.0f*angle3.off + 4.7683716e-07f) + fabsf(turning_)) + 2.3841858e-07f*fabsf(angle.rest) +
         2.3841858e-07f*fabsf(angle2.rest) + 2.3841858e-07f*fabsf(angle3.rest);
-    const float good = at > 4.0f*reach && blur4 < 6.0f*distance && still > 4.0f*reach &&
-        sure_slope > 0.0f && sure_slope > 8.0f*bend_*reach ? 1.0f : 0.0f;
+    const float good = blur4 < 6.0f*distance && reach < 0.25f && sure_slope > 0.0f &&
+        sure_slope > 8.0f*bend_*reach ? 1.0f : 0.0f;
     if (good > 0.0f) {
         return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
     }
