@@ -173,6 +173,31 @@ def certified(alpha, beta, gamma, delta, delay):
     return outside
 
 
+def all_inside(alpha, beta, gamma, delta, delay):
+    """Whether all roots lie inside the unit circle, by the Schur-Cohn recursion in balls.
+
+    None where a root is on the circle, or nearer than balls of 6000 bits tell.
+    """
+    bits = 320
+    while bits < 6000:
+        with flint.ctx.workprec(bits):
+            found = _schur_cohn(coefficients(alpha, beta, gamma, delta, delay).coeffs())
+        if found is not None:
+            return found
+        bits *= 3
+    return None
+
+
+def _schur_cohn(p):
+    """The same of balls of coefficients, lowest power first; None where they are too wide."""
+    while len(p) > 1:
+        share = p[0] / p[-1]
+        if not abs(share) < 1:
+            return False if abs(share) >= 1 else None
+        p = [x - share * y for x, y in zip(p[1:], p[-2::-1], strict=True)]
+    return True
+
+
 # -- with mpmath ----------------------------------------------------------------------------
 
 
