@@ -48,8 +48,9 @@ class Loops(NamedTuple):
         )
         left = np.flatnonzero(~one | (roots < 0))
         if left.size:
-            some = self.take(left)
-            roots[left] = stability.count(some.behind(part[left]), some.v, steps[left], False)
+            some, over = self.take(left), part[left] == 1
+            late = some.behind(np.where(over, 0.0, part[left])), some.v, steps[left] + over
+            roots[left] = stability.count(*late, False)
         return roots == 0
 
     def can_leave(self, part: Array) -> NDArray[np.bool_]:
