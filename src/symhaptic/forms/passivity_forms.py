@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 import sympy as sp
-from sympy import Expr, cos, pi, sin
+from sympy import Expr, cos, pi
 
 from symhaptic.forms import required_damping, stiffest_passive
 from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, at_numbers
@@ -20,6 +20,7 @@ from symhaptic.forms.implicit import (
     Rated,
     Touching,
 )
+from symhaptic.forms.response import closed
 from symhaptic.model import passivity
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import (
@@ -57,13 +58,12 @@ def passivity_margin_at(parts: Parts = FULL) -> Form:
     and sin(theta/2) does not vanish; for fractions chapter s6d_fractional_passivity.
     """
     _needs_damping(parts, "passivity_margin_at")
-    half = theta / 2
     damping = beta if parts.virtual_damping else sp.S.Zero
     if parts.delay:
-        kernel, swing = SinNext(2 * d, half) / (2 * sin(half)), CosNext(d, theta)
+        whole = delta - required_damping.StraightAt(alpha, damping, d, theta)
     else:
-        kernel, swing = HALF, cos(theta)
-    whole = margin = delta - alpha * kernel + damping * swing
+        whole = delta - alpha * HALF + damping * cos(theta)
+    margin = whole
     symbols = tuple(s for s in (theta, alpha, beta, delta, d) if margin.has(s))
     if parts.delay:
         need = required_damping.RequiredAt(alpha, damping, l, epsilon, theta)
@@ -72,7 +72,7 @@ def passivity_margin_at(parts: Parts = FULL) -> Form:
     def equal() -> Pairs:
         printed = _normalised(parts, passivity.margin())
         late = required_damping.derived_at() if parts.delay else ()
-        return ((whole, printed), *late)
+        return ((closed(whole), printed), *late)
 
     return Form(
         "passivity_margin_at",

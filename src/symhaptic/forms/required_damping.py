@@ -65,6 +65,20 @@ class Straight(Compensated):
         return straight(k).xreplace({alpha: stiffness, beta: damping, psi: angle})
 
 
+class StraightAt(Compensated):
+    """The same at an angle theta of (0, pi), where the delay turns many times as well."""
+
+    nargs = 4
+    meaning = "alpha sin((k + 1/2) theta)/(2 sin(theta/2)) - beta cos((k + 1) theta)"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The need; sin((k + 1/2) theta) is that of 2 k + 1 halves of theta."""
+        stiffness, damping, k, angle = args
+        kernel = SinNext(2 * k, angle / 2) / (2 * sin(angle / 2))
+        return stiffness * kernel - damping * CosNext(k, angle)
+
+
 class Between(Compensated):
     """The mean as a function, so that what is needed at the later delay stays one number."""
 
@@ -130,13 +144,18 @@ class RequiredAt(Compensated):
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
-        """The positive solution b of b^2 - b n - epsilon (1 - epsilon) s/4 = 0, as n and the rest.
+        """The positive solution b of b^2 - b n - epsilon (1 - epsilon) s/4 = 0."""
+        found = required(w).xreplace({psi: theta / 2, w: straight_at()})
+        return found.xreplace(cls._known(args))
 
-        So its largest term is that of n, as at a whole delay.
-        """
-        known = dict(zip((alpha, beta, l, epsilon, theta), args, strict=True))
-        found = (w + (required(w) - w)).xreplace({psi: theta / 2, w: straight_at()})
-        return found.xreplace(known)
+    @classmethod
+    def terms(cls, *args: Expr) -> tuple[Expr, ...]:
+        """n, as at a whole delay; its two halves are one of n and one of a root."""
+        return (straight_at().xreplace(cls._known(args)),)
+
+    @staticmethod
+    def _known(args: tuple[Expr, ...]) -> dict[Expr, Expr]:
+        return dict(zip((alpha, beta, l, epsilon, theta), args, strict=True))
 
 
 def favours(need: Expr) -> Expr:

@@ -25,6 +25,11 @@ class Compensated(Function):  # type: ignore[misc]
         """The closed form."""
         raise NotImplementedError
 
+    @classmethod
+    def terms(cls, *args: Expr) -> tuple[Expr, ...]:
+        """Terms of it that its closed form only has in parts: its last place is that of these."""
+        return ()
+
 
 class Response(Compensated):
     """A part of the force, of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "b8030a2dfb69e92d"
+STAMP = "162f55c3748ae40d"
 """Of the sources in C, as the module that is compiled of them has it."""

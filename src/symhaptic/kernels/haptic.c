@@ -1212,11 +1212,51 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
                 whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
                 apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
                 together, apart, first - last);
-            good = stable(outside, inside, t14, gamma, delta);
+            if (outside < 0.0) {
+                const double inside2 = 0.99609375*stiffness - 0.00390625*gamma;
+                const double outside2 = part == 0.0 ?
+                    whole_roots(inside2, t14, l, first, last, gamma, at_minus_one, loss, together,
+                    apart) : fractional_roots(inside2, t14, l, first, last, gamma, at_minus_one,
+                    loss, together, apart, first - last);
+                good = stable(outside2, inside2, t14, gamma, delta);
+            } else {
+                good = stable(outside, inside, t14, gamma, delta);
+            }
         }
         if (good > 0.0) { return theta; }
     }
     return NAN;
+}
+
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline double required_at(double alpha, double beta, double l, double epsilon,
+    double theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const double lift = fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
+        6.668014432879854e+240 : 1.0;
+    const double stiffness = alpha*lift, damping = beta*lift, half = 0.5*theta, up = sin(half);
+    const double along = cos(half), twice = 2.0*epsilon;
+    const Pair diff3 = pair_diff(wide_prod(0.5*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(cossin.sine, along), (Pair){up, 0.0}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up)))))));
+    const double n = diff3.hi + diff3.lo;
+    const double size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness));
+    const double extra = epsilon*size*(1.0 - epsilon), root = sqrt(extra + n*n);
+    const double whole = root + fabs(n), more = 0.5*extra/whole, rest = diff3.lo + more;
+    const double whole_need = diff3.hi + rest;
+    return (n < 0.0 ? more : whole_need)/lift;
+}
+
+// what straight motions need at an angle behind k whole periods
+static inline double straight_at(double stiffness, double damping, double k, double angle) {
+    const double half = 0.5*angle;
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot((Pair){next_wave(2.0*k, half).sine, 0.0}, (Pair){2.0*sin(half), 0.0})),
+        two_prod(damping, next_wave(k, angle).cosine)));
 }
 
 // (x - sin(x))/x^3
@@ -1238,33 +1278,6 @@ static inline double gap(double x) {
 static inline double sinc(double x) {
     if (fabs(x) < 1.0) { return 1.0 - (x*x)*gap(x); }
     return sin(x)/x;
-}
-
-// the damping that the wall needs at the angle theta, at a fraction of a period
-static inline double required_at(double alpha, double beta, double l, double epsilon,
-    double theta) {
-    const CosSin cossin = next_wave(l, theta);
-    const double lift = fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
-        6.668014432879854e+240 : 1.0;
-    const double stiffness = alpha*lift, damping = beta*lift, half = 0.5*theta, up = sin(half);
-    const double along = cos(half), turn_ = theta*(l + 1.0), twice = 2.0*epsilon;
-    const double size = (along*along)*(stiffness*stiffness) + (up*up)*
-        ((2.0*damping + stiffness)*(2.0*damping + stiffness));
-    const double extra = epsilon*size*(1.0 - epsilon);
-    double top, bottom;
-    if (turn_ < 1.0) {
-        top = (2.0*l + 2.0)*sinc(turn_); bottom = sinc(half);
-    } else {
-        top = cossin.sine; bottom = up;
-    }
-    const double n = rounded(pair_diff(wide_prod(0.5*stiffness,
-        pair_diff(pair_sum(pair_quot(two_prod(top, along), (Pair){bottom, 0.0}),
-        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0})),
-        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0},
-        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
-        two_prod(cossin.cosine, up))))))));
-    const double root = sqrt(extra + n*n), whole = root - n;
-    return (n < 0.0 ? 0.5*extra/whole : 0.5*n + 0.5*root)/lift;
 }
 
 // the damping that the wall needs at the angle 2 psi
@@ -1596,11 +1609,7 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
         return NAN;
     }
     const double whole = floor(d), part = d - whole;
-    if (part == 0.0) {
-        const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
-        const double sine = next_wave(2.0*d, t0).sine;
-        return beta*cosine - 0.5*alpha*sine/sin(t0) + delta;
-    }
+    if (part == 0.0) { return delta - straight_at(alpha, beta, d, theta); }
     return delta - required_at(alpha, beta, whole, part, theta);
 }
 

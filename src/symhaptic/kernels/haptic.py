@@ -2161,7 +2161,23 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
             outside = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
                 (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
                 (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
-            return stable(xp, outside, inside_, t14, gamma, delta)
+
+            def yes(apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
+                together):
+                inside_ = 0.99609375*stiffness - 0.00390625*gamma
+
+                def no(apart, at_minus_one, first, gamma, inside2, l, last, loss, t14, together):
+                    return fractional_roots(xp, inside2, t14, l, first, last, gamma, at_minus_one,
+                        loss, together, apart, first - last)
+
+                outside2 = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
+                    (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
+                    (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
+                return stable(xp, outside2, inside_, t14, gamma, delta)
+
+            return select(xp, outside < 0.0, yes,
+                (apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
+                together), lambda *v: stable(xp, *v), (outside, inside_, t14, gamma, delta))
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), lambda d: 1.0, (d,), no,
@@ -2172,6 +2188,47 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
         (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
         part, together), lambda d: xp.nan, (d,))
+
+
+def required_at(xp, alpha, beta, l, epsilon, theta):
+    """the damping that the wall needs at the angle theta, at a fraction of a period"""
+    number, number2 = (9.094947017729282e-13,
+        1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
+        6.668014432879854e+240)
+    cosine, sine = next_wave(xp, l, theta)
+    lift = xp.where(xp.abs(alpha) + xp.abs(beta) < number, xp.full_like(alpha, number2), 1.0)
+    stiffness = alpha*lift
+    damping = beta*lift
+    half = 0.5*theta
+    up = xp.sin(half)
+    along = xp.cos(half)
+    twice = 2.0*epsilon
+    diff, diff_low = pair_diff(xp, *wide_prod(xp, 0.5*stiffness,
+        *pair_diff(xp, *pair_sum(xp, *pair_quot(xp, *two_prod(xp, sine, along), up,
+        xp.full_like(along, 0.0)), *two_prod(xp, twice, cosine)), cosine, 0.0)),
+        *wide_prod(xp, damping, *pair_diff(xp, cosine, 0.0,
+        *wide_prod(xp, twice, *wide_prod(xp, up,
+        *pair_sum(xp, *two_prod(xp, sine, along), *two_prod(xp, cosine, up)))))))
+    n = diff + diff_low
+    size = (
+        (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness))
+    )
+    extra = epsilon*size*(1.0 - epsilon)
+    root = square_root(xp, extra + n*n)
+    whole = xp.where(root + xp.abs(n) == 0.0, 1.0, root + xp.abs(n))
+    more = 0.5*extra/whole
+    rest = diff_low + more
+    whole_need = diff + rest
+    return xp.where(n < 0.0, more, whole_need)/lift
+
+
+def straight_at(xp, stiffness, damping, k, angle):
+    """what straight motions need at an angle behind k whole periods"""
+    half = 0.5*angle
+    return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
+        *pair_quot(xp, sin_next(xp, 2.0*k, half), xp.full_like(half, 0.0), 2.0*xp.sin(half),
+        xp.full_like(half, 0.0))), *two_prod(xp, damping, cos_next(xp, k, angle))))
 
 
 def gap(xp, x):
@@ -2195,42 +2252,6 @@ def sinc(xp, x):
     """sin(x)/x"""
     return select(xp, xp.abs(x) < 1.0, lambda x: 1.0 - (x*x)*gap(xp, x), (x,), lambda x: xp.sin(x)/
         x)
-
-
-def required_at(xp, alpha, beta, l, epsilon, theta):
-    """the damping that the wall needs at the angle theta, at a fraction of a period"""
-    number, number2 = (9.094947017729282e-13,
-        1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
-        6.668014432879854e+240)
-    cosine, sine = next_wave(xp, l, theta)
-    lift = xp.where(xp.abs(alpha) + xp.abs(beta) < number, xp.full_like(alpha, number2), 1.0)
-    stiffness = alpha*lift
-    damping = beta*lift
-    half = 0.5*theta
-    up = xp.sin(half)
-    along = xp.cos(half)
-    turn_ = theta*(l + 1.0)
-    twice = 2.0*epsilon
-    size = (
-        (along*along)*(stiffness*stiffness) + (up*up)*
-        ((2.0*damping + stiffness)*(2.0*damping + stiffness))
-    )
-    extra = epsilon*size*(1.0 - epsilon)
-
-    def yes(half, l, turn_):
-        return (2.0*l + 2.0)*sinc(xp, turn_), sinc(xp, half)
-
-    top, bottom = select(xp, turn_ < 1.0, yes, (half, l, turn_), lambda sine, up: (sine, up),
-        (sine, up))
-    n = rounded(xp, *pair_diff(xp, *wide_prod(xp, 0.5*stiffness,
-        *pair_diff(xp, *pair_sum(xp, *pair_quot(xp, *two_prod(xp, top, along), bottom,
-        xp.full_like(along, 0.0)), *two_prod(xp, twice, cosine)), cosine, 0.0)),
-        *wide_prod(xp, damping, *pair_diff(xp, cosine, 0.0,
-        *wide_prod(xp, twice, *wide_prod(xp, up,
-        *pair_sum(xp, *two_prod(xp, sine, along), *two_prod(xp, cosine, up))))))))
-    root = square_root(xp, extra + n*n)
-    whole = xp.where(n - root == 0.0, 1.0, root - n)
-    return xp.where(n < 0.0, 0.5*extra/whole, 0.5*n + 0.5*root)/lift
 
 
 def damping_at(xp, alpha, beta, l, epsilon, psi):
@@ -2729,10 +2750,7 @@ def passivity_margin_at(theta, alpha, beta, delta, d):
         part = d - whole
 
         def yes(alpha, beta, d, delta, theta):
-            t0 = 0.5*theta
-            cosine = cos_next(xp, d, theta)
-            sine = sin_next(xp, 2.0*d, t0)
-            return beta*cosine - 0.5*alpha*sine/xp.sin(t0) + delta
+            return delta - straight_at(xp, alpha, beta, d, theta)
 
         def no(alpha, beta, delta, part, theta, whole):
             return delta - required_at(xp, alpha, beta, whole, part, theta)

@@ -1213,11 +1213,49 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
                 whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
                 apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
                 together, apart, first - last);
-            good = stable(outside, inside, t14, gamma, delta);
+            if (outside < 0.0f) {
+                const float inside2 = 0.99609375f*stiffness - 0.00390625f*gamma;
+                const float outside2 = part == 0.0f ?
+                    whole_roots(inside2, t14, l, first, last, gamma, at_minus_one, loss, together,
+                    apart) : fractional_roots(inside2, t14, l, first, last, gamma, at_minus_one,
+                    loss, together, apart, first - last);
+                good = stable(outside2, inside2, t14, gamma, delta);
+            } else {
+                good = stable(outside, inside, t14, gamma, delta);
+            }
         }
         if (good > 0.0f) { return theta; }
     }
     return NAN;
+}
+
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline float required_at(float alpha, float beta, float l, float epsilon, float theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const float lift = fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f;
+    const float stiffness = alpha*lift, damping = beta*lift, half = 0.5f*theta, up = sinf(half);
+    const float along = cosf(half), twice = 2.0f*epsilon;
+    const Pair diff3 = pair_diff(wide_prod(0.5f*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(cossin.sine, along), (Pair){up, 0.0f}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0f})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0f},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up)))))));
+    const float n = diff3.hi + diff3.lo;
+    const float size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0f*damping + stiffness)*(2.0f*damping + stiffness));
+    const float extra = epsilon*size*(1.0f - epsilon), root = sqrtf(extra + n*n);
+    const float whole = root + fabsf(n), more = 0.5f*extra/whole, rest = diff3.lo + more;
+    const float whole_need = diff3.hi + rest;
+    return (n < 0.0f ? more : whole_need)/lift;
+}
+
+// what straight motions need at an angle behind k whole periods
+static inline float straight_at(float stiffness, float damping, float k, float angle) {
+    const float half = 0.5f*angle;
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot((Pair){next_wave(2.0f*k, half).sine, 0.0f}, (Pair){2.0f*sinf(half), 0.0f})),
+        two_prod(damping, next_wave(k, angle).cosine)));
 }
 
 // (x - sin(x))/x^3
@@ -1239,31 +1277,6 @@ static inline float gap(float x) {
 static inline float sinc(float x) {
     if (fabsf(x) < 1.0f) { return 1.0f - (x*x)*gap(x); }
     return sinf(x)/x;
-}
-
-// the damping that the wall needs at the angle theta, at a fraction of a period
-static inline float required_at(float alpha, float beta, float l, float epsilon, float theta) {
-    const CosSin cossin = next_wave(l, theta);
-    const float lift = fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f;
-    const float stiffness = alpha*lift, damping = beta*lift, half = 0.5f*theta, up = sinf(half);
-    const float along = cosf(half), turn_ = theta*(l + 1.0f), twice = 2.0f*epsilon;
-    const float size = (along*along)*(stiffness*stiffness) + (up*up)*
-        ((2.0f*damping + stiffness)*(2.0f*damping + stiffness));
-    const float extra = epsilon*size*(1.0f - epsilon);
-    float top, bottom;
-    if (turn_ < 1.0f) {
-        top = (2.0f*l + 2.0f)*sinc(turn_); bottom = sinc(half);
-    } else {
-        top = cossin.sine; bottom = up;
-    }
-    const float n = rounded(pair_diff(wide_prod(0.5f*stiffness,
-        pair_diff(pair_sum(pair_quot(two_prod(top, along), (Pair){bottom, 0.0f}),
-        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0f})),
-        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0f},
-        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
-        two_prod(cossin.cosine, up))))))));
-    const float root = sqrtf(extra + n*n), whole = root - n;
-    return (n < 0.0f ? 0.5f*extra/whole : 0.5f*n + 0.5f*root)/lift;
 }
 
 // the damping that the wall needs at the angle 2 psi
@@ -1596,11 +1609,7 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         return NAN;
     }
     const float whole = floorf(d), part = d - whole;
-    if (part == 0.0f) {
-        const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
-        const float sine = next_wave(2.0f*d, t0).sine;
-        return beta*cosine - 0.5f*alpha*sine/sinf(t0) + delta;
-    }
+    if (part == 0.0f) { return delta - straight_at(alpha, beta, d, theta); }
     return delta - required_at(alpha, beta, whole, part, theta);
 }
 
