@@ -141,7 +141,7 @@ def fractional_roots(precision: Precision = DOUBLE) -> Routine:
     one, two = do("one", middle / 2), do("two", rest / 2)
     before, after = do("before", _value(own, -one)), do("after", _value(own, two))
     loop = (
-        alpha, v.slope, v.far, v.force, d, across, loss, together, apart, apart_off, n1_off, a_off,
+        alpha, v.slope, v.far, d, across, loss, together, apart, apart_off, n1_off, a_off,
         middle, rest,
     )  # fmt: skip
     turns = sp.Function("ZoneTurns")

@@ -93,7 +93,7 @@ def required_at(precision: Precision = DOUBLE) -> Routine:
     extra = do("extra", epsilon * (1 - epsilon) * size)
     root = do("root", sqrt(n * n + extra))
     # the mean of n and the root without a difference, and with no more than a part of the root
-    more = do("more", extra / (2 * do.divisor(root + sp.Abs(n))))
+    more = do("more", extra / (2 * do.nonzero(root + sp.Abs(n))))
     whole = do("whole_need", mean + do("rest", mean_low + more))
     return do.routine("RequiredAt", "the damping that the wall needs at the angle theta, at a "
                       "fraction of a period", (alpha, beta, l, epsilon, theta),

@@ -13,7 +13,7 @@ Where an odd number of half turns is within that bound, a root may be on either 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import sympy as sp
 from sympy import And, Expr, Max, Min, Or, atan2, floor, pi, sqrt
@@ -54,21 +54,6 @@ class _Quadratic:
     c: Expr
     b: Expr
     a: Expr
-
-
-@dataclass(frozen=True)
-class _Angle:
-    """halves pi + rest of a complex number, with its size."""
-
-    halves: Expr
-    rest: Expr
-    size: Expr
-    per: Expr
-    """1 over the size."""
-    off: Expr
-    """The most by which it is off, in parts of its size."""
-    blur: Expr
-    """The most by which the angle is off."""
 
 
 def _about(do: Steps, e: Expr, v: _Wall) -> tuple[_Quadratic, _Quadratic, _Quadratic, Expr, Expr]:
@@ -137,39 +122,9 @@ def _solved(do: Steps, k: _Quadratic, root: Expr) -> tuple[Expr, Expr]:
     return low, high
 
 
-_X_OFF, _Y_OFF = sp.symbols("x_off y_off")
-
-
 def _extremum(do: Steps, k: _Quadratic) -> Expr:
     """Where a quadratic is largest or smallest; -1 for what is infinite."""
     return choose(sp.Eq(k.a, 0), -1, -k.b / (2 * do.nonzero(k.a)))
-
-
-def turn_angle() -> Routine:
-    """Where up keeps its sign, which is + for 0; with bounds of the errors of both parts."""
-    do = Steps()
-    x, y = sp.symbols("x y")
-    halves = choose(x < 0, choose(y < 0, -1, 1), 0)
-    rest = atan2(choose(x < 0, -y, y), sp.Abs(x))
-    most, least = do("most", Max(sp.Abs(x), sp.Abs(y))), do("least", Min(sp.Abs(x), sp.Abs(y)))
-    ratio = do("ratio", least / do.nonzero(most))
-    size = do("size", most * do("longer", sqrt(1 + ratio * ratio)))
-    per = do("per", 1 / do.nonzero(size))
-    one, two = do("one", sp.Abs(x) * per), do("two", sp.Abs(y) * per)
-    along, across = do("along", _X_OFF * per), do("across", _Y_OFF * per)
-    away = do("away", along + across)
-    found = {
-        "halves": halves,
-        "rest": rest,
-        "size": size,
-        "per": per,
-        # what is left of the number is at least three quarters of its size
-        "off": one * along + two * across + away * away,
-        "blur": choose(4 * away < 1, (one * across + two * along) * (1 + 2 * away), _WIDE),
-    }
-    return do.routine("TurnAngle", "the angle of x + j y in half turns and the rest, the size and "
-                      "its inverse, and the most by which size and angle are off",
-                      (x, y, _X_OFF, _Y_OFF), found, "Angle")  # fmt: skip
 
 
 _WIDE = sp.Integer(4)
@@ -178,9 +133,9 @@ _WIDE = sp.Integer(4)
 _Y, _REST, _OFF, LOOSE, FREE = POINT = sp.symbols("y rest off loose free")
 """y, 4 - y and y - center; the parts of the first two, and how much of the last, may be off."""
 
-SLOPE, FAR, FORCE = sp.symbols("slope far force")
+SLOPE, FAR = sp.symbols("slope far")
 APART_OFF, N1_OFF, A_OFF = OFFS = sp.symbols("apart_off n1_off a_off")
-LOOP = alpha, SLOPE, FAR, FORCE, d, n1, loss, together, apart, *OFFS
+LOOP = alpha, SLOPE, FAR, d, n1, loss, together, apart, *OFFS
 """What a crossing is told of wall and device: besides their last places M and A at z = -1 and n1
 may be off by the last three."""
 CENTER, BEYOND = sp.symbols("center beyond")
@@ -189,118 +144,141 @@ CENTER, BEYOND = sp.symbols("center beyond")
 
 @dataclass(frozen=True)
 class _Part:
-    """A, M or W, four times as large, as a function of y."""
+    """A, M or W, four times as large: its results by :func:`crossing_part`."""
 
-    real: Expr
-    up: Expr
-    angle: _Angle
-    steep: Expr
-    """The derivative of the real part."""
-    even: Expr
-    """The derivative of its squared size, divided by 16."""
-    most: Expr
+    halves: Expr
+    rest: Expr
+    size: Expr
+    per: Expr
+    """1 over the size."""
+    off: Expr
+    """The most by which the size is off, in parts of itself."""
+    blur: Expr
+    """The most by which the angle is off."""
+    slope: Expr
+    """The derivative of 2 ln(size)."""
+    fast: Expr
     """The same with all terms positive."""
     bend: Expr
-    """The most of the second derivative."""
+    """The most of its second derivative."""
+    turn: Expr
+    """The derivative of the angle."""
+    spread: Expr
+    """The same with all terms positive."""
 
 
-def _part(
-    do: Steps, real: Expr, up: Expr, off: Expr, up_off: Expr, steep: Expr, *squared: Expr
-) -> _Part:
-    real, up = do("real", real), do("up", up)
-    names = ("halves", "turned", "size", "per", "away", "blur")
-    halves, turned, size, per, away, blur = do.several(names, "TurnAngle", real, up, off, up_off)
-    return _Part(real, up, _Angle(halves, turned, size, per, away, blur), steep, *squared)
+def crossing_part(precision: Precision = DOUBLE) -> Routine:
+    """A number x + j u whose real part is linear in y, and whose u goes with sin(theta).
+
+    Derivatives are those by y, times the distance to the nearer end of the circle, which makes
+    edge/y ``low`` and edge/(4 - y) ``high``.
+    """
+    do = Steps()
+    x, u, x_off, u_off, steep, low, high = given = sp.symbols("x u x_off u_off steep low high")
+    most, least = do("most", Max(sp.Abs(x), sp.Abs(u))), do("least", Min(sp.Abs(x), sp.Abs(u)))
+    ratio = do("ratio", least / do.nonzero(most))
+    size = do("size", most * do("longer", sqrt(1 + ratio * ratio)))
+    per = do("per", 1 / do.nonzero(size))
+    real, up = do("real", x * per), do("up", u * per)
+    along, across = do("along", x_off * per), do("across", u_off * per)
+    away = do("away", along + across)
+    one, two = do("one", sp.Abs(real)), do("two", sp.Abs(up))
+    blur = do("blur", (one * across + two * along) * (1 + 2 * away))
+    rest = do("rest", atan2(choose(x < 0, -u, u), sp.Abs(x)))
+    falls, tilt = do("falls", steep * per), do("tilt", (low - high) / 2)
+    square = do("square", up * up)
+    fast = do("fast", 2 * sp.Abs(falls) + square * (low + high))
+    found = {
+        # where u keeps its sign, which is + for 0
+        "halves": choose(x < 0, choose(u < 0, -1, 1), 0),
+        "rest": rest,
+        "size": size,
+        "per": per,
+        "off": one * along + two * across + away * away,
+        # what is left of the number is at least three quarters of its size
+        "blur": choose(4 * away < 1, blur + unit(precision) * sp.Abs(rest) / 2, _WIDE),
+        "slope": 2 * (real * falls + square * tilt),
+        "fast": fast,
+        "bend": 2 * (falls * falls + square * low * high) + fast * fast,
+        "turn": up * (real * tilt - falls),
+        "spread": two * (one * sp.Abs(tilt) + sp.Abs(falls)),
+    }
+    return do.routine("CrossingPart", "of x + j u: half turns and the rest of the angle, the size "
+                      "and its inverse, how far both may be off, and how they change with y",
+                      given, found, "Part")  # fmt: skip
 
 
 def _parts(
-    do: Steps, y: Expr, rest: Expr, unit: Expr
-) -> tuple[tuple[_Part, _Part, _Part], Expr]:
+    do: Steps, y: Expr, rest: Expr, unit: Expr, moving: bool = True
+) -> tuple[tuple[_Part, _Part, _Part], Expr, Expr]:
     """A/z, M/z and W at a point, with what the device, the point and three roundings may miss.
 
-    And 4 sin(theta).
+    And 4 sin(theta), and the distance to the nearer end.
     """
-    sine, tilt = do("sine", 2 * sqrt(y * rest)), do("tilt", (rest - y) / 4)
-    total, lost = do("total", 2 - loss), do("lost", loss * loss)
-    square, whole = do("square", total * total / 2), do("whole", (rest + y) / 4)
-    steep, sharp = do("steep", together + sp.Abs(apart)), do("falls", together + apart)
-    own = do("own", n1 * n1)
+    sine, total = do("sine", 2 * sqrt(y * rest)), do("total", 2 - loss)
     plain, made = do("plain", LOOSE + unit / 2), do("made", LOOSE + unit * 3 / 2)
-    size = do("size_off", made * sp.Abs(n1) + N1_OFF)
-    below = _part(
-        do, -2 * total * _OFF, loss * sine, total * (unit * sp.Abs(_OFF) + 2 * FREE) + 4 * A_OFF,
-        made * loss * sine, -2 * total, square * _OFF + lost * tilt,
-        square * sp.Abs(_OFF) + lost * whole, square + lost / 2,
+    edge = do("edge", Min(y, rest))
+    ends = [do(name, edge / do.nonzero(end)) for name, end in (("low", y), ("high", rest))]
+
+    def part(x: Expr, u: Expr, x_off: Expr, u_off: Expr, steep: Expr) -> _Part:
+        moved = (edge * steep, *ends) if moving else (0, 0, 0)
+        names = ("halves", "turned", "size", "per", "away", "blur", "rise", "fast", "bend", "turn",
+                 "spread")  # fmt: skip
+        return _Part(*do.several(names, "CrossingPart", x, u, x_off, u_off, *moved))
+
+    below = part(
+        do("ahead", -2 * total * _OFF), do("up", loss * sine),
+        total * (unit * sp.Abs(_OFF) + 2 * FREE) + 4 * A_OFF, made * loss * sine, -2 * total,
     )  # fmt: skip
-    late = do("late", together * rest - apart * y)
-    above = _part(
-        do, late, n1 * sine, made * (together * rest + sp.Abs(apart) * y) + APART_OFF * y,
-        size * sine, -sharp, own * tilt - late * sharp / 8, sp.S.Zero,
-        steep**2 / 8 + own / 2,
+    above = part(
+        together * rest - apart * y, n1 * sine,
+        made * (together * rest + sp.Abs(apart) * y) + APART_OFF * y,
+        (made * sp.Abs(n1) + N1_OFF) * sine, -(together + apart),
     )  # fmt: skip
-    above = replace(above, most=above.angle.size * steep / 8 + own * whole)
-    force = _part(
-        do, alpha * rest - FAR * y, SLOPE * sine,
+    force = part(
+        alpha * rest - FAR * y, SLOPE * sine,
         plain * (sp.Abs(alpha) * rest + sp.Abs(FAR) * y), plain * sp.Abs(SLOPE) * sine,
-        -(alpha + FAR), FORCE, sp.Abs(FORCE), sp.S.Zero,
+        -(alpha + FAR),
     )  # fmt: skip
-    return (below, above, force), sine
+    return (below, above, force), sine, edge
 
 
 def _gap(do: Steps, parts: tuple[_Part, _Part, _Part], unit: Expr) -> tuple[Expr, Expr]:
     """1 - |M W/A|, and the most by which that is off; finding the sizes rounds, too."""
-    below, above, force = (part.angle for part in parts)
+    below, above, force = parts
     ratio = do("ratio", above.size * below.per)
-    gap = do("gap", 1 - ratio * force.size / 4)
+    gap = do("gap", sp.Abs(1 - ratio * force.size / 4))
     return gap, do("rough", below.off + above.off + force.off + 3 * unit / 2)
 
 
 def touches(precision: Precision = DOUBLE) -> Routine:
     """At an extremum of |A|^2 - |M W|^2, whose sign tells whether there are crossings."""
-    do = Steps()
+    do, last = Steps(), unit(precision)
     y, rest = do("at", Max(_Y, 0)), do("still", Max(_REST, 0))
-    last = unit(precision)
-    gap, rough = _gap(do, _parts(do, y, rest, last)[0], last)
-    inner = And(_Y > 0, _REST > 0)
+    gap, rough = _gap(do, _parts(do, y, rest, last, moving=False)[0], last)
     return do.routine("Touches", "NaN where wall and device may be equally strong, else 0",
                       (*POINT, *LOOP),
-                      choose(And(inner, sp.Abs(gap) <= 2 * rough), sp.nan, 0),
+                      choose(And(_Y > 0, _REST > 0, gap <= 2 * rough), sp.nan, 0),
                       takes=("Loop",))  # fmt: skip
 
 
-def _reach(
-    do: Steps, parts: tuple[_Part, _Part, _Part], edge: Expr, unit: Expr
-) -> tuple[Expr, Boolean, Expr]:
-    """How far from this point in y the crossing is at most, whether that is sure, and how fast the
-    logarithms of the parts change; all in units of the distance to the nearer end.
-
-    By Newton and Kantorovich, of 2 ln |A/(M W)|: its derivative is the sum of those of the parts.
-    """
-    gap, rough = _gap(do, parts, unit)
-    slope, off, bend, fast = sp.S.Zero, sp.S.Zero, sp.S.Zero, sp.S.Zero
-    for sign, part in zip((1, -1, -1), parts, strict=True):
-        per, near = part.angle.per, do("near", part.angle.per * edge)
-        steep, most = (
-            do("t", do("t", 16 * x * per) * near) if x != 0 else x for x in (part.even, part.most)
-        )
-        bent = do("t", 16 * part.bend * near) * near if part.bend != 0 else part.bend
-        slope += sign * steep
-        off += most * (unit + 3 * part.angle.off)
-        bend += bent + most * most
-        fast += most
-    slope = do("sure_slope", sp.Abs(do("log_slope", slope)) - do("slope_off", off))
-    reach = do("reach", 9 * (sp.Abs(gap) + rough) / (4 * do.nonzero(slope)))
-    return reach, And(slope > 0, 8 * do("bend", bend) * reach < slope), do("fast", fast)
-
-
 def phase_turns(precision: Precision = DOUBLE) -> Routine:
-    """Of wall and delay beside the device; NaN where the phase may be an odd number of half turns."""
+    """Of wall and delay beside the device; NaN where the phase may be an odd number of half turns.
+
+    How far the crossing is from this point at most follows by Newton and Kantorovich, of
+    2 ln |A/(M W)|.
+    """
     do, last = Steps(), unit(precision)
     y, rest = do("at", Max(_Y, 0)), do("still", Max(_REST, 0))
-    parts, sine = _parts(do, y, rest, last)
-    edge = do("edge", Min(y, rest))
-    reach, sure, fast = _reach(do, parts, edge, last)
-    below, above, force = (part.angle for part in parts)
+    parts, sine, edge = _parts(do, y, rest, last)
+    below, above, force = parts
+    gap, rough = _gap(do, parts, last)
+    miss = [do("miss", last + 3 * part.off) for part in parts]
+    slope_off = sum(part.fast * off for part, off in zip(parts, miss, strict=True))
+    slope = do("sure", sp.Abs(below.slope - above.slope - force.slope) - slope_off)
+    reach = do("reach", 9 * (gap + rough) / (4 * do.nonzero(slope)))
+    bend = do("bends", below.bend + above.bend + force.bend)
+    known = And(slope > 0, 8 * bend * reach < slope, 4 * reach < 1)
     far = y > 2
     half = do("half", atan2(sqrt(choose(far, rest, y)), sqrt(choose(far, y, rest))))
     late = do("late", d + 2)
@@ -312,26 +290,16 @@ def phase_turns(precision: Precision = DOUBLE) -> Routine:
     odd = sp.Eq(left, sp.S.Half)  # the sign of the rest decides, however small it is
     found = do("found", even + choose(odd, floor(share) + 1, floor(share + left + sp.S.Half)))
     near = do("near", sp.Abs(share - floor(share + sp.S.Half)))
-    apart_ = do("distance", choose(odd, near, sp.S.Half - near))
-    # the phase turns by so much with y; the waves in it go with the root of y and of 4 - y
-    low, high = do("low", edge / do.nonzero(y)), do("high", edge / do.nonzero(rest))
-    tilt = do("wave_tilt", (low - high) / 2)
+    distance = do("distance", choose(odd, near, sp.S.Half - near))
+    # the phase turns by so much over the reach; what goes with sin(theta) has roots of y and 4 - y
     delayed = do("delayed", 2 * late * edge / do.nonzero(sine))
-    turning, most, off = -delayed, delayed, last * delayed
-    blur = late * (last + LOOSE) * half
-    for sign, part in zip((-1, 1, 1), parts, strict=True):
-        along = do("along", part.real * part.angle.per)
-        across = do("across", part.up * part.angle.per)
-        steep = do("two", part.steep * do("near", part.angle.per * edge))
-        one, two = do("one", along * across * tilt), do("two", across * steep)
-        turning += sign * (one - two)
-        size = do("most", sp.Abs(one) + sp.Abs(two))
-        most += size
-        off += size * (last + 3 * part.angle.off)
-        blur += part.angle.blur + last * sp.Abs(part.angle.rest) / 2
-    far_off = do("far_off", 2 * reach * most * (low + high + fast))
-    blur += reach * (sp.Abs(do("turning", turning)) + off + far_off)
-    good = And(sure, 4 * reach < 1, do("blur", blur) < 6 * apart_)
+    turning = sp.Abs(above.turn + force.turn - below.turn - delayed)
+    most = do("most", delayed + below.spread + above.spread + force.spread)
+    fast = 2 + below.fast + above.fast + force.fast
+    off = sum(part.spread * off for part, off in zip(parts, miss, strict=True))
+    moved = reach * (turning + off + last * delayed + 2 * reach * most * fast)
+    blur = below.blur + above.blur + force.blur + late * (last + LOOSE) * half
+    good = And(known, do("blur_", blur + moved) < 6 * distance)
     good = do("good", choose(good, 1, 0)) > 0
     return do.routine("PhaseTurns", "the nearest whole number of turns in the phase at a crossing, "
                       "NaN where that is not certain",
@@ -429,7 +397,7 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
     ys, offs = _solved(do, near, root), _solved(do, own, root)
     rests = _solved(do, far, root)[::-1]
     loop = (
-        alpha, v.slope, v.far, v.force, d, n1, loss, together, apart, sp.S.Zero, sp.S.Zero, a_off,
+        alpha, v.slope, v.far, d, n1, loss, together, apart, sp.S.Zero, sp.S.Zero, a_off,
     )  # fmt: skip
     one, two = (
         sp.Function("CrossingTurns")(y, rest, off, center, beyond, *loop)
@@ -468,5 +436,5 @@ def stable(precision: Precision = DOUBLE) -> Routine:
                       (roots, alpha, beta, gamma, delta), choose(good, 1, 0))  # fmt: skip
 
 
-ROUTINES = (quadratic_roots, turn_angle, crossing_turns, bottom_touches)
-PRECISE = (nearest_point, phase_turns, touches, whole_roots, stable)
+ROUTINES = (quadratic_roots, crossing_turns, bottom_touches)
+PRECISE = (crossing_part, nearest_point, phase_turns, touches, whole_roots, stable)

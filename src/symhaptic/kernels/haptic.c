@@ -29,7 +29,7 @@ typedef struct { double envelope; Pair even, wave; double near, risen, sunk, mov
 typedef struct { double n0, n1, trace; } Device;
 typedef struct { double together, trace; } Device2;
 typedef struct { double at_minus_one, kick, together, n_gap, n0, n1; } Device3;
-typedef struct { double halves, rest, size, per, off, blur; } Angle;
+typedef struct { double halves, rest, size, per, off, blur, slope, fast, bend, turn, spread; } Part;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
 typedef struct { double apart, m2, kicked, m0; } Delayed;
 typedef struct { double at, still, away, loose, free, there; } Point;
@@ -38,8 +38,8 @@ typedef struct { double ahead, in_phase; } Response;
 typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
 typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device6;
-typedef struct { double alpha, slope, far, force, d, n1, loss, together, apart, apart_off, n1_off,
-    a_off, center, beyond; } Loop;
+typedef struct { double alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
+    center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
@@ -534,86 +534,68 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
     return y;
 }
 
-// the angle of x + j y in half turns and the rest, the size and its inverse, and the most by which
-// size and angle are off
-static inline Angle turn_angle(double x, double y, double x_off, double y_off) {
-    const double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
+// of x + j u: half turns and the rest of the angle, the size and its inverse, how far both may be
+// off, and how they change with y
+static inline Part crossing_part(double x, double u, double x_off, double u_off, double steep,
+    double low, double high) {
+    const double most = fmax(fabs(u), fabs(x)), least = fmin(fabs(u), fabs(x));
     const double whole = most == 0.0 ? 1.0 : most, ratio = least/whole;
     const double longer = sqrt(ratio*ratio + 1.0), size = longer*most;
-    const double whole2 = size == 0.0 ? 1.0 : size, per = 1.0/whole2, one = per*fabs(x);
-    const double two = per*fabs(y), along = per*x_off, across = per*y_off, away = across + along;
-    return (Angle){x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0, atan2(x < 0.0 ? -y : y, fabs(x)), size,
-        per, across*two + along*one + away*away, away < 0.25 ? (2.0*away + 1.0)*
-        (across*one + along*two) : 4.0};
+    const double whole2 = size == 0.0 ? 1.0 : size, per = 1.0/whole2, real = per*x, up = per*u;
+    const double along = per*x_off, across = per*u_off, away = across + along, one = fabs(real);
+    const double two = fabs(up), blur = (2.0*away + 1.0)*(across*one + along*two);
+    const double rest = atan2(x < 0.0 ? -u : u, fabs(x)), falls = per*steep;
+    const double tilt = 0.5*low - 0.5*high, square = up*up;
+    const double fast = square*(high + low) + 2.0*fabs(falls);
+    return (Part){x < 0.0 ? (u < 0.0 ? -1.0 : 1.0) : 0.0, rest, size, per, across*two + along*one +
+        away*away, away < 0.25 ? blur + 4.440892098500626e-16*fabs(rest) : 4.0, 2.0*falls*real +
+        2.0*square*tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*square, up*
+        (real*tilt - falls), two*(one*fabs(tilt) + fabs(falls))};
 }
 
 // the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
 static inline double phase_turns(const Loop *loop, double y, double rest, double off, double loose,
     double free) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
-    const double tilt = 0.25*still - 0.25*at, total = 2.0 - loop->loss;
-    const double lost = loop->loss*loop->loss, square = 0.5*(total*total);
-    const double whole = 0.25*at + 0.25*still, steep = loop->together + fabs(loop->apart);
-    const double falls = loop->apart + loop->together, own = loop->n1*loop->n1;
-    const double plain = loose + 4.440892098500626e-16, made = loose + 1.3322676295501878e-15;
-    const double size_off = made*fabs(loop->n1) + loop->n1_off, real = -2.0*off*total;
-    const double up = loop->loss*sine;
-    const Angle angle = turn_angle(real, up, 4.0*loop->a_off + total*
-        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine);
-    const double late = still*loop->together - loop->apart*at, up2 = loop->n1*sine;
-    const Angle angle2 = turn_angle(late, up2, loop->apart_off*at + made*
-        (at*fabs(loop->apart) + still*loop->together), sine*size_off);
-    const double real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
-    const Angle angle3 = turn_angle(real3, up3, plain*
-        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope));
-    const double edge = fmin(at, still), ratio = angle.per*angle2.size;
-    const double gap_ = 1.0 - 0.25*ratio*angle3.size;
-    const double rough = angle.off + angle2.off + angle3.off + 1.3322676295501878e-15;
-    const double near = edge*angle.per, t = angle.per*(16.0*lost*tilt + 16.0*off*square);
-    const double t2 = near*t, t3 = angle.per*(16.0*lost*whole + 16.0*square*fabs(off));
-    const double t4 = near*t3, t5 = near*(8.0*lost + 16.0*square), near2 = edge*angle2.per;
-    const double t6 = angle2.per*(16.0*own*tilt - 2.0*falls*late), t7 = near2*t6;
-    const double t8 = angle2.per*(16.0*own*whole + 2.0*angle2.size*steep), t9 = near2*t8;
-    const double t10 = near2*(8.0*own + 2.0*(steep*steep)), near3 = edge*angle3.per;
-    const double t11 = 16.0*loop->force*angle3.per, t12 = near3*t11;
-    const double t13 = 16.0*angle3.per*fabs(loop->force), t14 = near3*t13;
-    const double log_slope = t2 - t12 - t7;
-    const double slope_off = t14*(3.0*angle3.off + 8.881784197001252e-16) + t4*
-        (3.0*angle.off + 8.881784197001252e-16) + t9*(3.0*angle2.off + 8.881784197001252e-16);
-    const double sure_slope = fabs(log_slope) - slope_off;
-    const double whole2 = sure_slope == 0.0 ? 1.0 : sure_slope;
-    const double reach = 0.25*(9.0*rough + 9.0*fabs(gap_))/whole2;
-    const double bend_ = near*t5 + near2*t10 + t14*t14 + t4*t4 + t9*t9, fast = t14 + t4 + t9;
+    const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
+    const double made = loose + 1.3322676295501878e-15, edge = fmin(at, still);
+    const double whole = at == 0.0 ? 1.0 : at, low = edge/whole;
+    const double whole2 = still == 0.0 ? 1.0 : still, high = edge/whole2;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*
+        (made*fabs(loop->n1) + loop->n1_off), edge*(-loop->apart - loop->together), low, high);
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope), edge*
+        (-loop->alpha - loop->far), low, high);
+    const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, -2.0*edge*total, low,
+        high);
+    const double ratio = part.per*part2.size, gap_ = fabs(0.25*ratio*part3.size - 1.0);
+    const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
+    const double miss = 3.0*part.off + 8.881784197001252e-16;
+    const double miss2 = 3.0*part2.off + 8.881784197001252e-16;
+    const double miss3 = 3.0*part3.off + 8.881784197001252e-16;
+    const double sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
+        fabs(part2.slope - part.slope + part3.slope);
+    const double whole3 = sure == 0.0 ? 1.0 : sure, reach = 0.25*(9.0*gap_ + 9.0*rough)/whole3;
+    const double bends = part.bend + part2.bend + part3.bend;
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
-    const double late2 = loop->d + 2.0;
-    const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late2 : 0.0);
-    const double share = 0.5*(-late2*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
-        angle3.rest)/3.141592653589793;
+    const double late = loop->d + 2.0;
+    const double halves4 = part2.halves - part.halves + part3.halves - (at > 2.0 ? late : 0.0);
+    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - part.rest + part2.rest +
+        part3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
-    const double near4 = fabs(share - floor(share + 0.5));
-    const double distance = left == 0.5 ? near4 : 0.5 - near4, whole3 = at == 0.0 ? 1.0 : at;
-    const double low = edge/whole3, whole4 = still == 0.0 ? 1.0 : still, high = edge/whole4;
-    const double wave_tilt = 0.5*low - 0.5*high, whole5 = sine == 0.0 ? 1.0 : sine;
-    const double delayed = 2.0*edge*late2/whole5, along = angle.per*real, across = angle.per*up;
-    const double near5 = edge*angle.per, two = -2.0*near5*total, one = across*along*wave_tilt;
-    const double two2 = across*two, most = fabs(one) + fabs(two2), along2 = late*angle2.per;
-    const double across2 = angle2.per*up2, near6 = edge*angle2.per, two3 = -falls*near6;
-    const double one2 = across2*along2*wave_tilt, two4 = across2*two3;
-    const double most2 = fabs(one2) + fabs(two4), along3 = angle3.per*real3;
-    const double across3 = angle3.per*up3, near7 = edge*angle3.per;
-    const double two5 = near7*(-loop->alpha - loop->far), one3 = across3*along3*wave_tilt;
-    const double two6 = across3*two5, most3 = fabs(one3) + fabs(two6);
-    const double far_off = 2.0*reach*(fast + high + low)*(delayed + most + most2 + most3);
-    const double turning_ = -delayed - one + one2 + one3 + two2 - two4 - two6;
-    const double blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
+    const double near = fabs(share - floor(share + 0.5));
+    const double distance = left == 0.5 ? near : 0.5 - near, whole4 = sine == 0.0 ? 1.0 : sine;
+    const double delayed = 2.0*edge*late/whole4;
+    const double most = delayed + part.spread + part2.spread + part3.spread;
+    const double blur_ = part.blur + part2.blur + part3.blur + half*late*
         (loose + 8.881784197001252e-16) + reach*
-        (8.881784197001252e-16*delayed + far_off + most*(3.0*angle.off + 8.881784197001252e-16) +
-        most2*(3.0*angle2.off + 8.881784197001252e-16) + most3*
-        (3.0*angle3.off + 8.881784197001252e-16) + fabs(turning_)) + 4.440892098500626e-16*
-        fabs(angle.rest) + 4.440892098500626e-16*fabs(angle2.rest) + 4.440892098500626e-16*
-        fabs(angle3.rest);
-    const double good = blur4 < 6.0*distance && reach < 0.25 && sure_slope > 0.0 &&
-        sure_slope > 8.0*bend_*reach ? 1.0 : 0.0;
+        (8.881784197001252e-16*delayed + miss*part.spread + miss2*part2.spread + miss3*
+        part3.spread + 2.0*most*reach*(part.fast + part2.fast + part3.fast + 2.0) +
+        fabs(delayed + part.turn - part2.turn - part3.turn));
+    const double good = blur_ < 6.0*distance && reach < 0.25 && sure > 0.0 && sure > 8.0*bends*
+        reach ? 1.0 : 0.0;
     if (good > 0.0) {
         return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
     }
@@ -646,17 +628,18 @@ static inline double touches(const Loop *loop, double y, double rest, double off
     double free) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
     const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope), 0.0, 0.0,
+        0.0);
     const double made = loose + 1.3322676295501878e-15;
-    const double size_off = made*fabs(loop->n1) + loop->n1_off;
-    const Angle angle = turn_angle(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
-        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine,
-        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*size_off);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
-        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope));
-    const double ratio = angle.per*angle2.size, gap_ = 1.0 - 0.25*ratio*angle3.size;
-    const double rough = angle.off + angle2.off + angle3.off + 1.3322676295501878e-15;
-    if (fabs(gap_) <= 2.0*rough && rest > 0.0 && y > 0.0) { return NAN; }
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*
+        (made*fabs(loop->n1) + loop->n1_off), 0.0, 0.0, 0.0);
+    const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, 0.0, 0.0, 0.0);
+    const double ratio = part.per*part2.size, gap_ = fabs(0.25*ratio*part3.size - 1.0);
+    const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
+    if (gap_ <= 2.0*rough && rest > 0.0 && y > 0.0) { return NAN; }
     return 0.0;
 }
 
@@ -740,8 +723,8 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const Loop loop = {alpha, slope, wall_far, force, d, across, loss, together, apart, apart_off,
-        n1_off, a_off, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
+        a_off, middle, rest};
     const double total = ((((((near2 == 0.0 && near3 < 0.0) || near2 < 0.0) && near1 == 0.0) ||
         near1 < 0.0) && near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0) +
@@ -864,10 +847,9 @@ static inline double bottom_touches(const Loop *loop, double y, double rest, dou
 static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
     const Point point = nearest_point(loop, y, rest, off);
     if (point.there > 0.0) {
-        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .force =
-            loop->force, .d = loop->d, .n1 = loop->n1, .loss = loop->loss, .together =
-            loop->together, .apart = loop->apart, .apart_off = 0.0, .n1_off = 0.0, .a_off =
-            loop->a_off};
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .d =
+            loop->d, .n1 = loop->n1, .loss = loop->loss, .together = loop->together, .apart =
+            loop->apart, .apart_off = 0.0, .n1_off = 0.0, .a_off = loop->a_off};
         return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0;
@@ -925,9 +907,9 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .force = force, .d = d,
-            .n1 = n1, .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center =
-            center, .beyond = beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
+            .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
+            .beyond = beyond};
         total = 2.0*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     } else {
@@ -1246,8 +1228,8 @@ static inline double required_at(double alpha, double beta, double l, double eps
     const double size = (along*along)*(stiffness*stiffness) + (up*up)*
         ((2.0*damping + stiffness)*(2.0*damping + stiffness));
     const double extra = epsilon*size*(1.0 - epsilon), root = sqrt(extra + n*n);
-    const double whole = root + fabs(n), more = 0.5*extra/whole, rest = diff3.lo + more;
-    const double whole_need = diff3.hi + rest;
+    const double whole = root + fabs(n) == 0.0 ? 1.0 : root + fabs(n), more = 0.5*extra/whole;
+    const double rest = diff3.lo + more, whole_need = diff3.hi + rest;
     return (n < 0.0 ? more : whole_need)/lift;
 }
 

@@ -1068,33 +1068,44 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
     return y
 
 
-def turn_angle(xp, x, y, x_off, y_off):
-    """the angle of x + j y in half turns and the rest, the size and its inverse, and the most
-    by which size and angle are off
+def crossing_part(xp, x, u, x_off, u_off, steep, low, high):
+    """of x + j u: half turns and the rest of the angle, the size and its inverse, how far both
+    may be off, and how they change with y
     """
-    most_ = xp.where(xp.abs(x) > xp.abs(y), xp.abs(x), xp.abs(y))
-    least = xp.where(xp.abs(x) < xp.abs(y), xp.abs(x), xp.abs(y))
+    close = 2.384185791015625e-07 if x.dtype == xp.float32 else 4.440892098500626e-16
+    most_ = xp.where(xp.abs(u) > xp.abs(x), xp.abs(u), xp.abs(x))
+    least = xp.where(xp.abs(u) < xp.abs(x), xp.abs(u), xp.abs(x))
     whole = xp.where(most_ == 0.0, 1.0, most_)
     ratio = least/whole
     longer = square_root(xp, ratio*ratio + 1.0)
     size = longer*most_
     whole = xp.where(size == 0.0, 1.0, size)
     per = 1.0/whole
-    one = per*xp.abs(x)
-    two = per*xp.abs(y)
+    real = per*x
+    up = per*u
     along = per*x_off
-    across = per*y_off
+    across = per*u_off
     away = across + along
+    one = xp.abs(real)
+    two = xp.abs(up)
+    blur = (2.0*away + 1.0)*(across*one + along*two)
     case1 = x < 0.0
+    rest = xp.atan2(xp.where(case1, -u, u), xp.abs(x))
+    falls = per*steep
+    tilt = 0.5*low - 0.5*high
+    square = (up*up)
+    fast = square*(high + low) + 2.0*xp.abs(falls)
     return (
-        xp.where(case1, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0),
-        xp.atan2(xp.where(case1, -y, y), xp.abs(x)), size, per, across*two + along*one + away*
-        away, xp.where(away < 0.25, (2.0*away + 1.0)*(across*one + along*two), 4.0)
+        xp.where(case1, xp.where(u < 0.0, xp.full_like(u, -1.0), 1.0), 0.0), rest, size, per,
+        across*two + along*one + away*away,
+        xp.where(away < 0.25, blur + close*xp.abs(rest), 4.0), 2.0*falls*real + 2.0*square*
+        tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*square, up*
+        (real*tilt - falls), two*(one*xp.abs(tilt) + xp.abs(falls))
     )
 
 
-def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, loss, together,
-    apart, apart_off, n1_off, a_off):
+def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+    apart_off, n1_off, a_off):
     """the nearest whole number of turns in the phase at a crossing, NaN where that is not
     certain
     """
@@ -1104,135 +1115,84 @@ def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, 
     at = xp.where(0.0 > y, 0.0, y)
     still = xp.where(0.0 > rest, 0.0, rest)
     sine = 2.0*square_root(xp, at*still)
-    tilt = 0.25*still - 0.25*at
     total = 2.0 - loss
-    lost = (loss*loss)
-    square = 0.5*(total*total)
-    whole = 0.25*at + 0.25*still
-    steep = together + xp.abs(apart)
-    falls = apart + together
-    own = (n1*n1)
     plain = loose + close
     made = loose + number
-    size_off = made*xp.abs(n1) + n1_off
-    real = -2.0*off*total
-    up = loss*sine
-    halves_, turned, _, per, away, blur = turn_angle(xp, real, up, 4.0*a_off + total*
-        (2.0*free + number2*xp.abs(off)), loss*made*sine)
-    late = still*together - apart*at
-    up2 = n1*sine
-    halves2, turned2, size2, per2, away2, blur2 = turn_angle(xp, late, up2, apart_off*at + made*
-        (at*xp.abs(apart) + still*together), sine*size_off)
-    real3 = alpha*still - at*far
-    up3 = sine*slope
-    halves3, turned3, size3, per3, away3, blur3 = turn_angle(xp, real3, up3, plain*
-        (at*xp.abs(far) + still*xp.abs(alpha)), plain*sine*xp.abs(slope))
     edge = xp.where(at < still, at, still)
-    ratio = per*size2
-    gap_ = 1.0 - 0.25*ratio*size3
-    rough = away + away2 + away3 + number
-    near = edge*per
-    t = per*(16.0*lost*tilt + 16.0*off*square)
-    t = near*t
-    t3 = per*(16.0*lost*whole + 16.0*square*xp.abs(off))
-    t3 = near*t3
-    t5 = near*(8.0*lost + 16.0*square)
-    near2 = edge*per2
-    t6 = per2*(16.0*own*tilt - 2.0*falls*late)
-    t6 = near2*t6
-    t8 = per2*(16.0*own*whole + 2.0*size2*steep)
-    t8 = near2*t8
-    t10 = near2*(8.0*own + 2.0*(steep*steep))
-    near3 = edge*per3
-    t11 = 16.0*force*per3
-    t11 = near3*t11
-    t13 = 16.0*per3*xp.abs(force)
-    t13 = near3*t13
-    log_slope = t - t11 - t6
-    slope_off = t13*(3.0*away3 + number2) + t3*(3.0*away + number2) + t8*(3.0*away2 + number2)
-    sure_slope = xp.abs(log_slope) - slope_off
-    whole = xp.where(sure_slope == 0.0, 1.0, sure_slope)
-    reach = 0.25*(9.0*rough + 9.0*xp.abs(gap_))/whole
-    bend_ = near*t5 + near2*t10 + t13*t13 + t3*t3 + t8*t8
-    fast = t13 + t3 + t8
-    case1 = at > 2.0
-    half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
-        xp.where(case1, square_root(xp, at), square_root(xp, still)))
-    late2 = d + 2.0
-    halves3 = halves2 - halves_ + halves3 - xp.where(case1, late2, 0.0)
-    share = (
-        0.5*(turned2 - late2*xp.where(case1, -2.0*half, 2.0*half) - turned + turned3)/
-        3.141592653589793
-    )
-    even = xp.floor(0.5*halves3)
-    left = 0.5*halves3 - even
-    near2 = xp.abs(share - xp.floor(share + 0.5))
-    distance = xp.where(left == 0.5, near2, 0.5 - near2)
     whole = xp.where(at == 0.0, 1.0, at)
     low = edge/whole
     whole = xp.where(still == 0.0, 1.0, still)
     high = edge/whole
-    wave_tilt = 0.5*low - 0.5*high
-    whole = xp.where(sine == 0.0, 1.0, sine)
-    delayed = 2.0*edge*late2/whole
-    along = per*real
-    across = per*up
-    near2 = edge*per
-    two = -2.0*near2*total
-    one = across*along*wave_tilt
-    two = across*two
-    most_ = xp.abs(one) + xp.abs(two)
-    along = late*per2
-    across = per2*up2
-    near2 = edge*per2
-    two3 = -falls*near2
-    one2 = across*along*wave_tilt
-    two3 = across*two3
-    most2 = xp.abs(one2) + xp.abs(two3)
-    along = per3*real3
-    across = per3*up3
-    near2 = edge*per3
-    two5 = near2*(-alpha - far)
-    one3 = across*along*wave_tilt
-    two5 = across*two5
-    most3 = xp.abs(one3) + xp.abs(two5)
-    far_off = 2.0*reach*(fast + high + low)*(delayed + most_ + most2 + most3)
-    turning_ = one2 - delayed - one + one3 + two - two3 - two5
-    blur3 = (
-        blur + blur2 + blur3 + half*late2*(loose + number2) + reach*
-        (number2*delayed + far_off + most_*(3.0*away + number2) + most2*(3.0*away2 + number2) +
-        most3*(3.0*away3 + number2) + xp.abs(turning_)) + close*xp.abs(turned) + close*
-        xp.abs(turned2) + close*xp.abs(turned3)
+    halves2, turned2, size2, _, away2, blur2, rise2, fast2, bend2, turn2, spread2 = crossing_part(
+        xp, still*together - apart*at, n1*sine, apart_off*at + made*
+        (at*xp.abs(apart) + still*together), sine*(made*xp.abs(n1) + n1_off), edge*
+        (-apart - together), low, high)
+    halves3, turned3, size3, _, away3, blur3, rise3, fast3, bend3, turn3, spread3 = crossing_part(
+        xp, alpha*still - at*far, sine*slope, plain*(at*xp.abs(far) + still*xp.abs(alpha)), plain*
+        sine*xp.abs(slope), edge*(-alpha - far), low, high)
+    halves_, turned, _, per, away, blur, rise, fast, bend_, turn_, spread_ = crossing_part(xp, -2.0*
+        off*total, loss*sine, 4.0*a_off + total*(2.0*free + number2*xp.abs(off)), loss*made*sine,
+        -2.0*edge*total, low, high)
+    ratio = per*size2
+    gap_ = xp.abs(0.25*ratio*size3 - 1.0)
+    rough = away + away2 + away3 + number
+    miss = 3.0*away + number2
+    miss2 = 3.0*away2 + number2
+    miss3 = 3.0*away3 + number2
+    sure = xp.abs(rise2 - rise + rise3) - fast*miss - fast2*miss2 - fast3*miss3
+    whole = xp.where(sure == 0.0, 1.0, sure)
+    reach = 0.25*(9.0*gap_ + 9.0*rough)/whole
+    bends = bend_ + bend2 + bend3
+    case1 = at > 2.0
+    half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
+        xp.where(case1, square_root(xp, at), square_root(xp, still)))
+    late = d + 2.0
+    halves3 = halves2 - halves_ + halves3 - xp.where(case1, late, 0.0)
+    share = (
+        0.5*(turned2 - late*xp.where(case1, -2.0*half, 2.0*half) - turned + turned3)/
+        3.141592653589793
     )
-    good = xp.where((blur3 < 6.0*distance) & (reach < 0.25) & (sure_slope > 0.0) &
-        (sure_slope > 8.0*bend_*reach), xp.full_like(bend_, 1.0), 0.0)
+    even = xp.floor(0.5*halves3)
+    left = 0.5*halves3 - even
+    near = xp.abs(share - xp.floor(share + 0.5))
+    distance = xp.where(left == 0.5, near, 0.5 - near)
+    whole = xp.where(sine == 0.0, 1.0, sine)
+    delayed = 2.0*edge*late/whole
+    most_ = delayed + spread_ + spread2 + spread3
+    blur_ = (
+        blur + blur2 + blur3 + half*late*(loose + number2) + reach*
+        (number2*delayed + miss*spread_ + miss2*spread2 + miss3*spread3 + 2.0*most_*reach*
+        (fast + fast2 + fast3 + 2.0) + xp.abs(delayed + turn_ - turn2 - turn3))
+    )
+    good = xp.where((blur_ < 6.0*distance) & (reach < 0.25) & (sure > 0.0) &
+        (sure > 8.0*bends*reach), xp.full_like(bends, 1.0), 0.0)
     return xp.where(good > 0.0, even + xp.where(left == 0.5, xp.floor(share) + 1.0,
         xp.floor(left + share + 0.5)), xp.nan)
 
 
-def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, force, d,
-    n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond):
+def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1,
+    loss, together, apart, apart_off, n1_off, a_off, center, beyond):
     """what the crossing on a piece, if there is one, adds"""
     number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
         4.76837158203125e-07) if k0.dtype == xp.float32 else (1.7763568394002505e-15,
         2.220446049250313e-16, 8.881784197001252e-16)
-    def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, force, high,
-        k0, k1, k2, k3, loss, low, n1, n1_off, slope, together, zone):
+    def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, high, k0, k1,
+        k2, k3, loss, low, n1, n1_off, slope, together, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
         case1 = zone == 1.0
         case2 = zone == 0.0
         y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
         rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
 
-        def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, force,
-            loss, n1, n1_off, rest, slope, together, x, y, zone):
+        def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, loss, n1,
+            n1_off, rest, slope, together, x, y, zone):
             case1 = zone == 1.0
             case2 = zone == 0.0
             off = xp.where(case2, x - center, xp.where(case1, x, beyond - x))
             loose = xp.where(case1, xp.full_like(zone, number), last)
             free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
-            found = phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1,
-                loss, together, apart, apart_off, n1_off, a_off)
+            found = phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss,
+                together, apart, apart_off, n1_off, a_off)
             rises = (
                 xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
                 xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
@@ -1240,16 +1200,16 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             return -2.0*found*rises
 
         return select(xp, (rest > 0.0) & (y > 0.0), yes,
-            (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, force, loss,
-            n1, n1_off, rest, slope, together, x, y, zone), lambda rest: 0.0, (rest,))
+            (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, loss, n1,
+            n1_off, rest, slope, together, x, y, zone), lambda rest: 0.0, (rest,))
 
     return select(xp, (((at_high >= 0.0) & (at_low < 0.0)) | ((at_high < 0.0) & (at_low >= 0.0))) &
         (high > low), yes, (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d,
-        far, force, high, k0, k1, k2, k3, loss, low, n1, n1_off, slope, together, zone),
+        far, high, k0, k1, k2, k3, loss, low, n1, n1_off, slope, together, zone),
         lambda at_high: 0.0, (at_high,))
 
 
-def touches(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, loss, together, apart,
+def touches(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
     apart_off, n1_off, a_off):
     """NaN where wall and device may be equally strong, else 0"""
     close, number, number2 = (2.384185791015625e-07, 7.152557373046875e-07,
@@ -1260,23 +1220,24 @@ def touches(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, loss
     sine = 2.0*square_root(xp, at*still)
     total = 2.0 - loss
     plain = loose + close
+    _, _, size3, _, away3, _, _, _, _, _, _ = crossing_part(xp, alpha*still - at*far, sine*slope,
+        plain*(at*xp.abs(far) + still*xp.abs(alpha)), plain*sine*xp.abs(slope),
+        xp.full_like(alpha, 0.0), xp.full_like(alpha, 0.0), xp.full_like(alpha, 0.0))
     made = loose + number
-    size_off = made*xp.abs(n1) + n1_off
-    _, _, _, per, away, _ = turn_angle(xp, -2.0*off*total, loss*sine, 4.0*a_off + total*
-        (2.0*free + number2*xp.abs(off)), loss*made*sine)
-    _, _, size2, _, away2, _ = turn_angle(xp, still*together - apart*at, n1*sine, apart_off*at +
-        made*(at*xp.abs(apart) + still*together), sine*size_off)
-    _, _, size3, _, away3, _ = turn_angle(xp, alpha*still - at*far, sine*slope, plain*
-        (at*xp.abs(far) + still*xp.abs(alpha)), plain*sine*xp.abs(slope))
+    _, _, size2, _, away2, _, _, _, _, _, _ = crossing_part(xp, still*together - apart*at, n1*sine,
+        apart_off*at + made*(at*xp.abs(apart) + still*together), sine*(made*xp.abs(n1) + n1_off),
+        xp.full_like(apart, 0.0), xp.full_like(apart, 0.0), xp.full_like(apart, 0.0))
+    _, _, _, per, away, _, _, _, _, _, _ = crossing_part(xp, -2.0*off*total, loss*sine, 4.0*a_off +
+        total*(2.0*free + number2*xp.abs(off)), loss*made*sine, xp.full_like(a_off, 0.0),
+        xp.full_like(a_off, 0.0), xp.full_like(a_off, 0.0))
     ratio = per*size2
-    gap_ = 1.0 - 0.25*ratio*size3
+    gap_ = xp.abs(0.25*ratio*size3 - 1.0)
     rough = away + away2 + away3 + number
-    return xp.where((rest > 0.0) & (xp.abs(gap_) <= 2.0*rough) & (y > 0.0),
-        xp.full_like(gap_, xp.nan), 0.0)
+    return xp.where((gap_ <= 2.0*rough) & (rest > 0.0) & (y > 0.0), xp.full_like(gap_, xp.nan), 0.0)
 
 
-def zone_touches(xp, x, zone, alpha, slope, far, force, d, n1, loss, together, apart, apart_off,
-    n1_off, a_off, center, beyond):
+def zone_touches(xp, x, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off,
+    a_off, center, beyond):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
         4.76837158203125e-07) if x.dtype == xp.float32 else (1.7763568394002505e-15,
@@ -1288,12 +1249,12 @@ def zone_touches(xp, x, zone, alpha, slope, far, force, d, n1, loss, together, a
     off = xp.where(case2, x - center, xp.where(case1, x, beyond - x))
     loose = xp.where(case1, xp.full_like(zone, number), last)
     free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
-    return touches(xp, y, rest, off, loose, free, alpha, slope, far, force, d, n1, loss, together,
-        apart, apart_off, n1_off, a_off)
+    return touches(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+        apart_off, n1_off, a_off)
 
 
-def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, force, d,
-    n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond):
+def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1,
+    loss, together, apart, apart_off, n1_off, a_off, center, beyond):
     """what the crossings between two points add to the count"""
     disc = k2*k2 - 3.0*k1*k3
     root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
@@ -1317,18 +1278,18 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     p2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     p3 = k0 + last*(k1 + last*(k2 + k3*last))
     found = select(xp, cut2 > low, lambda *v: zone_touches(xp, *v),
-        (cut2, zone, alpha, slope, far, force, d, n1, loss, together, apart, apart_off, n1_off,
-        a_off, center, beyond), lambda cut2: 0.0, (cut2,))
-    found2 = found + xp.where(cut3 > low, zone_touches(xp, cut3, zone, alpha, slope, far, force, d,
-        n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond), 0.0)
+        (cut2, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
+        center, beyond), lambda cut2: 0.0, (cut2,))
+    found2 = found + xp.where(cut3 > low, zone_touches(xp, cut3, zone, alpha, slope, far, d, n1,
+        loss, together, apart, apart_off, n1_off, a_off, center, beyond), 0.0)
     found2 = found2 + piece_turns(xp, k0, k1, k2, k3, low, first, at_low, p, zone, alpha, slope,
-        far, force, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
     found2 = found2 + piece_turns(xp, k0, k1, k2, k3, first, middle, p, p2, zone, alpha, slope,
-        far, force, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
     found2 = found2 + piece_turns(xp, k0, k1, k2, k3, middle, last, p2, p3, zone, alpha, slope,
-        far, force, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
     return found2 + piece_turns(xp, k0, k1, k2, k3, last, high, p3, at_high, zone, alpha, slope,
-        far, force, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
 
 
 def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
@@ -1407,14 +1368,14 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
                 (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0),
                 xp.where(alpha > 0.0, 0.0, side), 0.0) +
                 zone_turns(xp, far0, far1, far2, far3, xp.full_like(a_off, 0.0), two, far0,
-                after, xp.full_like(a_off, 2.0), alpha, slope, wall_far, force, d, across,
-                loss, together, apart, apart_off, n1_off, a_off, middle, rest) +
+                after, xp.full_like(a_off, 2.0), alpha, slope, wall_far, d, across, loss,
+                together, apart, apart_off, n1_off, a_off, middle, rest) +
                 zone_turns(xp, near0, near1, near2, near3, xp.full_like(a_off, 0.0), one,
-                near0, before, xp.full_like(a_off, 0.0), alpha, slope, wall_far, force, d,
-                across, loss, together, apart, apart_off, n1_off, a_off, middle, rest) +
+                near0, before, xp.full_like(a_off, 0.0), alpha, slope, wall_far, d, across,
+                loss, together, apart, apart_off, n1_off, a_off, middle, rest) +
                 zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
-                xp.full_like(a_off, 1.0), alpha, slope, wall_far, force, d, across, loss,
-                together, apart, apart_off, n1_off, a_off, middle, rest)
+                xp.full_like(a_off, 1.0), alpha, slope, wall_far, d, across, loss, together,
+                apart, apart_off, n1_off, a_off, middle, rest)
             )
             total = total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) &
                 (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
@@ -1567,22 +1528,22 @@ def nearest_point(xp, y, rest, off, center, beyond):
     )
 
 
-def bottom_touches(xp, y, rest, off, center, beyond, alpha, slope, far, force, d, n1, loss,
-    together, apart, apart_off, n1_off, a_off):
+def bottom_touches(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
+    apart, apart_off, n1_off, a_off):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     at, still, away, loose, free, there = nearest_point(xp, y, rest, off, center, beyond)
     return select(xp, there > 0.0, lambda *v: touches(xp, *v),
-        (at, still, away, loose, free, alpha, slope, far, force, d, n1, loss, together, apart,
-        apart_off, n1_off, a_off), lambda there: 0.0, (there,))
+        (at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart, apart_off,
+        n1_off, a_off), lambda there: 0.0, (there,))
 
 
-def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, force, d, n1, loss,
-    together, apart, apart_off, n1_off, a_off):
+def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
+    apart, apart_off, n1_off, a_off):
     """the turns at a crossing, if there is one"""
     at, still, away, loose, free, there = nearest_point(xp, y, rest, off, center, beyond)
     return select(xp, there > 0.0, lambda *v: phase_turns(xp, *v),
-        (at, still, away, loose, free, alpha, slope, far, force, d, n1, loss, together, apart,
-        apart_off, n1_off, a_off), lambda there: 0.0, (there,))
+        (at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart, apart_off,
+        n1_off, a_off), lambda there: 0.0, (there,))
 
 
 def quadratic_roots(xp, c, b, a, root):
@@ -1663,23 +1624,23 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                 square3: square3 - product2, (product2, square3), no,
                 (product, product3, size, size2, size3, square2, square4))
 
-            def yes(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, force, loss, n1,
-                near0, near1, own0, own1, own2, slope, square, together, wall_far):
+            def yes(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0,
+                near1, own0, own1, own2, slope, square, together, wall_far):
                 root = square_root(xp, disc4)
                 low, high = quadratic_roots(xp, near0, near1, square, root)
                 low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
                 low3, high3 = quadratic_roots(xp, far0, far1, square, root)
                 return (
                     2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope,
-                    wall_far, force, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
                     xp.full_like(a_off, 0.0), a_off) - 2.0*
                     crossing_turns(xp, high, low3, high2, center, beyond, alpha, slope,
-                    wall_far, force, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
                     xp.full_like(a_off, 0.0), a_off)
                 )
 
-            def no(a_off, alpha, apart, beyond, center, d, far1, force, loss, n1, near1, own1,
-                own2, slope, square, together, wall_far):
+            def no(a_off, alpha, apart, beyond, center, d, far1, loss, n1, near1, own1, own2,
+                slope, square, together, wall_far):
                 def no(far1, near1, square):
                     return -0.5*near1/square, -0.5*far1/square
 
@@ -1688,14 +1649,14 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                 bottom3 = select(xp, own2 == 0.0, lambda own2: -1.0, (own2,), lambda own1,
                     own2: -0.5*own1/own2, (own1, own2))
                 return bottom_touches(xp, bottom, bottom2, bottom3, center, beyond, alpha, slope,
-                    wall_far, force, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
                     xp.full_like(a_off, 0.0), a_off)
 
             total = select(xp, disc4 >= 0.0, yes,
-                (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, force, loss, n1, near0,
-                near1, own0, own1, own2, slope, square, together, wall_far), no,
-                (a_off, alpha, apart, beyond, center, d, far1, force, loss, n1, near1, own1, own2,
-                slope, square, together, wall_far))
+                (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1,
+                own0, own1, own2, slope, square, together, wall_far), no,
+                (a_off, alpha, apart, beyond, center, d, far1, loss, n1, near1, own1, own2, slope,
+                square, together, wall_far))
             total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
                 (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
             total2 = total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &

@@ -26,7 +26,7 @@ typedef struct { float envelope; Pair even, wave; float near, risen, sunk, moved
 typedef struct { float n0, n1, trace; } Device;
 typedef struct { float together, trace; } Device2;
 typedef struct { float at_minus_one, kick, together, n_gap, n0, n1; } Device3;
-typedef struct { float halves, rest, size, per, off, blur; } Angle;
+typedef struct { float halves, rest, size, per, off, blur, slope, fast, bend, turn, spread; } Part;
 typedef struct { Pair kick; float n_gap, n0, n1; } Device4;
 typedef struct { float apart, m2, kicked, m0; } Delayed;
 typedef struct { float at, still, away, loose, free, there; } Point;
@@ -35,8 +35,8 @@ typedef struct { float ahead, in_phase; } Response;
 typedef struct { float at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { float cosine, sine; } CosSin;
 typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device6;
-typedef struct { float alpha, slope, far, force, d, n1, loss, together, apart, apart_off, n1_off,
-    a_off, center, beyond; } Loop;
+typedef struct { float alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
+    center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
@@ -531,85 +531,66 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
     return y;
 }
 
-// the angle of x + j y in half turns and the rest, the size and its inverse, and the most by which
-// size and angle are off
-static inline Angle turn_angle(float x, float y, float x_off, float y_off) {
-    const float most = fmaxf(fabsf(x), fabsf(y)), least = fminf(fabsf(x), fabsf(y));
+// of x + j u: half turns and the rest of the angle, the size and its inverse, how far both may be
+// off, and how they change with y
+static inline Part crossing_part(float x, float u, float x_off, float u_off, float steep,
+    float low, float high) {
+    const float most = fmaxf(fabsf(u), fabsf(x)), least = fminf(fabsf(u), fabsf(x));
     const float whole = most == 0.0f ? 1.0f : most, ratio = least/whole;
     const float longer = sqrtf(ratio*ratio + 1.0f), size = longer*most;
-    const float whole2 = size == 0.0f ? 1.0f : size, per = 1.0f/whole2, one = per*fabsf(x);
-    const float two = per*fabsf(y), along = per*x_off, across = per*y_off, away = across + along;
-    return (Angle){x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f,
-        atan2f(x < 0.0f ? -y : y, fabsf(x)), size, per, across*two + along*one + away*away,
-        away < 0.25f ? (2.0f*away + 1.0f)*(across*one + along*two) : 4.0f};
+    const float whole2 = size == 0.0f ? 1.0f : size, per = 1.0f/whole2, real = per*x, up = per*u;
+    const float along = per*x_off, across = per*u_off, away = across + along, one = fabsf(real);
+    const float two = fabsf(up), blur = (2.0f*away + 1.0f)*(across*one + along*two);
+    const float rest = atan2f(x < 0.0f ? -u : u, fabsf(x)), falls = per*steep;
+    const float tilt = 0.5f*low - 0.5f*high, square = up*up;
+    const float fast = square*(high + low) + 2.0f*fabsf(falls);
+    return (Part){x < 0.0f ? (u < 0.0f ? -1.0f : 1.0f) : 0.0f, rest, size, per, across*two + along*
+        one + away*away, away < 0.25f ? blur + 2.3841858e-07f*fabsf(rest) : 4.0f, 2.0f*falls*real +
+        2.0f*square*tilt, fast, 2.0f*(falls*falls) + fast*fast + 2.0f*high*low*square, up*
+        (real*tilt - falls), two*(one*fabsf(tilt) + fabsf(falls))};
 }
 
 // the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
 static inline float phase_turns(const Loop *loop, float y, float rest, float off, float loose,
     float free) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
-    const float tilt = 0.25f*still - 0.25f*at, total = 2.0f - loop->loss;
-    const float lost = loop->loss*loop->loss, square = 0.5f*(total*total);
-    const float whole = 0.25f*at + 0.25f*still, steep = loop->together + fabsf(loop->apart);
-    const float falls = loop->apart + loop->together, own = loop->n1*loop->n1;
-    const float plain = loose + 2.3841858e-07f, made = loose + 7.1525574e-07f;
-    const float size_off = made*fabsf(loop->n1) + loop->n1_off, real = -2.0f*off*total;
-    const float up = loop->loss*sine;
-    const Angle angle = turn_angle(real, up, 4.0f*loop->a_off + total*
-        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine);
-    const float late = still*loop->together - loop->apart*at, up2 = loop->n1*sine;
-    const Angle angle2 = turn_angle(late, up2, loop->apart_off*at + made*
-        (at*fabsf(loop->apart) + still*loop->together), sine*size_off);
-    const float real3 = loop->alpha*still - at*loop->far, up3 = sine*loop->slope;
-    const Angle angle3 = turn_angle(real3, up3, plain*
-        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope));
-    const float edge = fminf(at, still), ratio = angle.per*angle2.size;
-    const float gap_ = 1.0f - 0.25f*ratio*angle3.size;
-    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f, near = edge*angle.per;
-    const float t = angle.per*(16.0f*lost*tilt + 16.0f*off*square), t2 = near*t;
-    const float t3 = angle.per*(16.0f*lost*whole + 16.0f*square*fabsf(off)), t4 = near*t3;
-    const float t5 = near*(8.0f*lost + 16.0f*square), near2 = edge*angle2.per;
-    const float t6 = angle2.per*(16.0f*own*tilt - 2.0f*falls*late), t7 = near2*t6;
-    const float t8 = angle2.per*(16.0f*own*whole + 2.0f*angle2.size*steep), t9 = near2*t8;
-    const float t10 = near2*(8.0f*own + 2.0f*(steep*steep)), near3 = edge*angle3.per;
-    const float t11 = 16.0f*loop->force*angle3.per, t12 = near3*t11;
-    const float t13 = 16.0f*angle3.per*fabsf(loop->force), t14 = near3*t13;
-    const float log_slope = t2 - t12 - t7;
-    const float slope_off = t14*(3.0f*angle3.off + 4.7683716e-07f) + t4*
-        (3.0f*angle.off + 4.7683716e-07f) + t9*(3.0f*angle2.off + 4.7683716e-07f);
-    const float sure_slope = fabsf(log_slope) - slope_off;
-    const float whole2 = sure_slope == 0.0f ? 1.0f : sure_slope;
-    const float reach = 0.25f*(9.0f*rough + 9.0f*fabsf(gap_))/whole2;
-    const float bend_ = near*t5 + near2*t10 + t14*t14 + t4*t4 + t9*t9, fast = t14 + t4 + t9;
+    const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
+    const float made = loose + 7.1525574e-07f, edge = fminf(at, still);
+    const float whole = at == 0.0f ? 1.0f : at, low = edge/whole;
+    const float whole2 = still == 0.0f ? 1.0f : still, high = edge/whole2;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*
+        (made*fabsf(loop->n1) + loop->n1_off), edge*(-loop->apart - loop->together), low, high);
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope), edge*
+        (-loop->alpha - loop->far), low, high);
+    const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, -2.0f*edge*total, low, high);
+    const float ratio = part.per*part2.size, gap_ = fabsf(0.25f*ratio*part3.size - 1.0f);
+    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f;
+    const float miss = 3.0f*part.off + 4.7683716e-07f, miss2 = 3.0f*part2.off + 4.7683716e-07f;
+    const float miss3 = 3.0f*part3.off + 4.7683716e-07f;
+    const float sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
+        fabsf(part2.slope - part.slope + part3.slope);
+    const float whole3 = sure == 0.0f ? 1.0f : sure, reach = 0.25f*(9.0f*gap_ + 9.0f*rough)/whole3;
+    const float bends = part.bend + part2.bend + part3.bend;
     const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
         sqrtf(still));
-    const float late2 = loop->d + 2.0f;
-    const float halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0f ? late2 : 0.0f);
-    const float share = 0.5f*(-late2*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
-        angle2.rest + angle3.rest)/3.1415927f;
+    const float late = loop->d + 2.0f;
+    const float halves4 = part2.halves - part.halves + part3.halves - (at > 2.0f ? late : 0.0f);
+    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - part.rest + part2.rest +
+        part3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
-    const float near4 = fabsf(share - floorf(share + 0.5f));
-    const float distance = left == 0.5f ? near4 : 0.5f - near4, whole3 = at == 0.0f ? 1.0f : at;
-    const float low = edge/whole3, whole4 = still == 0.0f ? 1.0f : still, high = edge/whole4;
-    const float wave_tilt = 0.5f*low - 0.5f*high, whole5 = sine == 0.0f ? 1.0f : sine;
-    const float delayed = 2.0f*edge*late2/whole5, along = angle.per*real, across = angle.per*up;
-    const float near5 = edge*angle.per, two = -2.0f*near5*total, one = across*along*wave_tilt;
-    const float two2 = across*two, most = fabsf(one) + fabsf(two2), along2 = late*angle2.per;
-    const float across2 = angle2.per*up2, near6 = edge*angle2.per, two3 = -falls*near6;
-    const float one2 = across2*along2*wave_tilt, two4 = across2*two3;
-    const float most2 = fabsf(one2) + fabsf(two4), along3 = angle3.per*real3;
-    const float across3 = angle3.per*up3, near7 = edge*angle3.per;
-    const float two5 = near7*(-loop->alpha - loop->far), one3 = across3*along3*wave_tilt;
-    const float two6 = across3*two5, most3 = fabsf(one3) + fabsf(two6);
-    const float far_off = 2.0f*reach*(fast + high + low)*(delayed + most + most2 + most3);
-    const float turning_ = -delayed - one + one2 + one3 + two2 - two4 - two6;
-    const float blur4 = angle.blur + angle2.blur + angle3.blur + half*late2*
-        (loose + 4.7683716e-07f) + reach*(4.7683716e-07f*delayed + far_off + most*
-        (3.0f*angle.off + 4.7683716e-07f) + most2*(3.0f*angle2.off + 4.7683716e-07f) + most3*
-        (3.0f*angle3.off + 4.7683716e-07f) + fabsf(turning_)) + 2.3841858e-07f*fabsf(angle.rest) +
-        2.3841858e-07f*fabsf(angle2.rest) + 2.3841858e-07f*fabsf(angle3.rest);
-    const float good = blur4 < 6.0f*distance && reach < 0.25f && sure_slope > 0.0f &&
-        sure_slope > 8.0f*bend_*reach ? 1.0f : 0.0f;
+    const float near = fabsf(share - floorf(share + 0.5f));
+    const float distance = left == 0.5f ? near : 0.5f - near, whole4 = sine == 0.0f ? 1.0f : sine;
+    const float delayed = 2.0f*edge*late/whole4;
+    const float most = delayed + part.spread + part2.spread + part3.spread;
+    const float blur_ = part.blur + part2.blur + part3.blur + half*late*(loose + 4.7683716e-07f) +
+        reach*(4.7683716e-07f*delayed + miss*part.spread + miss2*part2.spread + miss3*
+        part3.spread + 2.0f*most*reach*(part.fast + part2.fast + part3.fast + 2.0f) +
+        fabsf(delayed + part.turn - part2.turn - part3.turn));
+    const float good = blur_ < 6.0f*distance && reach < 0.25f && sure > 0.0f && sure > 8.0f*bends*
+        reach ? 1.0f : 0.0f;
     if (good > 0.0f) {
         return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
     }
@@ -642,16 +623,18 @@ static inline float touches(const Loop *loop, float y, float rest, float off, fl
     float free) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
     const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
-    const float made = loose + 7.1525574e-07f, size_off = made*fabsf(loop->n1) + loop->n1_off;
-    const Angle angle = turn_angle(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
-        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine,
-        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*size_off);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
-        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope));
-    const float ratio = angle.per*angle2.size, gap_ = 1.0f - 0.25f*ratio*angle3.size;
-    const float rough = angle.off + angle2.off + angle3.off + 7.1525574e-07f;
-    if (fabsf(gap_) <= 2.0f*rough && rest > 0.0f && y > 0.0f) { return NAN; }
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope), 0.0f,
+        0.0f, 0.0f);
+    const float made = loose + 7.1525574e-07f;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*
+        (made*fabsf(loop->n1) + loop->n1_off), 0.0f, 0.0f, 0.0f);
+    const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, 0.0f, 0.0f, 0.0f);
+    const float ratio = part.per*part2.size, gap_ = fabsf(0.25f*ratio*part3.size - 1.0f);
+    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f;
+    if (gap_ <= 2.0f*rough && rest > 0.0f && y > 0.0f) { return NAN; }
     return 0.0f;
 }
 
@@ -733,8 +716,8 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const Loop loop = {alpha, slope, wall_far, force, d, across, loss, together, apart, apart_off,
-        n1_off, a_off, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
+        a_off, middle, rest};
     const float total = ((((((near2 == 0.0f && near3 < 0.0f) || near2 < 0.0f) && near1 == 0.0f) ||
         near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
@@ -858,10 +841,9 @@ static inline float bottom_touches(const Loop *loop, float y, float rest, float 
 static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
     const Point point = nearest_point(loop, y, rest, off);
     if (point.there > 0.0f) {
-        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .force =
-            loop->force, .d = loop->d, .n1 = loop->n1, .loss = loop->loss, .together =
-            loop->together, .apart = loop->apart, .apart_off = 0.0f, .n1_off = 0.0f, .a_off =
-            loop->a_off};
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .d =
+            loop->d, .n1 = loop->n1, .loss = loop->loss, .together = loop->together, .apart =
+            loop->apart, .apart_off = 0.0f, .n1_off = 0.0f, .a_off = loop->a_off};
         return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0f;
@@ -916,9 +898,9 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
         const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .force = force, .d = d,
-            .n1 = n1, .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center =
-            center, .beyond = beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
+            .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
+            .beyond = beyond};
         total = 2.0f*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0f*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
     } else {
@@ -1245,8 +1227,8 @@ static inline float required_at(float alpha, float beta, float l, float epsilon,
     const float size = (along*along)*(stiffness*stiffness) + (up*up)*
         ((2.0f*damping + stiffness)*(2.0f*damping + stiffness));
     const float extra = epsilon*size*(1.0f - epsilon), root = sqrtf(extra + n*n);
-    const float whole = root + fabsf(n), more = 0.5f*extra/whole, rest = diff3.lo + more;
-    const float whole_need = diff3.hi + rest;
+    const float whole = root + fabsf(n) == 0.0f ? 1.0f : root + fabsf(n), more = 0.5f*extra/whole;
+    const float rest = diff3.lo + more, whole_need = diff3.hi + rest;
     return (n < 0.0f ? more : whole_need)/lift;
 }
 
