@@ -23,6 +23,7 @@ from symhaptic.export.root_count import (
     at_the_end,
     counted,
     faint,
+    flat,
     point_off,
     turned_off,
     unit,
@@ -66,16 +67,21 @@ class _Products:
 
 def _about(
     do: Steps, name: str, both: _Products, first: Expr, at: Expr, top: Expr, force: Expr, tilt: Expr
-) -> Terms:
-    """|A|^2 - |M|^2 |W|^2 about an end, from its value and those of A, M and W there."""
+) -> tuple[Terms, Expr]:
+    """|A|^2 - |M|^2 |W|^2 about an end, from its value and those of A, M and W there.
+
+    And the second coefficient with all terms positive.
+    """
     lost, square, even = both.lost, both.square, do("even", top * (m2 + m0))
-    linear = do("linear", both.size - even)
-    return (
+    linear, push = do("linear", both.size - even), do("push", force**2)
+    terms = (
         do(f"{name}0", first),
-        do(f"{name}1", lost - at * (2 - loss) - linear * force**2 - top**2 * tilt),
-        do(f"{name}2", 1 - loss - square * force**2 - linear * tilt),
+        do(f"{name}1", lost - at * (2 - loss) - linear * push - top**2 * tilt),
+        do(f"{name}2", 1 - loss - square * push - linear * tilt),
         do(f"{name}3", -square * tilt),
     )
+    sizes = lost, at * (2 - loss), (both.size + sp.Abs(even)) * push, top**2 * sp.Abs(tilt)
+    return terms, do("most", sp.Add(*sizes))
 
 
 def _own(do: Steps, both: _Products, middle: Expr, rest: Expr, v: _Wall) -> Terms:
@@ -129,12 +135,17 @@ def fractional_roots(precision: Precision = DOUBLE) -> Routine:
     at_one = do("at_one", gamma * together)
     apart_off, n1_off = _blurs(do, at_one, last)
     a_off = do("a_off", turned_off(precision, at_minus_one))
-    unsure = Or(weak, at_the_end(do, v.far, last, a_off, apart_off))
     first = do("apart_one", (gamma - alpha) * (gamma + alpha)) * do("even", together * together)
-    near = _about(do, "near", both, first, at_one, together, alpha, v.force)
+    near, most = _about(do, "near", both, first, at_one, together, alpha, v.force)
+    blurred = do("blurred", (2 * sp.Abs(across) + n1_off) * n1_off)
+    unsure = [weak, at_the_end(do, v.far, last, a_off, apart_off)]
+    unsure += [flat(do, near[:3], most, last, blurred * alpha**2)]
     pushed = do("pushed", apart * v.far)
     first = (at_minus_one - pushed) * (at_minus_one + pushed)
-    far_ = _about(do, "far", both, first, at_minus_one, apart, v.far, -v.force)
+    far_, most = _about(do, "far", both, first, at_minus_one, apart, v.far, -v.force)
+    blurred += do("even", apart_off * (m2 + sp.Abs(m0)))
+    more = blurred * v.far**2 + (2 * sp.Abs(apart) + apart_off) * apart_off * sp.Abs(v.force)
+    unsure += [flat(do, far_[:3], most, last, more + 2 * a_off)]
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))
     own = _own(do, both, middle, rest, v)
@@ -157,7 +168,7 @@ def fractional_roots(precision: Precision = DOUBLE) -> Routine:
     total = do("total", total - choose(_leads(far_), end, 0))
     return do.routine("FractionalRoots", "roots outside the unit circle behind a fractional delay, "
                       "-1 where that is not certain", FRACTIONAL_ARGUMENTS,
-                      counted(do, unsure, total))  # fmt: skip
+                      counted(do, Or(*unsure), total))  # fmt: skip
 
 
 def _inside(do: Steps, top: Expr, bottom: Expr) -> Expr:

@@ -54,6 +54,26 @@ class _Quadratic:
     c: Expr
     b: Expr
     a: Expr
+    most: Expr = sp.S.Zero
+    """b with all terms positive."""
+
+
+def summed(do: Steps, name: str, *terms: Expr) -> tuple[Expr, Expr]:
+    """The sum, and that of the sizes."""
+    return do(name, sp.Add(*terms)), do(f"{name}_size", sp.Add(*map(sp.Abs, terms)))
+
+
+def flat(
+    do: Steps, terms: tuple[Expr, Expr, Expr], size: Expr, unit: Expr, more: Expr = sp.S.Zero
+) -> Boolean:
+    """Whether c + b y + a y^2 may have two roots next to y = 0, and may have none.
+
+    A product of up to four numbers of the device is off by 4 units at most; ``more`` of b is lost
+    besides.  Where c and a differ in sign there is one root.
+    """
+    c, b, a = terms
+    room, product = do("room", 4 * unit * size + more), do("product", 4 * c * a)
+    return And(sp.Abs(b) <= room, product >= 0, product <= room * room)
 
 
 def _about(do: Steps, e: Expr, v: _Wall) -> tuple[_Quadratic, _Quadratic, _Quadratic, Expr, Expr]:
@@ -65,16 +85,13 @@ def _about(do: Steps, e: Expr, v: _Wall) -> tuple[_Quadratic, _Quadratic, _Quadr
     square, at_one = do("square", e + cross * v.force), do("at_one", gamma * together)
     even = do("even", together * together)
     pull = do("pull", apart * v.far)
-    near = _Quadratic(
-        do("near0", do("apart_one", (gamma - alpha) * (gamma + alpha)) * even),
-        do("near1", lost - at_one * (1 + e) + cross * alpha**2 - even * v.force),
-        square,
-    )
-    far = _Quadratic(
-        do("far0", (at_minus_one - pull) * (at_minus_one + pull)),
-        do("far1", lost - at_minus_one * (1 + e) - cross * v.far**2 + apart**2 * v.force),
-        square,
-    )
+    b, most = summed(do, "near1", lost, -at_one * (1 + e), cross * alpha**2, -even * v.force)
+    first = do("near0", do("apart_one", (gamma - alpha) * (gamma + alpha)) * even)
+    near = _Quadratic(first, b, square, most)
+    terms = lost, -at_minus_one * (1 + e), -cross * v.far**2, apart**2 * v.force
+    b, most = summed(do, "far1", *terms)
+    first = do("far0", (at_minus_one - pull) * (at_minus_one + pull))
+    far = _Quadratic(first, b, square, most)
     center, beyond = do("center", 2 * at_one / (1 + e)), do("beyond", 2 * at_minus_one / (1 + e))
     sine, tilt = do("sine", center * beyond / 4), do("tilt", (beyond - center) / 4)
     real = do("real", (together * beyond - apart * center) / 4)
@@ -392,7 +409,13 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
     near, own, far, center, beyond = _about(do, e, v)
     a_off = do("a_off", turned_off(precision, at_minus_one))
-    unsure = Or(weak, at_the_end(do, v.far, unit(precision), a_off))
+    last = unit(precision)
+    unsure = Or(
+        weak,
+        at_the_end(do, v.far, last, a_off),
+        flat(do, (near.c, near.b, near.a), near.most, last),
+        flat(do, (far.c, far.b, far.a), far.most, last, 2 * a_off),
+    )
     root, disc = _root(do, (near, own, far))
     ys, offs = _solved(do, near, root), _solved(do, own, root)
     rests = _solved(do, far, root)[::-1]

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "3eefe8213414b909"
+STAMP = "9083ff86631a782f"
 """Of the sources in C, as the module that is compiled of them has it."""

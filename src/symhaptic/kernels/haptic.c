@@ -683,33 +683,44 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     double gamma, double at_minus_one, double loss, double together, double apart, double across) {
     if (alpha == 0.0 && beta == 0.0) { return 0.0; }
     const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
-    const double wall_far = alpha + 2.0*beta, size2 = m2 + together + fabs(m0);
-    const double near_half = sqrt(fmin(1.0, at_minus_one));
+    const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
+    const double lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
+    const double size2 = m2 + together + fabs(m0), near_half = sqrt(fmin(1.0, at_minus_one));
+    const double whole = gamma == 0.0 ? 1.0 : gamma;
     const double apart_off = 7.105427357601002e-15*near_half*size2;
+    const double n1_off = 1.4210854715202004e-14*
+        (gamma > 10.0 && loss < 0.5 ? 2.0*sqrt(fmin(1.0, at_one))/whole : 0.125*size2);
     const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
-    const double pull = fabs(apart*wall_far);
+    const double apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
+    const double even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
+    const double near0 = apart_one*even;
+    const double near1 = -at_one*(2.0 - loss) - force*(together*together) - linear*push + lost;
+    const double near2 = -force*linear - loss - push*square + 1.0;
+    const double most = at_one*(2.0 - loss) + lost + push*(size + fabs(even2)) +
+        (together*together)*fabs(force);
+    const double blurred = n1_off*(n1_off + 2.0*fabs(across)), pull = fabs(apart*wall_far);
     const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
         1.7763568394002505e-15*pull;
+    const double room = (alpha*alpha)*blurred + 3.552713678800501e-15*most;
+    const double product = 4.0*near0*near2, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
+    const double linear2 = size - even3, push2 = wall_far*wall_far;
+    const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
+    const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*push2 + lost;
+    const double far2 = force*linear2 - loss - push2*square + 1.0;
+    const double most2 = (apart*apart)*fabs(force) + at_minus_one*(2.0 - loss) + lost + push2*
+        (size + fabs(even3));
+    const double even4 = apart_off*(m2 + fabs(m0));
+    const double room2 = 2.0*a_off + apart_off*(apart_off + 2.0*fabs(apart))*fabs(force) +
+        3.552713678800501e-15*most2 + (wall_far*wall_far)*(blurred + even4);
+    const double product2 = 4.0*far0*far2;
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
+        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
         end_off >= fabs(at_minus_one - pull)) {
         return -1.0;
     }
-    const double slope = alpha + beta, force = beta*slope, lost = loss*loss, square = m0*m2;
-    const double size = across*across, at_one = gamma*together, whole = gamma == 0.0 ? 1.0 : gamma;
-    const double n1_off = 1.4210854715202004e-14*
-        (gamma > 10.0 && loss < 0.5 ? 2.0*sqrt(fmin(1.0, at_one))/whole : 0.125*size2);
-    const double apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
-    const double even2 = together*(m0 + m2), linear = size - even2, near0 = apart_one*even;
-    const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
-        lost;
-    const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0, near3 = -force*square;
-    const double pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
-    const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
-    const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
-        (wall_far*wall_far) + lost;
-    const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
-    const double far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
+    const double near3 = -force*square, far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
     const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
     const double tilt = 0.25*rest - 0.25*middle, real = 0.25*rest*together - 0.25*apart*middle;
     const double one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
@@ -869,38 +880,45 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     double gamma, double at_minus_one, double loss, double together, double apart) {
     if (alpha == 0.0 && beta == 0.0) { return 0.0; }
     const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
-    const double wall_far = alpha + 2.0*beta;
+    const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
+    const double force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
+    const double at_one = gamma*together, even = together*together, pull = apart*wall_far;
+    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost;
+    const double near1_size = fabs(lost) + fabs((alpha*alpha)*cross) + fabs(at_one*(e + 1.0)) +
+        fabs(even*force);
+    const double apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
+    const double far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) +
+        lost;
+    const double far1_size = fabs(lost) + fabs((apart*apart)*force) +
+        fabs(at_minus_one*(e + 1.0)) + fabs(cross*(wall_far*wall_far));
+    const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
     const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
     const double pull2 = fabs(apart*wall_far);
     const double end_off = a_off + 1.7763568394002505e-15*at_minus_one + 1.7763568394002505e-15*
         pull2;
+    const double room = 3.552713678800501e-15*near1_size, product = 4.0*near0*square;
+    const double room2 = 2.0*a_off + 3.552713678800501e-15*far1_size, product2 = 4.0*far0*square;
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
+        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
         end_off >= fabs(at_minus_one - pull2)) {
         return -1.0;
     }
-    const double e = 1.0 - loss, slope = alpha + beta, force = beta*slope, cross = n0*n1;
-    const double lost = loss*loss, square = cross*force + e, at_one = gamma*together;
-    const double even = together*together, pull = apart*wall_far;
-    const double apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
-    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost;
-    const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
-    const double far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) +
-        lost;
     const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
     const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
     const double real = 0.25*beyond*together - 0.25*apart*center, m0 = (n1*n1)*sine + real*real;
     const double m1 = (n1*n1)*tilt - n1*real, wave = 0.25*alpha*beyond - 0.25*center*wall_far;
     const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
     const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const double product = 4.0*near0*square, size = square2 + fabs(product), square3 = own1*own1;
-    const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2), square4 = far1*far1;
-    const double product3 = 4.0*far0*square, size3 = square4 + fabs(product3);
+    const double product3 = 4.0*near0*square, size = square2 + fabs(product3), square3 = own1*own1;
+    const double product4 = 4.0*own0*own2, size2 = square3 + fabs(product4), square4 = far1*far1;
+    const double product5 = 4.0*far0*square, size3 = square4 + fabs(product5);
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
-        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
+    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
     double total;
     if (disc4 >= 0.0) {
         const double root = sqrt(disc4);

@@ -1295,50 +1295,68 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
 def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
     across):
     """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
-    number, number2, number3, number4, number5 = (
-        (3.814697265625e-06, 4.547473508864641e-13, 9.5367431640625e-07, 7.62939453125e-06,
-        9.094947017729282e-13) if alpha.dtype == xp.float32 else (7.105427357601002e-15,
-        1.5777218104420236e-30, 1.7763568394002505e-15, 1.4210854715202004e-14,
-        3.8725919148493183e-121)
+    number, number2, number3, number4, number5, number6 = (
+        (3.814697265625e-06, 7.62939453125e-06, 4.547473508864641e-13, 9.5367431640625e-07,
+        1.9073486328125e-06, 9.094947017729282e-13) if alpha.dtype == xp.float32 else (
+        7.105427357601002e-15, 1.4210854715202004e-14, 1.5777218104420236e-30,
+        1.7763568394002505e-15, 3.552713678800501e-15, 3.8725919148493183e-121)
     )
     def no(across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together):
         strength = xp.abs(alpha) + xp.abs(beta)
         stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
+        slope = alpha + beta
         wall_far = alpha + 2.0*beta
-        size = m2 + together + xp.abs(m0)
+        force = beta*slope
+        lost = (loss*loss)
+        square = m0*m2
+        size = (across*across)
+        at_one = gamma*together
+        size2 = m2 + together + xp.abs(m0)
         near_half = square_root(xp, xp.where(1.0 < at_minus_one, 1.0, at_minus_one))
-        apart_off = number*near_half*size
-        a_off = number2*square_root(xp, at_minus_one*gamma)
+        whole = xp.where(gamma == 0.0, 1.0, gamma)
+        apart_off = number*near_half*size2
+        n1_off = number2*xp.where((gamma > 10.0) & (loss < 0.5), 2.0*
+            square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))/whole, 0.125*size2)
+        a_off = number3*square_root(xp, at_minus_one*gamma)
+        apart_one = (gamma - alpha)*(alpha + gamma)
+        even = (together*together)
+        even2 = together*(m0 + m2)
+        linear = size - even2
+        push = (alpha*alpha)
+        near0 = apart_one*even
+        near1 = lost - at_one*(2.0 - loss) - force*(together*together) - linear*push
+        near2 = 1.0 - force*linear - loss - push*square
+        most_ = (
+            at_one*(2.0 - loss) + lost + push*(size + xp.abs(even2)) + (together*together)*
+            xp.abs(force)
+        )
+        blurred = n1_off*(n1_off + 2.0*xp.abs(across))
         pull = xp.abs(apart*wall_far)
-        end_off = a_off + apart_off*xp.abs(wall_far) + number3*at_minus_one + number3*pull
+        end_off = a_off + apart_off*xp.abs(wall_far) + number4*at_minus_one + number4*pull
+        room = (alpha*alpha)*blurred + number5*most_
+        product = 4.0*near0*near2
+        pushed_ = apart*wall_far
+        even2 = apart*(m0 + m2)
+        linear = size - even2
+        push = (wall_far*wall_far)
+        far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
+        far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*push + lost
+        far2 = force*linear - loss - push*square + 1.0
+        most_ = (
+            (apart*apart)*xp.abs(force) + at_minus_one*(2.0 - loss) + lost + push*
+            (size + xp.abs(even2))
+        )
+        even2 = apart_off*(m2 + xp.abs(m0))
+        room2 = (
+            2.0*a_off + apart_off*(apart_off + 2.0*xp.abs(apart))*xp.abs(force) + number5*most_ +
+            (wall_far*wall_far)*(blurred + even2)
+        )
+        product2 = 4.0*far0*far2
 
-        def no(a_off, across, alpha, apart, apart_off, at_minus_one, beta, d, gamma, loss, m0, m2,
-            size2, together, wall_far):
-            slope = alpha + beta
-            force = beta*slope
-            lost = (loss*loss)
-            square = m0*m2
-            size = (across*across)
-            at_one = gamma*together
-            whole = xp.where(gamma == 0.0, 1.0, gamma)
-            n1_off = number4*xp.where((gamma > 10.0) & (loss < 0.5), 2.0*
-                square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))/whole, 0.125*size2)
-            apart_one = (gamma - alpha)*(alpha + gamma)
-            even = (together*together)
-            even2 = together*(m0 + m2)
-            linear = size - even2
-            near0 = apart_one*even
-            near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
-            near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
+        def no(a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
+            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
+            wall_far):
             near3 = -force*square
-            pushed_ = apart*wall_far
-            even = apart*(m0 + m2)
-            linear = size - even
-            far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
-            far1 = (
-                (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
-            )
-            far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
             far3 = force*square
             middle = 2.0*at_one/(2.0 - loss)
             rest = 2.0*at_minus_one/(2.0 - loss)
@@ -1381,11 +1399,14 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
                 (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
             return xp.where(total >= 0.0, total, -1.0)
 
-        return select(xp, ((((stiffest > 0.0) & (stiffest < number5)) |
-            (loss + strength < number5)) & (strength > 0.0)) |
+        return select(xp, ((((stiffest > 0.0) & (stiffest < number6)) |
+            (loss + strength < number6)) & (strength > 0.0)) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
+            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
             (end_off >= xp.abs(at_minus_one - pull)), lambda at_minus_one: -1.0, (at_minus_one,),
-            no, (a_off, across, alpha, apart, apart_off, at_minus_one, beta, d, gamma, loss, m0,
-            m2, size, together, wall_far))
+            no, (a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
+            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
+            wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together))
@@ -1561,32 +1582,46 @@ def quadratic_roots(xp, c, b, a, root):
 
 def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apart):
     """roots outside the unit circle, -1 where that is not certain"""
-    number, number2, number3 = (4.547473508864641e-13, 9.5367431640625e-07,
-        9.094947017729282e-13) if alpha.dtype == xp.float32 else (1.5777218104420236e-30,
-        1.7763568394002505e-15, 3.8725919148493183e-121)
+    number, number2, number3, number4 = (4.547473508864641e-13, 9.5367431640625e-07,
+        1.9073486328125e-06, 9.094947017729282e-13) if alpha.dtype == xp.float32 else (
+        1.5777218104420236e-30, 1.7763568394002505e-15, 3.552713678800501e-15,
+        3.8725919148493183e-121)
     def no(alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together):
         strength = xp.abs(alpha) + xp.abs(beta)
         stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
+        e = 1.0 - loss
+        slope = alpha + beta
         wall_far = alpha + 2.0*beta
+        force = beta*slope
+        cross = n0*n1
+        lost = (loss*loss)
+        square = cross*force + e
+        at_one = gamma*together
+        even = (together*together)
+        pull = apart*wall_far
+        near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost
+        near1_size = (
+            xp.abs(lost) + xp.abs((alpha*alpha)*cross) + xp.abs(at_one*(e + 1.0)) +
+            xp.abs(even*force)
+        )
+        apart_one = (gamma - alpha)*(alpha + gamma)
+        near0 = apart_one*even
+        far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
+        far1_size = (
+            xp.abs(lost) + xp.abs((apart*apart)*force) + xp.abs(at_minus_one*(e + 1.0)) +
+            xp.abs(cross*(wall_far*wall_far))
+        )
+        far0 = (at_minus_one - pull)*(at_minus_one + pull)
         a_off = number*square_root(xp, at_minus_one*gamma)
         pull = xp.abs(apart*wall_far)
         end_off = a_off + number2*at_minus_one + number2*pull
+        room = number3*near1_size
+        product = 4.0*near0*square
+        room2 = 2.0*a_off + number3*far1_size
+        product2 = 4.0*far0*square
 
-        def no(a_off, alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together, wall_far):
-            e = 1.0 - loss
-            slope = alpha + beta
-            force = beta*slope
-            cross = n0*n1
-            lost = (loss*loss)
-            square = cross*force + e
-            at_one = gamma*together
-            even = (together*together)
-            pull = apart*wall_far
-            apart_one = (gamma - alpha)*(alpha + gamma)
-            near0 = apart_one*even
-            near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost
-            far0 = (at_minus_one - pull)*(at_minus_one + pull)
-            far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
+        def no(a_off, alpha, apart, at_minus_one, at_one, d, e, far0, far1, force, loss, lost, n1,
+            near0, near1, slope, square, together, wall_far):
             center = 2.0*at_one/(e + 1.0)
             beyond = 2.0*at_minus_one/(e + 1.0)
             sine = 0.25*beyond*center
@@ -1600,14 +1635,14 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
             own1 = lost*tilt - force*m0 - m1*wall
             own2 = e - force*m1
             square2 = (near1*near1)
-            product = 4.0*near0*square
-            size = square2 + xp.abs(product)
+            product3 = 4.0*near0*square
+            size = square2 + xp.abs(product3)
             square3 = (own1*own1)
-            product2 = 4.0*own0*own2
-            size2 = square3 + xp.abs(product2)
+            product4 = 4.0*own0*own2
+            size2 = square3 + xp.abs(product4)
             square4 = (far1*far1)
-            product3 = 4.0*far0*square
-            size3 = square4 + xp.abs(product3)
+            product5 = 4.0*far0*square
+            size3 = square4 + xp.abs(product5)
             side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
             end = (
                 xp.where(wall_far > 0.0, side, 0.0) - d +
@@ -1615,14 +1650,14 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                 3.0
             )
 
-            def no(product, product3, size, size2, size3, square2, square4):
-                return select(xp, (size > size3) & (size2 > size3), lambda product3,
-                    square4: square4 - product3, (product3, square4), lambda product,
-                    square2: square2 - product, (product, square2))
+            def no(product3, product5, size, size2, size3, square2, square4):
+                return select(xp, (size > size3) & (size2 > size3), lambda product5,
+                    square4: square4 - product5, (product5, square4), lambda product3,
+                    square2: square2 - product3, (product3, square2))
 
-            disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product2,
-                square3: square3 - product2, (product2, square3), no,
-                (product, product3, size, size2, size3, square2, square4))
+            disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product4,
+                square3: square3 - product4, (product4, square3), no,
+                (product3, product5, size, size2, size3, square2, square4))
 
             def yes(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0,
                 near1, own0, own1, own2, slope, square, together, wall_far):
@@ -1663,11 +1698,13 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                 (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
             return xp.where(total2 >= 0.0, total2, -1.0)
 
-        return select(xp, ((((stiffest > 0.0) & (stiffest < number3)) |
-            (loss + strength < number3)) & (strength > 0.0)) |
+        return select(xp, ((((stiffest > 0.0) & (stiffest < number4)) |
+            (loss + strength < number4)) & (strength > 0.0)) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
+            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
             (end_off >= xp.abs(at_minus_one - pull)), lambda at_minus_one: -1.0, (at_minus_one,),
-            no, (a_off, alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together,
-            wall_far))
+            no, (a_off, alpha, apart, at_minus_one, at_one, d, e, far0, far1, force, loss, lost,
+            n1, near0, near1, slope, square, together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together))

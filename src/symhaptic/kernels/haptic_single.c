@@ -678,31 +678,41 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     float gamma, float at_minus_one, float loss, float together, float apart, float across) {
     if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
     const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
-    const float wall_far = alpha + 2.0f*beta, size2 = m2 + together + fabsf(m0);
-    const float near_half = sqrtf(fminf(1.0f, at_minus_one));
-    const float apart_off = 3.8146973e-06f*near_half*size2;
-    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull = fabsf(apart*wall_far);
-    const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
-        9.536743e-07f*pull;
-    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
-        strength > 0.0f) || end_off >= fabsf(at_minus_one - pull)) {
-        return -1.0f;
-    }
-    const float slope = alpha + beta, force = beta*slope, lost = loss*loss, square = m0*m2;
-    const float size = across*across, at_one = gamma*together, whole = gamma == 0.0f ? 1.0f : gamma;
+    const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
+    const float lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
+    const float size2 = m2 + together + fabsf(m0), near_half = sqrtf(fminf(1.0f, at_minus_one));
+    const float whole = gamma == 0.0f ? 1.0f : gamma, apart_off = 3.8146973e-06f*near_half*size2;
     const float n1_off = 7.6293945e-06f*(gamma > 10.0f && loss < 0.5f ? 2.0f*
         sqrtf(fminf(1.0f, at_one))/whole : 0.125f*size2);
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma);
     const float apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
-    const float even2 = together*(m0 + m2), linear = size - even2, near0 = apart_one*even;
-    const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
-        lost;
-    const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f, near3 = -force*square;
+    const float even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
+    const float near0 = apart_one*even;
+    const float near1 = -at_one*(2.0f - loss) - force*(together*together) - linear*push + lost;
+    const float near2 = -force*linear - loss - push*square + 1.0f;
+    const float most = at_one*(2.0f - loss) + lost + push*(size + fabsf(even2)) +
+        (together*together)*fabsf(force);
+    const float blurred = n1_off*(n1_off + 2.0f*fabsf(across)), pull = fabsf(apart*wall_far);
+    const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
+        9.536743e-07f*pull;
+    const float room = (alpha*alpha)*blurred + 1.9073486e-06f*most, product = 4.0f*near0*near2;
     const float pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
-    const float far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
-    const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
-        (wall_far*wall_far) + lost;
-    const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
-    const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
+    const float push2 = wall_far*wall_far, far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
+    const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*push2 + lost;
+    const float far2 = force*linear2 - loss - push2*square + 1.0f;
+    const float most2 = (apart*apart)*fabsf(force) + at_minus_one*(2.0f - loss) + lost + push2*
+        (size + fabsf(even3));
+    const float even4 = apart_off*(m2 + fabsf(m0));
+    const float room2 = 2.0f*a_off + apart_off*(apart_off + 2.0f*fabsf(apart))*fabsf(force) +
+        1.9073486e-06f*most2 + (wall_far*wall_far)*(blurred + even4);
+    const float product2 = 4.0f*far0*far2;
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
+        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        end_off >= fabsf(at_minus_one - pull)) {
+        return -1.0f;
+    }
+    const float near3 = -force*square, far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
     const float tilt = 0.25f*rest - 0.25f*middle, real = 0.25f*rest*together - 0.25f*apart*middle;
     const float one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
@@ -863,35 +873,42 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     float at_minus_one, float loss, float together, float apart) {
     if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
     const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
-    const float wall_far = alpha + 2.0f*beta, a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma);
-    const float pull2 = fabsf(apart*wall_far);
-    const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
-    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
-        strength > 0.0f) || end_off >= fabsf(at_minus_one - pull2)) {
-        return -1.0f;
-    }
-    const float e = 1.0f - loss, slope = alpha + beta, force = beta*slope, cross = n0*n1;
-    const float lost = loss*loss, square = cross*force + e, at_one = gamma*together;
-    const float even = together*together, pull = apart*wall_far;
-    const float apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
+    const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
+    const float force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
+    const float at_one = gamma*together, even = together*together, pull = apart*wall_far;
     const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - even*force + lost;
-    const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const float near1_size = fabsf(lost) + fabsf((alpha*alpha)*cross) + fabsf(at_one*(e + 1.0f)) +
+        fabsf(even*force);
+    const float apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
     const float far1 = (apart*apart)*force - at_minus_one*(e + 1.0f) - cross*(wall_far*wall_far) +
         lost;
+    const float far1_size = fabsf(lost) + fabsf((apart*apart)*force) +
+        fabsf(at_minus_one*(e + 1.0f)) + fabsf(cross*(wall_far*wall_far));
+    const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull2 = fabsf(apart*wall_far);
+    const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
+    const float room = 1.9073486e-06f*near1_size, product = 4.0f*near0*square;
+    const float room2 = 2.0f*a_off + 1.9073486e-06f*far1_size, product2 = 4.0f*far0*square;
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
+        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        end_off >= fabsf(at_minus_one - pull2)) {
+        return -1.0f;
+    }
     const float center = 2.0f*at_one/(e + 1.0f), beyond = 2.0f*at_minus_one/(e + 1.0f);
     const float sine = 0.25f*beyond*center, tilt = 0.25f*beyond - 0.25f*center;
     const float real = 0.25f*beyond*together - 0.25f*apart*center, m0 = (n1*n1)*sine + real*real;
     const float m1 = (n1*n1)*tilt - n1*real, wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
     const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
     const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const float product = 4.0f*near0*square, size = square2 + fabsf(product), square3 = own1*own1;
-    const float product2 = 4.0f*own0*own2, size2 = square3 + fabsf(product2), square4 = far1*far1;
-    const float product3 = 4.0f*far0*square, size3 = square4 + fabsf(product3);
+    const float product3 = 4.0f*near0*square, size = square2 + fabsf(product3), square3 = own1*own1;
+    const float product4 = 4.0f*own0*own2, size2 = square3 + fabsf(product4), square4 = far1*far1;
+    const float product5 = 4.0f*far0*square, size3 = square4 + fabsf(product5);
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
-        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
+    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
     float total;
     if (disc4 >= 0.0f) {
         const float root = sqrtf(disc4);
