@@ -1,0 +1,315 @@
+"""Roots of the loop outside the unit circle, counted in balls by the argument principle.
+
+With A(z) = z^2 - a z + e of the device, M(z) = m2 z^2 + m1 z + m0 of its delayed input and
+W(z) = (alpha + beta) z - beta of the wall, the characteristic polynomial is
+p = z^(l+2) A + M W.  On the unit circle |A|^2 - |M W|^2 is a cubic in y = 2 - 2 cos(theta) whose
+coefficients do not contain the whole delay l.  Between its roots one of the two terms is larger,
+and the argument of p follows the argument of this term.
+
+The device is a matrix exponential, and nothing is taken from the package's kernels.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import flint
+from flint import acb_poly, arb, arb_poly
+
+from symhaptic.bench.exact import device, late
+
+BITS = (160, 320, 640, 1280, 2560)
+"""Working precisions, tried one after the other."""
+
+
+class Undecided(ArithmeticError):
+    """The balls are too wide, or a root lies on the unit circle."""
+
+
+class Plant(NamedTuple):
+    """M, A and what a difference of their coefficients would lose."""
+
+    m2: Any
+    m1: Any
+    m0: Any
+    a: Any
+    e: Any
+    force: Any
+    """M(1); A(1) is gamma M(1)."""
+    loss: Any
+    """1 - e."""
+
+
+def plant(gamma: float, delta: float, part: Any) -> Plant:
+    """The device behind a fraction of a period."""
+    m2, m1, m0, a, e = late(gamma, delta, part)
+    n1, n0 = device(gamma, delta)[:2]
+    return Plant(m2, m1, m0, a, e, n1 + n0, -(-arb(delta)).expm1())
+
+
+_PIECES = 200
+"""Pieces of (0, 4) in which zeros are sought."""
+
+_plants = lru_cache(maxsize=4096)(lambda gamma, delta, part, bits: plant(gamma, delta, part))
+
+
+def unstable(alpha: float, beta: float, gamma: float, delta: float, delay: float) -> int | None:
+    """How many roots lie outside, or None where no precision decides.
+
+    >>> unstable(5.0, 1.0, 0.0, 0.0, 0.0), unstable(0.5, 1.0, 0.0, 0.0, 0.0)
+    (1, 0)
+    """
+    if on_circle(alpha, beta, gamma, delta):
+        return None
+    whole = math.floor(delay)
+    for bits in BITS:
+        with flint.ctx.workprec(bits):
+            try:
+                x = _plants(gamma, delta, delay - whole, bits)
+                return count(alpha, beta, gamma, x, whole)
+            except Undecided:
+                continue
+    return None
+
+
+def stable(alpha: float, beta: float, gamma: float, delta: float, delay: float) -> bool | None:
+    """Whether all roots lie inside; None where no precision decides."""
+    if on_circle(alpha, beta, gamma, delta):
+        return False
+    outside = unstable(alpha, beta, gamma, delta, delay)
+    return None if outside is None else outside == 0
+
+
+def on_circle(alpha: float, beta: float, gamma: float, delta: float) -> bool:
+    """Whether a root is known to lie on the unit circle: p(1) = (gamma + alpha) M(1), or no loss."""
+    return alpha == -gamma or alpha == beta == delta == 0
+
+
+def count(alpha: Any, beta: Any, gamma: Any, x: Plant, whole: Any) -> int:
+    """The number of roots outside behind ``whole`` periods; every number may be a ball.
+
+    Raises :class:`Undecided`.
+    """
+    al, be, g = arb(alpha), arb(beta), arb(gamma)
+    both, sums, gap = al + be, x.m2 + x.m0, x.m2 - x.m0
+
+    def free(y: Any) -> list[tuple[Any, int | None]]:
+        return [_angle(g * x.force - (1 + x.e) * y / 2, x.loss, y)]
+
+    def moved(y: Any) -> list[tuple[Any, int | None]]:
+        return [_angle(x.force - sums * y / 2, gap, y), _angle(al - both * y / 2, both, y)]
+
+    row = surplus(al, be, g, x)
+    crossings = between(row)
+    leads = _sign(next((c for c in row if not c.is_zero()), arb(0))) > 0
+    angles, turns = (free if leads else moved)(arb(0)), 0
+    begin = sum((angle for angle, _ in angles), arb(0))
+    for y in crossings:
+        ways = free(y), moved(y)
+        _same(angles, ways[not leads])
+        theta = 2 * arb.atan2(y.sqrt(), (4 - y).sqrt())
+        phase = ways[1][0][0] + ways[1][1][0] - ways[0][0][0] - (whole + 2) * theta
+        turns += (1 if leads else -1) * _nearest(phase / (2 * arb.pi()))
+        leads = not leads
+        angles = ways[not leads]
+    last = (free if leads else moved)(arb(4))
+    _same(angles, last)
+    outside = begin / arb.pi()
+    if not leads:
+        outside += whole + 3 - sum((angle for angle, _ in last), arb(0)) / arb.pi()
+    return 2 * turns + _nearest(outside)
+
+
+def surplus(al: Any, be: Any, g: Any, x: Plant) -> list[Any]:
+    """|A|^2 - |M W|^2 by powers of y, the lowest first."""
+    sums, gap = x.m2 + x.m0, x.m2 - x.m0
+    device = arb_poly([0, x.loss**2 - (1 + x.e) * g * x.force, x.e])
+    moved = arb_poly([x.force**2, gap**2 - x.force * sums, x.m2 * x.m0])
+    row = (device - moved * arb_poly([al * al, be * (al + be)])).coeffs()
+    row += [arb(0)] * (4 - len(row))
+    row[0] = x.force**2 * (g - al) * (g + al)
+    return row
+
+
+def between(row: list[Any]) -> list[Any]:
+    """The zeros in (0, 4) of a polynomial, the lowest first; Undecided for a double one."""
+    while row and row[0].is_zero():
+        row = row[1:]
+    while row and row[-1].is_zero():
+        row = row[:-1]
+    try:
+        found = acb_poly(row).roots() if len(row) > 1 else []
+    except ValueError:  # the coefficients are too wide for all zeros, but not for these
+        return _divided(arb_poly(row))
+    whole, here = arb_poly(row), []
+    for i, root in enumerate(found):
+        mirror = root.conjugate()
+        if not root.overlaps(mirror) or root.real < 0 or root.real > 4:
+            continue
+        y = _newton(whole, whole.derivative(), root.real)
+        if not (y > 0 and y < 4) or any(mirror.overlaps(o) for o in found[:i] + found[i + 1 :]):
+            raise Undecided
+        here.append(y)
+    return sorted(here, key=lambda y: float(y.mid()))
+
+
+def _divided(whole: Any) -> list[Any]:
+    """The same by dividing (0, 4) into pieces on which the polynomial has no zero or a slope."""
+    slope, left, found = whole.derivative(), [(arb(0), arb(4))], []
+    for _ in range(_PIECES):
+        if not left:
+            return found
+        low, high = left.pop()
+        piece = low.union(high)
+        if not whole(piece).contains(0):
+            continue
+        rise = slope(piece)
+        if rise.contains(0):
+            middle = arb(((low + high) / 2 if low >= high / 16 else high / 16).mid())
+            left += [(middle, high), (low, middle)]
+        elif _sign(whole(low)) != _sign(whole(high)):
+            found.append(_newton(whole, slope, piece))
+    raise Undecided
+
+
+def _newton(row: Any, slope: Any, y: Any) -> Any:
+    """A ball with one zero made smaller."""
+    while True:
+        middle = arb(y.mid())
+        rise = slope(y)
+        if not (rise > 0 or rise < 0):
+            return y
+        new = middle - row(middle) / rise
+        if not new.overlaps(y):
+            raise Undecided
+        new = new.intersection(y)
+        if not new.rad() * 2 < y.rad():
+            return new
+        y = new
+
+
+def _angle(real: Any, up: Any, y: Any) -> tuple[Any, int | None]:
+    """The argument of real + j up sin(theta), continuous where up keeps its sign.
+
+    Where up is 0 or its sign is not known, the argument near 0 or pi, and the sign of real.
+    """
+    sine = (y * (4 - y)).sqrt() / 2
+    if up > 0:
+        return arb.atan2(up * sine, real), None
+    if up < 0:
+        return -arb.atan2(-up * sine, real), None
+    if real.contains(0):
+        raise Undecided
+    off = abs(up * sine / real).upper()
+    side = 1 if real > 0 else -1
+    return arb(0 if side > 0 else arb.pi()) + arb(0, off), side
+
+
+def _same(begin: list[tuple[Any, int | None]], end: list[tuple[Any, int | None]]) -> None:
+    """Whatever sign an unknown imaginary part has, it has not turned the argument on this arc."""
+    if any(one[1] != other[1] for one, other in zip(begin, end, strict=True)):
+        raise Undecided
+
+
+def _nearest(x: Any) -> int:
+    found = (x + arb(1) / 2).floor().unique_fmpz()
+    if found is None:
+        raise Undecided
+    return int(found)
+
+
+def _sign(x: Any) -> int:
+    if x.contains(0):
+        raise Undecided
+    return 1 if x > 0 else -1
+
+
+_NARROW = 1e-9
+"""Share of the delay margin up to which every smaller delay is shown to be stable."""
+
+_RANGES = 1000
+"""Ranges of delays that are looked at before a margin counts as not decided."""
+
+
+def largest_delay(alpha: float, beta: float, gamma: float, delta: float, most: float) -> Any:
+    """The delay up to which the loop is stable, in a ball; None where none is decided.
+
+    0 for a loop that is not stable without delay, infinite for one that every delay leaves stable.
+    Every delay before the ball is shown to be stable, in ranges that are divided where the balls
+    are too wide; the upper end of the ball is one that is not.
+    """
+    first = stable(alpha, beta, gamma, delta, 0.0)
+    if not first:
+        return arb(0) if first is False else None
+    with flint.ctx.workprec(BITS[0]):
+        if _never_leads(alpha, beta, gamma, delta):
+            return arb("inf")
+        left = [(low, high) for low, high in reversed(_doubling(most))]
+        for _ in range(_RANGES):
+            if not left:
+                return None
+            low, high = left.pop()
+            if _all_stable(alpha, beta, gamma, delta, low, high):
+                continue
+            if high - low > _NARROW * high:
+                left += [(middle := _middle(low, high), high), (low, middle)]
+            else:
+                return _bisected(alpha, beta, gamma, delta, low)
+    return None
+
+
+def _bisected(alpha: float, beta: float, gamma: float, delta: float, low: float) -> Any:
+    """Between a stable delay and one that is not, a few last places apart; None if there is none."""
+    high = low * (1 + 64 * _NARROW)
+    if stable(alpha, beta, gamma, delta, high) is not False:
+        return None
+    while (middle := (low + high) / 2) not in (low, high) and high - low > 4e-16 * high:
+        inside = stable(alpha, beta, gamma, delta, middle)
+        if inside is None:
+            break
+        low, high = (middle, high) if inside else (low, middle)
+    return arb(low).union(arb(high))
+
+
+def _doubling(most: float) -> list[tuple[float, float]]:
+    ends = [0.0, 1.0]
+    while ends[-1] < most:
+        ends.append(min(2 * ends[-1], most))
+    return list(zip(ends[:-1], ends[1:], strict=True))
+
+
+def _middle(low: float, high: float) -> float:
+    """Whole where more than one period lies between."""
+    middle = (low + high) / 2
+    return math.floor(middle) if high - low > 1 else middle
+
+
+def _all_stable(
+    alpha: float, beta: float, gamma: float, delta: float, low: float, high: float
+) -> bool:
+    """Whether the loop is shown to be stable at every delay of a range."""
+    if high - low > 1:
+        whole, part = arb(low).union(arb(high - 1)), arb(0).union(arb(1))
+    else:
+        whole = arb(math.floor(low))
+        part = (arb(low) - whole).union(arb(high) - whole)
+    try:
+        return count(alpha, beta, gamma, plant(gamma, delta, part), whole) == 0
+    except Undecided:
+        return False
+
+
+def _never_leads(alpha: float, beta: float, gamma: float, delta: float, pieces: int = 64) -> bool:
+    """Whether the device is stronger than the wall at every angle, behind every fraction."""
+    for i in range(pieces):
+        part = (arb(i) / pieces).union(arb(i + 1) / pieces)
+        x = plant(gamma, delta, part)
+        try:
+            row = surplus(arb(alpha), arb(beta), arb(gamma), x)
+            if between(row) or _sign(row[0]) < 0:
+                return False
+        except Undecided:
+            return False
+    return True
