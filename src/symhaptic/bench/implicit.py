@@ -24,6 +24,12 @@ _SHORT = 4
 _LEAST = 1e-25
 """Share of the largest value by which the enclosure of a piece may be larger."""
 
+_TERMS = 14
+"""Of a series for |x| < 1/2."""
+
+_PIECES = 2000
+"""Pieces that are looked at before the working precision counts as too low."""
+
 
 def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
     """The first coefficients of the power series of f at a number."""
@@ -71,7 +77,7 @@ def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, 
     whole = math.floor(d)
     part = arb(d) - whole
     turn = arb.pi() / (arb(d) + 1)
-    if alpha == 0 and part == 0:
+    if alpha == 0 and (part == 0 or beta == 0):
         return abs(arb(beta)), arb(0) if beta <= 0 else turn
     wall = arb(alpha), arb(beta), whole, part
     found = _Largest(partial(required_damping_at, *wall), arb(alpha) * (d + 1) + abs(arb(beta)))
@@ -106,7 +112,7 @@ class _Largest:
 
     def __init__(self, f: Callable[[Any], Any], size: Any) -> None:
         self.f, self.least = f, size * _LEAST
-        self.ball, self.angle = arb("-inf"), arb(0)
+        self.ball, self.angle, self.pieces = arb("-inf"), arb(0), 0
 
     def take(self, angle: Any) -> None:
         """The value at an angle, which may be a ball."""
@@ -124,6 +130,9 @@ class _Largest:
         """
         left = [(arb(low.mid()), arb(high.mid()))]
         while left:
+            self.pieces += 1
+            if self.pieces > _PIECES:
+                raise ArithmeticError("the balls are too wide for the largest value")
             low, high = left.pop()
             piece, middle = low.union(high), arb(((low + high) / 2).mid())
             value, rise, *bend = look(piece)
@@ -133,6 +142,9 @@ class _Largest:
                 self.take(high if rise > 0 else low)
             elif bend and bend[0] < 0:
                 self.take(self._top(piece, look))
+            elif bend and bend[0] > 0:
+                self.take(low)
+                self.take(high)
             elif (value := self.f(middle) + rise * (piece - middle)) < self.ball + self.least:
                 self.ball = self.ball.max(value)
             else:
@@ -153,11 +165,18 @@ class _Largest:
 
 
 def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[Any, Any]:
-    """The need and its slope, on a ball of angles below 1/8 of a half turn and around 0."""
+    """The need and its slope, on a ball of angles below 1/8 of a half turn and around 0.
+
+    The slope over t, where its sign is known: that of the slope.
+    """
 
     def sloped(x: Any) -> tuple[Any, Any]:
-        """sin(x)/x, and its slope over x: an alternating series."""
-        return x.sinc(), -arb(1) / 3 + x * x / 30 - arb(0).union(x**4 / 840)
+        """sin(x)/x, and its slope over x by an alternating series, with the first term left out."""
+        square, slope = x * x, arb(0)
+        for k in range(_TERMS, 0, -1):
+            slope = arb((-1) ** k * 2 * k) / math.factorial(2 * k + 1) + square * slope
+        k = _TERMS + 1
+        return x.sinc(), slope + (square**_TERMS * 2 * k / math.factorial(2 * k + 1)) * arb(0, 1)
 
     (near, near_slope), sine = sloped(t / 2), (t / 2).sin()
     needs = []
@@ -170,12 +189,14 @@ def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[An
             alpha * long * slope / near**2 + beta * turn**2 * (turn * t).sinc(),
         ))  # fmt: skip
     if part == 0:
-        return needs[0][0], needs[0][1] * t
+        need, slope = needs[0]
+        return need, slope if slope > 0 or slope < 0 else slope * t
     n, slope = ((1 - part) * one + part * other for one, other in zip(*needs, strict=True))
     share = part * (1 - part)
     root = (n**2 + share * (alpha**2 + 4 * beta * (alpha + beta) * sine**2)).sqrt()
     more = n * slope + share * beta * (alpha + beta) * t.sinc()
-    return (n + root) / 2, (slope + more / root) / 2 * t
+    slope = (slope + more / root) / 2
+    return (n + root) / 2, slope if slope > 0 or slope < 0 else slope * t
 
 
 # -- the passivity boundary at a fraction of a period ------------------------------------------

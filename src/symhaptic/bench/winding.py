@@ -16,6 +16,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import flint
+import numpy as np
 from flint import acb_poly, arb, arb_poly
 
 from symhaptic.bench.exact import device, late
@@ -313,3 +314,69 @@ def _never_leads(alpha: float, beta: float, gamma: float, delta: float, pieces: 
         except Undecided:
             return False
     return True
+
+
+_FINE = 1e-7
+"""Share of the largest stable stiffness up to which it is sought on the whole boundary."""
+
+
+def stiffest(gamma: float, delta: float, delay: float) -> Any:
+    """The largest stable stiffness of any device, in a ball; NaN where no wall is found stable.
+
+    At one stiffness the number of unstable roots changes with the damping only where the explicit
+    boundary or the line of a root at -1 has this stiffness.  So one wall between each two neighbours
+    tells whether a stable one exists; it is counted in balls.  Stiffnesses between the tops of the
+    boundary are tried from above.  That no wall is missed rests on the grid of angles.
+    """
+    whole = math.floor(delay)
+    with flint.ctx.workprec(BITS[2]):
+        x = plant(gamma, delta, arb(delay) - whole)
+        m2, m1, m0, a, e = (float(v) for v in x[:5])
+    turns = math.ceil(delay) + math.sqrt(gamma) / math.pi + 2
+    theta = np.linspace(0, math.pi, int(60 * turns))[1:-1]
+    theta = np.concatenate([theta[0] * 10.0 ** np.arange(-6, 0), theta,
+                            math.pi - theta[0] * 10.0 ** np.arange(-1, -7, -1.0)])  # fmt: skip
+
+    def walls(angle: Any) -> tuple[Any, Any]:
+        z = np.exp(1j * angle)
+        q = -(z ** (whole + 2)) * (z - a + e / z) / (m2 * z + m1 + m0 / z) / z
+        return q.real - q.imag * np.tan(angle / 2), q.imag / np.sin(angle)
+
+    alpha = walls(theta)[0]
+    tops = 1 + np.flatnonzero((alpha[1:-1] >= alpha[:-2]) & (alpha[1:-1] >= alpha[2:]))
+    low, high = theta[tops - 1], theta[tops + 1]
+    for _ in range(60):  # a third of each piece is left out, as far from its top
+        one, two = (2 * low + high) / 3, (low + 2 * high) / 3
+        rises = walls(one)[0] < walls(two)[0]
+        low, high = np.where(rises, one, low), np.where(rises, high, two)
+    theta = np.unique(np.concatenate([theta, (low + high) / 2]))
+    alpha = walls(theta)[0]
+    across = (1 - a + 2 * a + e) / (m2 - m1 + m0) * (-1) ** (whole % 2) if m2 - m1 + m0 else math.nan
+
+    def exists(stiffness: float) -> bool:
+        at = np.flatnonzero((alpha[1:] > stiffness) != (alpha[:-1] > stiffness))
+        low, high = theta[at], theta[at + 1]
+        above = alpha[at + 1] > stiffness
+        for _ in range(45):
+            middle = (low + high) / 2
+            right = (walls(middle)[0] > stiffness) == above
+            low, high = np.where(right, low, middle), np.where(right, middle, high)
+        ends = np.append(walls((low + high) / 2)[1], (across - stiffness) / 2)
+        ends = np.sort(ends[np.isfinite(ends)])
+        tried = [*((ends[1:] + ends[:-1]) / 2), ends[0] - 1 - abs(ends[0]), ends[-1] + 1 + abs(ends[-1])]
+        return any(stable(stiffness, float(b), gamma, delta, delay) for b in tried)
+
+    levels = np.unique(np.append(alpha[1 + np.flatnonzero(
+        (alpha[1:-1] >= alpha[:-2]) & (alpha[1:-1] >= alpha[2:]))], [-gamma, alpha[0], alpha[-1]]))
+    levels = levels[levels >= -gamma][::-1]
+    last = float(levels[0]) * 2 + 1
+    for level, below in zip(levels, [*levels[1:], -gamma], strict=True):
+        for share in (1 - 1e-6, 0.9, 0.5, 0.1, 1e-3):
+            here = float(below + (level - below) * share)
+            if here < last and exists(here):
+                while last - here > _FINE * abs(here + gamma):
+                    middle = (here + last) / 2
+                    here, last = (middle, last) if exists(middle) else (here, middle)
+                return arb(here).union(arb(last))
+            last = here
+    return arb("nan")
