@@ -319,7 +319,7 @@ def test_a_list_that_is_used_again_has_each_of_its_numbers():
         kept[0] /= T
         return kept
 
-    assert compared(CHECKED["eq11"], callers.called(wall, 2), 8, 200).agrees
+    assert compared(CHECKED["eq11"], callers.called(wall), 8, 200).agrees
 
 
 @pytest.mark.parametrize("name", CHECKED)
@@ -350,7 +350,7 @@ def test_delay_margin():
     from symhaptic import delay_margin
 
     one = replace(CHECKED["delay_margin"], balls=4)
-    right = callers.called(delay_margin, 1)
+    right = callers.called(delay_margin)
     assert compared(one, right, 8, 12).agrees
     late = compared(one, lambda some: [(1.0,)] * len(some), 8, 12)
     assert not late.agrees
@@ -403,7 +403,7 @@ def test_a_table_of_errors(mine):
 
 def test_a_python_function_takes_little():
     """Of 100 000 points; the machine may be busy, and half of it is the function's own."""
-    found = compared(CHECKED["eq11"], callers.called(right, 2), 8, 100_000)
+    found = compared(CHECKED["eq11"], callers.called(right), 8, 100_000)
     assert (found.points, found.agrees) == (100_000, True)
 
 
@@ -429,7 +429,7 @@ def test_what_counts_in_coarse_units_is_said():
     checked = CHECKED["max_stable_stiffness"]
 
     def told_of(change):
-        mine = callers.called(lambda *plant: change(*checked.near(*plant)), 3)
+        mine = callers.called(lambda *plant: change(*checked.near(*plant)))
         return told.text(told.Report(compared(checked, mine, 8, 20), "mine", 0.0))
 
     coarse = f"in beta and theta a unit is {math.ulp(1e8):.2g}, half of the digits"
@@ -446,11 +446,11 @@ def test_a_function_may_give_the_first_of_several_results():
     def stiffness(b, T, d):  # (11) of the paper
         return 2 * b / T * math.tan(math.pi / (4 * (d + 1)))
 
-    found = compared(CHECKED["eq11"], callers.called(stiffness, 2), 8, 500)
+    found = compared(CHECKED["eq11"], callers.called(stiffness), 8, 500)
     assert found.worst < 8
     assert found.missing == ()
     with pytest.raises(ValueError, match="3 numbers; K, B are"):
-        compared(CHECKED["eq11"], callers.called(lambda b, T, d: (b, T, d), 2), 8, 50)
+        compared(CHECKED["eq11"], callers.called(lambda b, T, d: (b, T, d)), 8, 50)
 
 
 def test_what_is_not_looked_at_does_not_agree(mine):

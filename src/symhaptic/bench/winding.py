@@ -230,7 +230,7 @@ def _sign(x: Any) -> int:
 _NARROW = 1e-9
 """Share of the delay margin up to which every smaller delay is shown to be stable."""
 
-_RANGES = 1000
+_RANGES = 600
 """Ranges of delays that are looked at before a margin counts as not decided."""
 
 
@@ -317,66 +317,84 @@ def _never_leads(alpha: float, beta: float, gamma: float, delta: float, pieces: 
 
 
 _FINE = 1e-7
-"""Share of the largest stable stiffness up to which it is sought on the whole boundary."""
+"""Share of a stiffness up to which the largest stable one is sought."""
+
+_HEIGHTS = 1 - 1e-6, 0.9, 0.5, 0.1, 1e-3
+"""Where stiffnesses are tried between two tops of the boundary."""
 
 
 def stiffest(gamma: float, delta: float, delay: float) -> Any:
     """The largest stable stiffness of any device, in a ball; NaN where no wall is found stable.
 
-    At one stiffness the number of unstable roots changes with the damping only where the explicit
-    boundary or the line of a root at -1 has this stiffness.  So one wall between each two neighbours
-    tells whether a stable one exists; it is counted in balls.  Stiffnesses between the tops of the
-    boundary are tried from above.  That no wall is missed rests on the grid of angles.
+    At one stiffness the number of unstable roots changes with the damping only on the explicit
+    boundary and on the line of a root at -1, so that one wall between each two of these decides; it
+    is counted in balls.  Stiffnesses between the tops of the boundary are tried from above.  That
+    none is missed rests on the grid of angles, which is fine but proves nothing.
     """
-    whole = math.floor(delay)
-    with flint.ctx.workprec(BITS[2]):
-        x = plant(gamma, delta, arb(delay) - whole)
-        m2, m1, m0, a, e = (float(v) for v in x[:5])
-    turns = math.ceil(delay) + math.sqrt(gamma) / math.pi + 2
-    theta = np.linspace(0, math.pi, int(60 * turns))[1:-1]
-    theta = np.concatenate([theta[0] * 10.0 ** np.arange(-6, 0), theta,
-                            math.pi - theta[0] * 10.0 ** np.arange(-1, -7, -1.0)])  # fmt: skip
+    curve = _Curve(gamma, delta, delay)
+    tops = [*curve.alpha[_tops(curve.alpha)], curve.alpha[0], curve.alpha[-1], -gamma]
+    levels = sorted({float(a) for a in tops if a >= -gamma}, reverse=True)
+    above = 2 * abs(levels[0]) + 1
+    for level, below in zip(levels, [*levels[1:], -gamma], strict=True):
+        for share in _HEIGHTS:
+            here = below + (level - below) * share
+            if here < above and curve.has_stable(here):
+                while above - here > _FINE * abs(here + gamma):
+                    middle = (here + above) / 2
+                    inside = curve.has_stable(middle)
+                    here, above = (middle, above) if inside else (here, middle)
+                return arb(here).union(arb(above))
+            above = here
+    return arb("nan")
 
-    def walls(angle: Any) -> tuple[Any, Any]:
-        z = np.exp(1j * angle)
-        q = -(z ** (whole + 2)) * (z - a + e / z) / (m2 * z + m1 + m0 / z) / z
-        return q.real - q.imag * np.tan(angle / 2), q.imag / np.sin(angle)
 
-    alpha = walls(theta)[0]
-    tops = 1 + np.flatnonzero((alpha[1:-1] >= alpha[:-2]) & (alpha[1:-1] >= alpha[2:]))
-    low, high = theta[tops - 1], theta[tops + 1]
-    for _ in range(60):  # a third of each piece is left out, as far from its top
-        one, two = (2 * low + high) / 3, (low + 2 * high) / 3
-        rises = walls(one)[0] < walls(two)[0]
-        low, high = np.where(rises, one, low), np.where(rises, high, two)
-    theta = np.unique(np.concatenate([theta, (low + high) / 2]))
-    alpha = walls(theta)[0]
-    across = (1 - a + 2 * a + e) / (m2 - m1 + m0) * (-1) ** (whole % 2) if m2 - m1 + m0 else math.nan
+def _tops(values: Any) -> Any:
+    return 1 + np.flatnonzero((values[1:-1] >= values[:-2]) & (values[1:-1] >= values[2:]))
 
-    def exists(stiffness: float) -> bool:
-        at = np.flatnonzero((alpha[1:] > stiffness) != (alpha[:-1] > stiffness))
-        low, high = theta[at], theta[at + 1]
-        above = alpha[at + 1] > stiffness
+
+class _Curve:
+    """The explicit boundary of a device in floats, on a grid of angles with all its tops."""
+
+    def __init__(self, gamma: float, delta: float, delay: float) -> None:
+        self.at, self.whole = (gamma, delta, delay), math.floor(delay)
+        with flint.ctx.workprec(BITS[2]):
+            x = plant(gamma, delta, arb(delay) - self.whole)
+            self.m2, self.m1, self.m0, self.a, self.e = (float(v) for v in x[:5])
+        turns = math.ceil(delay) + math.sqrt(gamma) / math.pi + 2
+        theta = np.linspace(0, math.pi, int(60 * turns))[1:-1]
+        ends = theta[0] * 10.0 ** np.arange(-6, 0)
+        theta = np.concatenate([ends, theta, math.pi - ends[::-1]])
+        alpha = self.wall(theta)[0]
+        low, high = theta[_tops(alpha) - 1], theta[_tops(alpha) + 1]
+        for _ in range(60):  # the third that is farther from the top is left out
+            one, two = (2 * low + high) / 3, (low + 2 * high) / 3
+            rises = self.wall(one)[0] < self.wall(two)[0]
+            low, high = np.where(rises, one, low), np.where(rises, high, two)
+        self.theta = np.unique(np.concatenate([theta, (low + high) / 2]))
+        self.alpha = self.wall(self.theta)[0]
+        line = self.m2 - self.m1 + self.m0
+        self.line = (1 + self.a + self.e) / line * (-1) ** (self.whole % 2) if line else math.nan
+        """alpha + 2 beta of a wall with a root at -1."""
+
+    def wall(self, theta: Any) -> tuple[Any, Any]:
+        z = np.exp(1j * theta)
+        q = -(z ** (self.whole + 1)) * (z - self.a + self.e / z)
+        q = q / (self.m2 * z + self.m1 + self.m0 / z)
+        return q.real - q.imag * np.tan(theta / 2), q.imag / np.sin(theta)
+
+    def has_stable(self, alpha: float) -> bool:
+        """Whether some damping makes a wall of this stiffness stable."""
+        inside = self.alpha > alpha
+        at = np.flatnonzero(inside[1:] != inside[:-1])
+        low, high, rises = self.theta[at], self.theta[at + 1], inside[at + 1]
         for _ in range(45):
             middle = (low + high) / 2
-            right = (walls(middle)[0] > stiffness) == above
-            low, high = np.where(right, low, middle), np.where(right, middle, high)
-        ends = np.append(walls((low + high) / 2)[1], (across - stiffness) / 2)
+            beyond = (self.wall(middle)[0] > alpha) == rises
+            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+        ends = np.append(self.wall((low + high) / 2)[1], (self.line - alpha) / 2)
         ends = np.sort(ends[np.isfinite(ends)])
-        tried = [*((ends[1:] + ends[:-1]) / 2), ends[0] - 1 - abs(ends[0]), ends[-1] + 1 + abs(ends[-1])]
-        return any(stable(stiffness, float(b), gamma, delta, delay) for b in tried)
-
-    levels = np.unique(np.append(alpha[1 + np.flatnonzero(
-        (alpha[1:-1] >= alpha[:-2]) & (alpha[1:-1] >= alpha[2:]))], [-gamma, alpha[0], alpha[-1]]))
-    levels = levels[levels >= -gamma][::-1]
-    last = float(levels[0]) * 2 + 1
-    for level, below in zip(levels, [*levels[1:], -gamma], strict=True):
-        for share in (1 - 1e-6, 0.9, 0.5, 0.1, 1e-3):
-            here = float(below + (level - below) * share)
-            if here < last and exists(here):
-                while last - here > _FINE * abs(here + gamma):
-                    middle = (here + last) / 2
-                    here, last = (middle, last) if exists(middle) else (here, middle)
-                return arb(here).union(arb(last))
-            last = here
-    return arb("nan")
+        if not ends.size:
+            ends = np.zeros(1)
+        ends = np.concatenate([ends[:1] - 2 - 2 * abs(ends[0]), ends, ends[-1:] + 2 + 2 * abs(ends[-1])])
+        middles = ((ends[1:] + ends[:-1]) / 2).tolist()
+        return any(stable(alpha, beta, *self.at) for beta in middles)

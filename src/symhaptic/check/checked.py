@@ -51,6 +51,8 @@ class Checked:
     """The size of the terms that cancel in each result, by which an error is measured."""
     balls: int = 1000
     """Points at which exact values are computed."""
+    precisions: int = 5
+    """Working precisions that are tried for an exact value."""
     printed: str = ""
     """The statement of the paper that prints it."""
     flat: tuple[str, ...] = ()

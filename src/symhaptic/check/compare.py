@@ -27,12 +27,15 @@ POINTS = 10_000
 """Points at which a function is called."""
 
 _SECONDS = 5.0
-"""Time that a function takes before it is called at fewer points than that."""
+"""Time that a function gets before it is called at fewer points."""
+
+_PLAIN = 2.0
+"""Time in which plainer arguments are sought."""
 
 _FIRST = 50
 """Points of the first call, and a third of those of the second, and so on."""
 
-_TRIED = 40
+_TRIED = 10
 """Wrong truth values whose distance from the boundary is computed."""
 
 _BITS = (192, 384, 768, 1536, 3072)
@@ -83,10 +86,10 @@ def compared(
     """
     if not 0 <= ulp < math.inf:
         raise ValueError(f"ulp: {ulp} is not a finite number >= 0; give one")
-    points = drawn(checked, count or POINTS, over)
+    points = drawn(checked, count or (POINTS if checked.near else checked.balls), over)
     got = _called(call, points.all, math.inf if count else _SECONDS)
     given = _given(checked, got)
-    got = [g[:given] for g in got]
+    got = [g[:given] or (math.nan,) * given for g in got]
     places = _looked(checked, points, got)
     looked = [(i, got[i], _error(checked, points.all[i], got[i])[0]) for i in places]
     looked = _forgiven(checked, points, looked, ulp)
@@ -96,7 +99,8 @@ def compared(
     at, wrong = points.all[place], most > ulp
     if wrong:
         at = plainest(checked, call, at, ulp, over or {})
-        last = call([at])[0][:given] if at != points.all[place] else last
+        last = call([at])[0][:given] or (math.nan,) * given
+    missing = [p for p, g in zip(points.all, got, strict=False) if any(map(math.isnan, g))]
     some = [(p, g) for p, g, o in zip(points.all, got, points.ordinary, strict=False) if o]
     return Found(
         checked,
@@ -111,16 +115,18 @@ def compared(
         _error(checked, at, last)[1],
         last,
         tuple(map(shown, exact(checked, at)[0][:given])),
-        tuple(p for p, g in zip(points.all, got, strict=False) if any(map(math.isnan, g))),
-        _named(checked, some) if wrong and named and some else (),
+        tuple(missing),
+        _named(checked, some, missing) if wrong and named and some else (),
     )
 
 
-def _named(checked: Checked, some: list[tuple[Point, Point]]) -> tuple[str, ...]:
+def _named(
+    checked: Checked, some: list[tuple[Point, Point]], missing: list[Point]
+) -> tuple[str, ...]:  # fmt: skip
     """The common error that it may be; the paper is read only where one is sought."""
     from symhaptic.check.mistakes import named
 
-    return named(checked, [p for p, _ in some], [g for _, g in some])
+    return named(checked, [p for p, _ in some], [g for _, g in some], missing)
 
 
 def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
@@ -140,8 +146,9 @@ def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
 
 
 def _given(checked: Checked, got: list[Point]) -> int:
-    """How many results the function gives, everywhere."""
-    given, most = min(map(len, got)), max(map(len, got))
+    """How many results the function gives, everywhere but where it gives none."""
+    counts = [len(g) for g in got if g] or [len(checked.results)]
+    given, most = min(counts), max(counts)
     if given != most:
         raise ValueError(
             f"the function gives {given} numbers at one point and {most} at another; "
@@ -199,7 +206,7 @@ def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float,
         scale = checked.scale(*point) if checked.scale else (0.0,) * len(checked.results)
     sizes = tuple(map(float, scale))
     found: tuple[Any, ...] = ()
-    for bits in _BITS:
+    for bits in _BITS[: checked.precisions]:
         with flint.ctx.workprec(bits):
             try:
                 found = checked.exact(*point)
@@ -254,7 +261,7 @@ def _forgiven(
     found = {one[0]: one[2] for one in looked}
     for n, (i, got, _) in enumerate(wrong):
         found[i] = distance(checked, points.all[i], got[0], ulp if n >= _TRIED else 0.0)
-        if n >= _TRIED and found[i] > ulp:
+        if found[i] > (ulp if n >= _TRIED else 1e300):
             break
     return [(i, got, found[i]) for i, got, _ in looked]
 
@@ -264,7 +271,7 @@ def distance(checked: Checked, point: Point, value: float, least: float = 0.0) -
 
     Distances below ``least`` are told as this; infinite where a change of a tenth does not suffice.
     """
-    units = [u for u in (1.0, 2.0, 4.0, 8.0, *(10.0**k for k in range(1, 16))) if u > least]
+    units = [u for u in (1.0, 8.0, *(100.0**k for k in range(1, 8))) if u > least]
     seen = [exact(checked, point)[0][0]]
     for unit in [least, *units] if least else units:
         for other in _moved(checked, point, unit * 2.0**-52):
@@ -294,7 +301,7 @@ def shown(right: Any) -> str:
 
 
 def plainest(
-    checked: Checked, call: Caller, point: Point, ulp: float, over: Range, seconds: float = _SECONDS
+    checked: Checked, call: Caller, point: Point, ulp: float, over: Range, seconds: float = _PLAIN
 ) -> Point:
     """The plainest arguments that are reached, one after the other, while it stays wrong."""
     before: Point = ()
@@ -314,7 +321,8 @@ def plainest(
             others = [(*point[:i], v, *point[i + 1 :]) for v in values]
             if perf_counter() > end or not others:
                 continue
-            point = next((o for o, g in zip(others, call(others), strict=True) if wrong(o, g)), point)
+            got = (g or (math.nan,) * len(checked.results) for g in call(others))
+            point = next((o for o, g in zip(others, got, strict=True) if wrong(o, g)), point)
     return point
 
 

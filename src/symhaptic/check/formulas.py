@@ -218,17 +218,29 @@ def _in_si(at: dict[str, Any]) -> dict[str, Any]:
     return at
 
 
+def _on_curve(at: dict[str, Any]) -> dict[str, Any]:
+    """Two of three walls on the boundary of a delay of up to 1000 periods."""
+    i = np.arange(at["alpha"].size)
+    turn, size = (i * 0.6180339887498949) % 1, (i * 0.7548776662466927) % 1
+    delay = np.where(i % 2, 8 * size, 10 ** (3 * size))
+    theta = np.pi / (delay + 1) * (0.02 + 0.6 * turn)
+    alpha, beta = stability_boundary(theta, at["gamma"], at["delta"], delay)
+    known = (i % 3 > 0) & np.isfinite(alpha)
+    return at | {"alpha": np.where(known, alpha, at["alpha"]),
+                 "beta": np.where(known, beta, at["beta"])}  # fmt: skip
+
+
 def _below_critical(at: dict[str, Any]) -> dict[str, Any]:
     """Damping ratios turned into dampings of devices that swing."""
     return at | {"b": 2 * at["b"] * np.sqrt(at["k"] * at["m"])}
 
 
 def _softer(at: dict[str, Any]) -> dict[str, Any]:
-    """Springs that the delay leaves soft, but for one in 300."""
+    """Springs that the delay leaves soft, but for one in 100."""
     gamma, turn = at["gamma" if "gamma" in at else "k"], np.pi / (at["d"] + 1)
     most = np.where(at["d"] <= 1, 9.8, turn**2)
     soft = np.where(gamma < most, gamma, most * np.minimum(gamma / 1e3, 0.999))
-    stiff = (np.arange(gamma.size) % 300 == 7) & (at["d"] < 9)
+    stiff = (np.arange(gamma.size) % 100 == 7) & (at["d"] < 9)
     at["gamma" if "gamma" in at else "k"] = np.where(stiff, gamma, soft)
     return at if "gamma" in at else _in_si(at)
 
@@ -316,6 +328,7 @@ FUNCTIONS = (
         balls=300,
         flat=("beta", "theta"),
         derived=_softer,
+        precisions=1,
         refused=lambda *plant: not _is_simple(*plant),
         open=("beta and theta where gamma > 9.8, or sqrt(gamma) (d + 1) > pi and d > 1",),
     ),
@@ -326,7 +339,9 @@ FUNCTIONS = (
             ("d",),
             _largest_delay,
             None,  # of many points it takes longer than most of what is checked
-            balls=80,
+            balls=120,
+            derived=_on_curve,
+            precisions=1,
             open=("delay margins above 1e+06 periods",),
         )
         for name in ("delay_margin", "max_delay")
