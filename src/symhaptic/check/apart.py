@@ -99,16 +99,22 @@ def _python(name: str) -> tuple[Callable[..., Any], dict[str, Any]]:
 
 
 def _library(name: str, arguments: int, results: int) -> tuple[Callable[..., Any], dict[str, Any]]:
-    """``FILE:function`` in C: doubles by value; several results by pointers behind them."""
+    """``FILE:function`` in C: doubles by value; several results by pointers behind them.
+
+    ``FILE:function:bool`` and ``:int`` return that instead of a double.
+    """
+    double, kind = ctypes.c_double, ctypes.c_double
+    for word, other in (("bool", ctypes.c_bool), ("int", ctypes.c_int)):
+        if name.endswith(f":{word}"):
+            name, kind = name.removesuffix(f":{word}"), other
     file, _, symbol = name.rpartition(":")
     try:
         function = getattr(ctypes.CDLL(os.path.abspath(file)), symbol)
     except (OSError, AttributeError) as wrong:
-        raise Failed(f"{wrong} (expected FILE:NAME)") from None
-    double = ctypes.c_double
+        raise Failed(f"{wrong} (expected FILE:NAME, FILE:NAME:bool or FILE:NAME:int)") from None
     found = [double() for _ in range(results)]
     function.argtypes = [double] * arguments
-    function.restype = double if results == 1 else None
+    function.restype = kind if results == 1 else None
     if results == 1:
         return function, {}
     function.argtypes += [ctypes.POINTER(double)] * results

@@ -30,6 +30,9 @@ SECONDS, MEMORY = 60.0, 4.0
 _OUTPUT, _LINE = 1 << 20, 1 << 10
 """Bytes that may be printed, and more of them for each point."""
 
+_GRACE = 2.0
+"""Seconds in which a function without an error has to end."""
+
 Values = list[tuple[float, ...]]
 
 
@@ -56,8 +59,6 @@ class Theirs(ExitStack):
         super().__init__()
         self.kind, self.name, self.seconds, self.left = kind, name, seconds, seconds
         self.words = _words(name) if kind == "command" else [name]
-        folder = Path(self.enter_context(TemporaryDirectory(prefix="symhaptic-check-")))
-        self.points, self.found, self.said = (folder / n for n in ("points", "found", "said"))
         cpu = (int(seconds) + 5) * (os.cpu_count() or 1)
         self.limits = [cpu, int(memory * 2**30), _OUTPUT, _LINE, arguments, results]
         self.process: subprocess.Popen[bytes] | None = None
@@ -65,6 +66,8 @@ class Theirs(ExitStack):
         """File, and place and line of a Python function."""
 
     def __enter__(self) -> Self:
+        folder = Path(self.enter_context(TemporaryDirectory(prefix="symhaptic-check-")))
+        self.points, self.found, self.said = (folder / n for n in ("points", "found", "said"))
         self.callback(self._end)
         if self.kind != "command":
             self.process = self._started(stdin=subprocess.PIPE, stdout=subprocess.PIPE)
@@ -99,9 +102,17 @@ class Theirs(ExitStack):
             return ()
         return tuple(float.fromhex(w) if "x" in w.lower() else float(w) for w in row.split())
 
+    def finish(self) -> None:
+        """See whether it ends without an error when there is nothing left to do."""
+        if self.process is not None and self.process.stdin is not None:
+            self.process.stdin.close()
+            with suppress(subprocess.TimeoutExpired):
+                if status := self.process.wait(_GRACE):
+                    raise self._wrong(f"ends the program ({status}) at last{self._last()}")
+
     def files(self) -> set[Path]:
         """What is read when the function is called, as far as its name tells."""
-        words = [self.name.rpartition(":")[0]] if self.kind == "library" else self.words
+        words = [self.name.partition(":")[0]] if self.kind == "library" else self.words
         return {Path(word).resolve() for word in (*words, self.about.get("file")) if word}
 
     def place(self) -> tuple[str, int] | None:

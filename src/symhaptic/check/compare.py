@@ -261,7 +261,8 @@ def _forgiven(
     found = {one[0]: one[2] for one in looked}
     for n, (i, got, _) in enumerate(wrong):
         found[i] = distance(checked, points.all[i], got[0], ulp if n >= _TRIED else 0.0)
-        if found[i] > (ulp if n >= _TRIED else 1e300):
+        if found[i] > (ulp if n >= _TRIED else 1e300):  # the others change nothing
+            found |= {other: found[i] for other, *_ in wrong[n:]}
             break
     return [(i, got, found[i]) for i, got, _ in looked]
 

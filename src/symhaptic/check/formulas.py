@@ -87,6 +87,16 @@ def _wall_at(theta: Any, alpha: Any, beta: Any, delta: Any, d: Any) -> tuple[Any
     return ((abs(alpha) * most + abs(beta)) * (1 + (d + 1) * theta) + delta,)
 
 
+def _published_at(theta: Any, alpha: Any, beta: Any, d: Any) -> tuple[Any, ...]:
+    """(5) as published divides by 1 - cos(theta)."""
+    return ((abs(alpha) * (d + 1) + abs(beta) * (1 + (d + 1) * theta)) * (1 + 1 / theta**2),)
+
+
+def _published_size(theta: Any, delta: Any, d: Any) -> tuple[Any, ...]:
+    size = delta * (1 + 1 / ((d + 1) * theta) ** 2) * (1 + 1 / theta**2)
+    return 2 * size, 2 * size
+
+
 def _envelope(theta: Any, delta: Any, d: Any) -> tuple[Any, ...]:
     """(27) as published divides what nearly vanishes at small angles."""
     size = delta * (1 + 1 / ((d + 1) * theta) ** 2)
@@ -211,7 +221,7 @@ def _beside_passive(
 def _in_si(at: dict[str, Any]) -> dict[str, Any]:
     """Numbers of a plant turned into stiffness and damping, an angle into a frequency."""
     if "omega" in at:
-        at["omega"] = np.minimum(at["omega"], 3.14) / at["T"]
+        at["omega"] = np.clip(at["omega"], _LEAST, 3.14) / at["T"]
     if "k" in at:
         at["k"] = at["k"] * at["m"] / at["T"] ** 2
         at["b"] = at["b"] * at["m"] / at["T"]
@@ -243,6 +253,11 @@ def _softer(at: dict[str, Any]) -> dict[str, Any]:
     stiff = (np.arange(gamma.size) % 100 == 7) & (at["d"] < 9)
     at["gamma" if "gamma" in at else "k"] = np.where(stiff, gamma, soft)
     return at if "gamma" in at else _in_si(at)
+
+
+def _published(at: dict[str, Any]) -> dict[str, Any]:
+    """The same without angles at which what is published divides 0 by 0."""
+    return at | {"theta": np.maximum(_just_passive(at)["theta"], _LEAST)}
 
 
 def _just_passive(at: dict[str, Any]) -> dict[str, Any]:
@@ -410,6 +425,8 @@ _B = Argument(0.0, 50.0, 1e-9, 1e6, (0.0, 1.0))
 _FORCE = Argument(0.0, 50.0, 1e-9, 1e6, (0.0, 1.0), signed=True)
 _K = Argument(0.0, 1e4, 1e-6, 1e9, (0.0, 1.0))
 _LATE = Argument(0.0, 0.05, 1e-9, 10.0, (0.0, 1e-3))
+_LEAST = 1e-6
+"""Angles at which 1 - cos(theta), as published, has four digits."""
 _FREQUENCY = replace(ANGLE, top=math.inf)
 """An angle, of which the period makes a frequency."""
 
@@ -431,7 +448,7 @@ def _eq7_near(b: Any, T: Any, omega: Any, d: Any) -> tuple[Any, ...]:
 
 
 def _eq7_size(b: Any, T: Any, omega: Any, d: Any) -> tuple[Any, ...]:
-    alpha, beta = _envelope(omega * T, b, d)
+    alpha, beta = _published_size(omega * T, b, d)
     return alpha / T, beta
 
 
@@ -477,7 +494,7 @@ EQUATIONS = (
         ("b",),
         lambda K, B, T, omega, d: (-_margin_at(arb(omega) * T, arb(K) * T, B, 0.0, d)[0],),
         _eq5_near,
-        lambda K, B, T, omega, d: _wall_at(np.minimum(omega * T, 3.14), K * T, B, 0.0, d),
+        lambda K, B, T, omega, d: _published_at(np.minimum(omega * T, 3.14), K * T, B, d),
         printed="eq5",
         derived=_in_si,
         open=(_FRACTIONS,),
@@ -517,7 +534,7 @@ EQUATIONS = (
         ("K", "B"),
         lambda b, T, d: _per_period(EXACT["max_passive_stiffness"](b, d)[:2], T),
         _eq11_near,
-        lambda b, T, d: (0.0, b * (d + 1)),
+        lambda b, T, d: (b * (d + 1) / T, b * (d + 1)),
         printed="eq11",
         open=(_FRACTIONS,),
     ),
@@ -595,6 +612,8 @@ CHECKED |= {id: replace(CHECKED[name], id=id) for id, name in _ALSO.items()}
 for _id in ("eq25", "eq27"):
     CHECKED[_id] = replace(
         CHECKED[_id],
+        derived=_published if _id == "eq27" else dict,
+        scale=_published_size if _id == "eq27" else CHECKED[_id].scale,
         arguments=CHECKED[_id].arguments | {"d": WHOLE},
         open=(*CHECKED[_id].open, _FRACTIONS),
     )

@@ -68,6 +68,9 @@ def _columns(checked: Checked, rng: Any, kinds: Any, over: Range) -> Array:
         if name in over:
             low, high = over[name]
             inside = rng.uniform(low, high, kinds.size)
+            if name == "d":
+                inside = np.where(rng.random(kinds.size) < 0.5, np.floor(inside), inside)
+            inside = np.clip(inside, low, high)
             ends = np.where(rng.random(kinds.size) < 0.5, low, high)
             inside = np.where(rng.random(kinds.size) < 0.1, ends, inside)
             at[name] = np.where((at[name] >= low) & (at[name] <= high), at[name], inside)

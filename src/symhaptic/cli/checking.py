@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -65,6 +66,10 @@ def check(
             help="How many; 10000, or as many as the function computes in 5 s, if not given.",
         ),
     ] = None,
+    over: Annotated[
+        list[str] | None,
+        typer.Option("--over", metavar="X=LOW:HIGH", help="A narrower range; again for others."),
+    ] = None,
     timeout: Annotated[
         float, typer.Option("--timeout", metavar="S", help="Seconds that your function may take.")
     ] = 60,
@@ -119,23 +124,35 @@ def check(
             refuse(f"{option}: {value} is not a finite number > 0; give one")
     ((kind, name),) = given.items()
     order = _order(checked, arguments)
+    narrower = _narrower(checked, over or [])
     begin = perf_counter()
     try:
         if kind == "python":
             python_name(name)
         numbers = len(order), len(checked.results), timeout, memory
-        with ended(), Theirs(kind, name, *numbers) as theirs:
-            if output is not None and output.resolve() in theirs.files():
-                refuse(f"-o {output}: this file is read here; give another one")
+        theirs = Theirs(kind, name, *numbers)
+        _not_read(output, theirs.files())
+        with ended(), theirs:
+            _not_read(output, theirs.files())
             found = compared(
-                checked, lambda some: theirs([tuple(p[i] for i in order) for p in some]), ulp, points
+                checked,
+                lambda some: theirs([tuple(p[i] for i in order) for p in some]),
+                ulp,
+                points,
+                narrower,
             )
+            theirs.finish()
     except ValueError as wrong:
         refuse(str(wrong))
     report = told.Report(found, name, perf_counter() - begin, theirs.place())
     _tell(told.FORMATS[format](report), output)
     if not found.agrees:
         raise typer.Exit(1)
+
+
+def _not_read(output: Path | None, files: set[Path]) -> None:
+    if output is not None and output.resolve() in files:
+        refuse(f"-o {output}: this file is read here; give another one")
 
 
 @contextmanager
@@ -159,6 +176,22 @@ def _order(checked: Checked, arguments: str | None) -> list[int]:
     if sorted(order) != sorted(names):
         refuse(f"--arguments: {arguments!r} does not name each argument; order {', '.join(names)}")
     return [names.index(name) for name in order]
+
+
+def _narrower(checked: Checked, over: list[str]) -> dict[str, tuple[float, float]]:
+    """Ranges such as ``d=0:12`` by the names of their arguments."""
+    found = {}
+    for word in over:
+        name, _, ends = word.partition("=")
+        try:
+            low, high = map(float, ends.split(":"))
+        except ValueError:
+            low, high = 1.0, 0.0
+        if name not in checked.arguments or not -math.inf < low <= high < math.inf:
+            known = ", ".join(checked.arguments)
+            refuse(f"--over: {word!r} is no range; give NAME=LOW:HIGH with one of {known}")
+        found[name] = low, high
+    return found
 
 
 def _says(checked: Checked) -> str:
