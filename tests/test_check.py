@@ -154,7 +154,11 @@ def test_a_library_that_ends_the_program(tmp_path):
         subprocess.run(build, cwd=tmp_path, check=True)
     way = "check", "--points", 500, "--formula"
     for formula, name, said in (
-        ("linear_limit", "f.so:leaves", r"ends the program \(0\) when called with .*, [1-9][\d.]*\b"),
+        (
+            "linear_limit",
+            "f.so:leaves",
+            r"ends the program \(0\) when called with .*, [1-9][\d.]*\b",
+        ),
         ("linear_limit", "f.so:fails", r"ends the program \(-6\) when called with .*"),
         ("linear_limit", "f.so:last", r"ends the program \(3\) at last"),
         ("linear_limit", "g.so:f", r"ends the program \(0\) when it is loaded"),
@@ -220,7 +224,10 @@ def two(b, T):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("mine:none", "--python mine:none: module 'mine' has no attribute 'none' (expected MODULE:NAME)"),
+        (
+            "mine:none",
+            "--python mine:none: module 'mine' has no attribute 'none' (expected MODULE:NAME)",
+        ),
         (
             "./mine.py:right",
             "--python ./mine.py:right: no module and name; give MODULE:NAME, such as mine:right",

@@ -121,7 +121,9 @@ MUTANTS = {
     "is_stable: accepts walls 1e-9 beyond the boundary": (
         "is_stable",
         stable(
-            lambda f, a, b, g, dl, d: f(a, b, g, dl, d) | f(a * (1 - 1e-9), b * (1 - 1e-9), g, dl, d)
+            lambda f, a, b, g, dl, d: (
+                f(a, b, g, dl, d) | f(a * (1 - 1e-9), b * (1 - 1e-9), g, dl, d)
+            )
         ),
     ),
     "is_stable: principal sheet at fractions": (
@@ -259,9 +261,15 @@ MUTANTS = {
         "delay_margin",
         margin(lambda m, *p: 2 * m if m > 20 else m),
     ),
-    "delay_margin: whole periods": ("delay_margin", margin(lambda m, *p: float(np.floor(m)) if m < 1e9 else m)),
+    "delay_margin: whole periods": (
+        "delay_margin",
+        margin(lambda m, *p: float(np.floor(m)) if m < 1e9 else m),
+    ),
     "delay_margin: infinite is 1000": ("delay_margin", margin(lambda m, *p: min(m, 1000.0))),
-    "delay_margin: half a period too long": ("delay_margin", margin(lambda m, *p: m + 0.5 * (m > 0))),
+    "delay_margin: half a period too long": (
+        "delay_margin",
+        margin(lambda m, *p: m + 0.5 * (m > 0)),
+    ),
     "max_delay: 0.1 % too long": ("max_delay", margin(lambda m, *p: 1.001 * m)),
     "max_delay: unstable walls get 1": ("max_delay", margin(lambda m, *p: m or 1.0)),
     # -- passivity
@@ -341,7 +349,8 @@ MUTANTS = {
     "discretize: no series next to critical damping": (
         "discretize",
         lambda g, dl: tuple(
-            np.where((g > 0) & (abs(dl**2 - 4 * g) < 1e-6 * g), np.nan, v) for v in sh.discretize(g, dl)
+            np.where((g > 0) & (abs(dl**2 - 4 * g) < 1e-6 * g), np.nan, v)
+            for v in sh.discretize(g, dl)
         ),
     ),
     "discretize: small gamma is 0": (
@@ -354,9 +363,14 @@ MUTANTS = {
     ),
     "discretize: n0 as n1 for small damping": (
         "discretize",
-        lambda g, dl: (lambda n1, n0, a, e: (n1, np.where(dl < 1e-3, n1, n0), a, e))(*sh.discretize(g, dl)),
+        lambda g, dl: (lambda n1, n0, a, e: (n1, np.where(dl < 1e-3, n1, n0), a, e))(
+            *sh.discretize(g, dl)
+        ),
     ),
-    "discretize: single precision inside": ("discretize", single(lambda g, dl: tuple(sh.discretize(g, dl)))),
+    "discretize: single precision inside": (
+        "discretize",
+        single(lambda g, dl: tuple(sh.discretize(g, dl))),
+    ),
     "discretize_fractional: the rest for the part": (
         "discretize_fractional",
         lambda g, dl, e: sh.discretize_fractional(g, dl, np.where(e > 0, 1 - e, 0) % 1),
@@ -381,12 +395,17 @@ MUTANTS = {
         lambda b, T, o, d: tuple(
             v * s
             for v, s in zip(
-                sh.passivity_boundary(np.clip(o * T, 0, 3.14), b, np.maximum(d - 1, 0)), (1 / T, 1), strict=True
+                sh.passivity_boundary(np.clip(o * T, 0, 3.14), b, np.maximum(d - 1, 0)),
+                (1 / T, 1),
+                strict=True,
             )
         ),
     ),
     "eq9: the half left out": ("eq9", lambda b, B, T, d: (b + B) / (np.maximum(d, 0.5) * T)),
-    "eq11: pi as 3.14159": ("eq11", lambda b, T, d: (2 * b / T * np.tan(3.14159 / (4 * (d + 1))), eq11(b, T, d)[1])),
+    "eq11: pi as 3.14159": (
+        "eq11",
+        lambda b, T, d: (2 * b / T * np.tan(3.14159 / (4 * (d + 1))), eq11(b, T, d)[1]),
+    ),
     "eq11: a table up to d = 8": ("eq11", lambda b, T, d: truncated(eq11(b, T, d), d, 8)),
     "eq11: NaN once": ("eq11", lambda b, T, d: seldom(eq11(b, T, d), b, T, d)),
     "eq12: arguments m and T exchanged in n1": (

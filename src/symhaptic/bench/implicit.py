@@ -256,9 +256,7 @@ def _stiffest(d: float) -> tuple[Any, Any, Any]:
 
     def hinders(theta: Any) -> Any:
         alpha, beta = touching(theta, whole, part, 22)
-        changed = [
-            required_damping(alpha, beta + x, whole, part)(theta) for x in (_STEP, -_STEP)
-        ]
+        changed = [required_damping(alpha, beta + x, whole, part)(theta) for x in (_STEP, -_STEP)]
         return arb((changed[0] - changed[1]).mid())
 
     turn = arb.pi() / (whole + part + 1)

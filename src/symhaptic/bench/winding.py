@@ -395,6 +395,8 @@ class _Curve:
         ends = np.sort(ends[np.isfinite(ends)])
         if not ends.size:
             ends = np.zeros(1)
-        ends = np.concatenate([ends[:1] - 2 - 2 * abs(ends[0]), ends, ends[-1:] + 2 + 2 * abs(ends[-1])])
+        ends = np.concatenate(
+            [ends[:1] - 2 - 2 * abs(ends[0]), ends, ends[-1:] + 2 + 2 * abs(ends[-1])]
+        )
         middles = ((ends[1:] + ends[:-1]) / 2).tolist()
         return any(stable(alpha, beta, *self.at) for beta in middles)

@@ -93,7 +93,9 @@ class Theirs(ExitStack):
         except ValueError as wrong:
             raise self._wrong(f"{wrong}; print numbers, a line for each point") from None
         if len(found) != len(points):
-            raise self._wrong(f"prints {len(found)} lines; print one for each of {len(points)} points")
+            raise self._wrong(
+                f"prints {len(found)} lines; print one for each of {len(points)} points"
+            )
         return found
 
     def _numbers(self, row: str) -> tuple[float, ...]:
@@ -157,7 +159,11 @@ class Theirs(ExitStack):
         when = points if isinstance(points, str) else ""
         if not when:
             row = self.found.read_bytes().count(b"\n")
-            when = f"when called with {', '.join(map(str, points[row]))}" if row < len(points) else "at last"
+            when = (
+                f"when called with {', '.join(map(str, points[row]))}"
+                if row < len(points)
+                else "at last"
+            )
         if not said:
             self._end()
             raise self._late("no answer", f" {when}")

@@ -69,16 +69,3 @@ class Checked:
 
 FLAT = 1e8
 """A number of this size has a unit in the last place of half of the digits of one of size 1."""
-
-GAMMA = Argument(0.0, 1.0, 1e-20, 1e15, (0.0, 1e-300, 1e-8, 1.0, 2.25))
-DELTA = Argument(0.0, 1.0, 1e-20, 1e4, (0.0, 1e-300, 1e-16, 1e-8, 2.0, 3.0))
-"""Critical damping is at (1, 2) and (2.25, 3)."""
-ALPHA = Argument(0.0, 3.0, 1e-20, 1e8, (0.0, 1e-8, 1.0), signed=True)
-BETA = Argument(0.0, 2.0, 1e-20, 1e8, (0.0, 1e-8, 1.0), signed=True)
-DELAY = Argument(0.0, 8.0, 1e-12, 1e15, (0.0, 0.5, 1.0))
-WHOLE = Argument(0.0, 8.0, 1.0, 1e4, (0.0, 1.0), whole=True)
-"""Of the published formulas, in which (d + 1) periods are rounded."""
-FRACTION = Argument(0.0, 0.99, 1e-16, 1.0 - 2.0**-53, (0.0, 0.5), top=1.0 - 2.0**-53)
-ANGLE = Argument(1e-3, 3.14, 1e-9, math.pi - 1e-9, (math.pi / 2,), top=math.pi)
-PERIOD = Argument(1e-4, 1e-2, 1e-7, 10.0, (1e-3,))
-MASS = Argument(0.05, 5.0, 1e-6, 1e4, (1.0,))

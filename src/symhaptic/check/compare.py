@@ -253,10 +253,14 @@ def _forgiven(
     What rounding the arguments explains is told from what is wrong; those that a boundary is far
     from come first.
     """
-    if checked.scale is not None or not isinstance(exact(checked, points.all[looked[0][0]])[0][0], int | None):
+    if checked.scale is not None or not isinstance(
+        exact(checked, points.all[looked[0][0]])[0][0], int | None
+    ):
         return looked
     far = points.distance
-    wrong = [one for one in looked if math.isinf(one[2]) and one[2] > 0 and math.isfinite(one[1][0])]
+    wrong = [
+        one for one in looked if math.isinf(one[2]) and one[2] > 0 and math.isfinite(one[1][0])
+    ]
     wrong.sort(key=lambda one: -far[one[0]] if far[one[0]] == far[one[0]] else -math.inf)
     found = {one[0]: one[2] for one in looked}
     for n, (i, got, _) in enumerate(wrong):
@@ -287,7 +291,9 @@ def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
     at = dict(zip(checked.arguments, point, strict=True))
     wall = max(abs(at.get("alpha", 0.0)), abs(at.get("beta", 0.0)))
     for sign in (1, -1):
-        scaled = {name: v * (1 + sign * share) for name, v in at.items() if name in ("alpha", "beta")}
+        scaled = {
+            name: v * (1 + sign * share) for name, v in at.items() if name in ("alpha", "beta")
+        }
         yield tuple((at | scaled).values())
         for name, value in at.items():
             size = wall if name in ("alpha", "beta") else abs(value)

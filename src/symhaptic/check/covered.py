@@ -72,7 +72,9 @@ def covered(found: Found) -> Covered:
     if unknown := sum(error == -math.inf for *_, error in found.looked):
         missing.append(f"{unknown} points of which no exact value is known")
     if found.called < found.asked:
-        missing.append(f"{found.asked - found.called} of {found.asked} points: the function is slow")
+        missing.append(
+            f"{found.asked - found.called} of {found.asked} points: the function is slow"
+        )
     return Covered(ranges, {k: v for k, v in kinds.items() if v}, beside, tuple(missing))
 
 
@@ -88,7 +90,10 @@ def _sizes(at: dict[str, Any]) -> dict[str, Any]:
     """The arguments, and those in SI units as numbers without unit."""
     found = dict(at)
     if {"m", "T"} <= at.keys():
-        found["gamma"], found["delta"] = at["k"] * at["T"] ** 2 / at["m"], at["b"] * at["T"] / at["m"]
+        found["gamma"], found["delta"] = (
+            at["k"] * at["T"] ** 2 / at["m"],
+            at["b"] * at["T"] / at["m"],
+        )
     if "omega" in at:
         found["theta"] = at["omega"] * at["T"]
     return found

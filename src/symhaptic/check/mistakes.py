@@ -204,8 +204,9 @@ def changes(whole: Sequence[str]) -> Iterator[tuple[str, Callable[[Expr], Expr]]
     yield "a division of whole numbers, rounded down", lambda e: e.replace(is_quotient, down)
     yield "the absolute value left out", lambda e: e.replace(sp.Abs, lambda x: x)
     for said, power in (("the square root", sp.Rational(1, 2)), ("a square", sp.Integer(2))):
-        yield f"{said} left out", lambda e, p=power: e.replace(
-            lambda x: x.is_Pow and x.exp == p, lambda x: x.base
+        yield (
+            f"{said} left out",
+            lambda e, p=power: e.replace(lambda x: x.is_Pow and x.exp == p, lambda x: x.base),
         )
     for value in _PI:
         yield f"{value} for pi", lambda e, v=value: e.xreplace({sp.pi: sp.Rational(v)})

@@ -104,7 +104,9 @@ def check(
     if listing:
         only_listed(output=output, formula=formula, python=python, library=library, command=command)
         for name, one in CHECKED.items():
-            typer.echo(f"{name}({', '.join(one.arguments)}) -> {', '.join(one.results)}{_says(one)}")
+            typer.echo(
+                f"{name}({', '.join(one.arguments)}) -> {', '.join(one.results)}{_says(one)}"
+            )
         return
     if formula is None:
         refuse("--formula: is needed; `symhaptic check --list` lists all")
