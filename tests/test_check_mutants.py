@@ -4,16 +4,21 @@ They are the package's functions with one thing changed.  The same comparison ag
 functions themselves, with plain implementations and with exported C.
 """
 
+import json
 import math
-import shutil
 import subprocess
 
 import numpy as np
 import pytest
+from command import symhaptic
 
 import symhaptic as sh
-from symhaptic.check.compare import compared
-from symhaptic.check.formulas import CHECKED
+from symhaptic.check import told
+from symhaptic.check.callers import Theirs, called
+from symhaptic.check.compare import compared, exact
+from symhaptic.check.covered import covered
+from symhaptic.check.formulas import CHECKED, _first_maximum
+from symhaptic.check.points import drawn
 
 PI = math.pi
 
@@ -82,15 +87,8 @@ def margin(change):
     return call
 
 
-def first_maximum(gamma, delta, d):
-    """The largest stable stiffness as if every spring were soft."""
-    return tuple(sh.max_stable_stiffness(np.minimum(gamma, 9.0), delta, d))
-
-
 def stiffest(change):
     def call(gamma, delta, d):
-        from symhaptic.check.formulas import _first_maximum
-
         return change(_first_maximum, gamma, delta, d)
 
     return call
@@ -435,3 +433,122 @@ def test_a_wrong_implementation_is_refused_by_the_default_run(name):
     call = function if id in ("delay_margin", "max_delay") else on_arrays(function)
     found = compared(CHECKED[id], call, named=False)
     assert not found.agrees
+
+
+# -- right implementations: no false alarm -------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("exported")
+    assert symhaptic("export", "--target", "c", "-o", "c", cwd=folder).returncode == 0
+    build = ["gcc", "-O2", "-shared", "-fPIC", "-o", "lib.so", "c/haptic.c", "-lm"]
+    subprocess.run(build, cwd=folder, check=True)
+    return folder / "lib.so"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("discretize", "discretize_fractional", "characteristic_polynomial", "is_stable:bool"),
+        *("unstable_roots", "stability_boundary", "max_stable_stiffness", "passivity_margin"),
+        *("passivity_boundary", "max_passive_stiffness", "linear_limit"),
+    ],
+)
+def test_exported_c_agrees(library, name):
+    checked = CHECKED[name.partition(":")[0]]
+    numbers = len(checked.arguments), len(checked.results)
+    with Theirs("library", f"{library}:haptic_{name}", *numbers) as theirs:
+        found = compared(checked, theirs)
+    assert found.agrees, told.text(told.Report(found, name, 0.0))
+
+
+def by_roots(alpha, beta, gamma, delta, d):
+    """All roots of the polynomial by numpy.roots, as one writes it down."""
+    whole = int(d)
+    m2, m1, m0, a, e = map(float, sh.discretize_fractional(gamma, delta, d - whole))
+    row = np.zeros(whole + 5)
+    row[:3] = 1, -a, e
+    row[-4:] += np.convolve([m2, m1, m0], [alpha + beta, -beta])
+    return bool(np.abs(np.roots(row)).max() < 1)
+
+
+ORDINARY = {
+    "alpha": (-1, 10),
+    "beta": (-5, 10),
+    "gamma": (0.01, 9),
+    "delta": (0.01, 2),
+    "d": (0, 12),
+}
+
+
+def test_numpys_roots_are_off_next_to_the_boundary_by_a_distance_that_is_told():
+    """Of ordinary devices they are right to 1000 roundings of the wall."""
+    found = compared(CHECKED["is_stable"], called(by_roots), 1000, over=ORDINARY)
+    assert found.agrees
+    assert found.worst > 0
+    said = told.text(told.Report(found, "numpy.roots", 0.0))
+    assert f"stable is wrong up to {found.worst:.3g} ulp (" in said
+    assert " of the arguments) from the boundary; agrees" in said
+    wrong = [i for i, got, error in found.looked if error > 0]
+    assert all(not found.points.distance[i] > 1e-9 for i in wrong)
+
+
+@pytest.mark.parametrize("id", ["eq5", "eq6", "eq7", "eq9", "eq11", "eq24", "eq25", "eq27", "eq28"])
+def test_an_equation_as_published_agrees(id):
+    """Those that are no misprints, evaluated by NumPy as they stand."""
+    from symhaptic.check.mistakes import _print, _values
+
+    function = _values(CHECKED[id], _print(CHECKED[id]))
+    found = compared(CHECKED[id], on_arrays(lambda *at: tuple(function(list(at)))))
+    assert found.agrees, told.text(told.Report(found, id, 0.0))
+
+
+# -- what is covered -----------------------------------------------------------------------------
+
+
+def test_the_points_are_the_same_every_time():
+    one, other = (drawn(CHECKED["is_passive"], 400) for _ in range(2))
+    assert one.all == other.all
+    assert one.all != drawn(CHECKED["is_passive"], 400, seed=21).all
+
+
+def test_what_is_covered_is_told():
+    found = compared(CHECKED["is_stable"], on_arrays(sh.is_stable))
+    what = covered(found)
+    assert set(what.beside) == {f"{10.0**-k:.0e}" for k in range(3, 13)}
+    assert all(count >= 50 for count in what.beside.values())
+    assert all(what.kinds[kind] >= 50 for kind in (
+        "no delay", "fractional delays", "delays next to a whole number",
+        "delays above 100 periods",
+        "springs with omega T > pi", "dampings below 1e-6", "dampings next to critical",
+        "omega_d T next to a multiple of pi", "no spring", "no damping",
+        "negative stiffnesses of the wall", "negative dampings of the wall",
+    ))  # fmt: skip
+    assert what.ranges["d"][1] > 1e14
+    assert what.ranges["gamma"][1] > 1e14
+    said = told.text(told.Report(found, "mine", 0.0))
+    assert "covered: alpha " in said
+    assert "both sides of the boundary, at relative distances: 100 at 1e-12, " in said
+    data = json.loads(told.json_text(told.Report(found, "mine", 0.0)))["covered"]
+    assert data["beside"]["1e-12"] == 100
+    assert data["kinds"]["no delay"] == what.kinds["no delay"]
+
+
+def test_both_sides_of_every_boundary_are_among_the_points():
+    for id in ("is_stable", "unstable_roots", "is_passive"):
+        points = drawn(CHECKED[id], 2000)
+        beside = [p for p, far in zip(points.all, points.distance, strict=True) if far == far]
+        values = [exact(CHECKED[id], p)[0][0] for p in beside]
+        assert len(beside) >= 200
+        if id != "unstable_roots":
+            assert values.count(True) == values.count(False)
+
+
+def test_what_is_not_covered_is_told():
+    found = compared(CHECKED["eq11"], on_arrays(eq11))
+    assert "not covered: fractional delays: the published equation is for whole ones" in told.text(
+        told.Report(found, "mine", 0.0)
+    )
+    found = compared(CHECKED["is_stable"], on_arrays(sh.is_stable), count=300, over={"d": (0, 0)})
+    assert {"whole delays", "fractional delays"} <= set(covered(found).missing)

@@ -151,8 +151,10 @@ class Theirs(ExitStack):
     def _answer(self, points: Points | str) -> dict[str, Any]:
         """What the process says within the time that is left."""
         begin, said = monotonic(), list[bytes]()
-        assert self.process is not None and self.process.stdout is not None
-        reading = Thread(target=lambda: said.append(self.process.stdout.readline()), daemon=True)
+        assert self.process is not None
+        answers = self.process.stdout
+        assert answers is not None
+        reading = Thread(target=lambda: said.append(answers.readline()), daemon=True)
         reading.start()
         reading.join(max(self.left, 0.001))
         self.left -= monotonic() - begin

@@ -35,12 +35,15 @@ _PLAIN = 2.0
 _FIRST = 50
 """Points of the first call, and a third of those of the second, and so on."""
 
+_UNKNOWN = -1
+"""A count of roots that is not told, as where rounding decides."""
+
 _TRIED = 10
 """Wrong truth values whose distance from the boundary is computed."""
 
 _BITS = (192, 384, 768, 1536, 3072)
-_KNOWN = 2.0**-80
-"""The largest radius of an exact value, as a share of its size."""
+_KNOWN, _ROUGH = 2.0**-80, 1e-5
+"""Radius of an exact value as a share of its size: that is sought, and that is used at all."""
 
 
 @dataclass(frozen=True)
@@ -163,6 +166,8 @@ def _given(checked: Checked, got: list[Point]) -> int:
 def _looked(checked: Checked, points: Points, got: list[Point]) -> list[int]:
     """Which points get exact values: beside boundaries, where it is farthest off, and others."""
     count = len(got)
+    if count <= checked.balls:
+        return list(range(count))
     mine = np.array(got, dtype=float)
     away = np.where(np.isnan(mine), np.inf, 0.0)
     if checked.near is not None:
@@ -213,15 +218,17 @@ def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float,
             except ArithmeticError:
                 found = (None,) * len(checked.results)
                 continue
-            if all(map(_is_known, found, sizes)):
+            if all(_is_known(v, size, _KNOWN) for v, size in zip(found, sizes, strict=True)):
                 break
-    return found, sizes
+    pairs = zip(found, sizes, strict=True)
+    return tuple(v if _is_known(v, size, _ROUGH) else None for v, size in pairs), sizes
 
 
-def _is_known(value: Any, size: float) -> bool:
+def _is_known(value: Any, size: float, share: float) -> bool:
+    """Whether the radius of a ball is at most a share of its size."""
     if not isinstance(value, arb) or not value.is_finite():
         return True
-    return bool(value.rad() <= _KNOWN * max(abs(float(value.mid())), size, 1e-300))
+    return bool(value.rad() <= share * max(abs(float(value.mid())), size, 1e-300))
 
 
 def _off(value: float, right: Any, size: float) -> float:
@@ -253,14 +260,10 @@ def _forgiven(
     What rounding the arguments explains is told from what is wrong; those that a boundary is far
     from come first.
     """
-    if checked.scale is not None or not isinstance(
-        exact(checked, points.all[looked[0][0]])[0][0], int | None
-    ):
+    if checked.border is None:
         return looked
     far = points.distance
-    wrong = [
-        one for one in looked if math.isinf(one[2]) and one[2] > 0 and math.isfinite(one[1][0])
-    ]
+    wrong = [one for one in looked if one[2] == math.inf and math.isfinite(one[1][0])]
     wrong.sort(key=lambda one: -far[one[0]] if far[one[0]] == far[one[0]] else -math.inf)
     found = {one[0]: one[2] for one in looked}
     for n, (i, got, _) in enumerate(wrong):
@@ -281,7 +284,7 @@ def distance(checked: Checked, point: Point, value: float, least: float = 0.0) -
     for unit in [least, *units] if least else units:
         for other in _moved(checked, point, unit * 2.0**-52):
             seen += [v for v in exact(checked, other)[0] if v is not None]
-            if min(seen) <= value <= max(seen):
+            if min(seen) <= value <= max(seen) or (value == _UNKNOWN and len(set(seen)) > 1):
                 return unit
     return math.inf
 
@@ -316,7 +319,7 @@ def plainest(
 
     def wrong(at: Point, got: Point) -> bool:
         off, _ = _error(checked, at, got)
-        if math.isinf(off) and isinstance(exact(checked, at)[0][0], int) and math.isfinite(got[0]):
+        if off == math.inf and checked.border is not None and math.isfinite(got[0]):
             return distance(checked, at, got[0], ulp) > ulp
         return off > ulp
 

@@ -48,7 +48,7 @@ ARGUMENTS = {
     "k": Argument(0.0, 1e4, 1e-6, 1e9, (1.0,)),
     "t_d": Argument(0.0, 0.05, 1e-9, 10.0, (0.0, 1e-3)),
 }
-"""Where each argument lies; an angle is drawn for a frequency omega, and the period makes it one."""
+"""Where each argument lies; for a frequency omega an angle is drawn, which is divided by T."""
 WHOLE = Argument(0.0, 8.0, 1.0, 1e4, (0.0, 1.0), whole=True)
 """Delays of the published formulas, which lose digits with (d + 1)^2."""
 
@@ -361,7 +361,12 @@ def _unit(
 
 
 def _closed(
-    id: str, names: str, result: str, value: Callable[..., Any], size: Callable[..., Any], **given: Any
+    id: str,
+    names: str,
+    result: str,
+    value: Callable[..., Any],
+    size: Callable[..., Any],
+    **given: Any,
 ) -> Checked:
     """An equation in closed form, of balls and of arrays alike."""
     given = {"printed": id, "arguments": _args(names, d=WHOLE), "results": (result,)} | given

@@ -279,8 +279,9 @@ def factor(names: Any, columns: Columns, right: Any, mine: Any) -> str | None:
     near = sp.Rational(constant).limit_denominator(1000)
     plain = near.p <= 1000 and abs(near - constant) <= 1e-7 * constant
     number = sign * (near if plain else sp.Float(constant, 6))
-    shares = (sp.Rational(p).limit_denominator(2) for p in powers)
-    return str(sp.Mul(number, *(Symbol(n, positive=True) ** p for n, p in zip(names, shares))))
+    found = zip(names, powers, strict=True)
+    shares = (Symbol(n, positive=True) ** sp.Rational(p).limit_denominator(2) for n, p in found)
+    return str(sp.Mul(number, *shares))
 
 
 def _values(checked: Checked, exprs: Sequence[Expr]) -> Callable[[Columns], Columns]:

@@ -6,7 +6,7 @@ All are drawn with one seed, in an order that makes the first of them a sample o
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -147,7 +147,9 @@ def _beside(
     """Pairs of points on both sides of a boundary, whose exact values differ."""
     from symhaptic.check.compare import exact
 
-    names, rows, far = list(checked.arguments), [], []
+    names = list(checked.arguments)
+    rows: list[Point] = []
+    far: list[float] = []
     for i, row in enumerate(columns.tolist()):
         if len(rows) + 1 >= count:
             break

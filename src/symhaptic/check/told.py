@@ -143,7 +143,7 @@ def json_text(report: Report) -> str:
 
 
 def table(report: Report) -> str:
-    """Points with exact values: arguments and results as hexadecimal floats, exact values, error."""
+    """Points with exact values: arguments, exact values, results and the error."""
     found = report.found
     mine = [f"{name}_got" for name in found.results]
     out = [",".join((*found.checked.arguments, *found.results, *mine, "ulp"))]
