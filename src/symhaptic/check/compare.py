@@ -56,14 +56,12 @@ class Found:
     ulp: float
     points: Points
     called: int
-    asked: int
+    """So many of the points the function was called at."""
     looked: tuple[tuple[int, Point, float], ...]
     """Numbers of the points that have exact values, with results and errors."""
     worst: float
     at: Point
-    result: str
     got: Point
-    right: tuple[str, ...]
     missing: tuple[Point, ...]
     """Where it gives NaN."""
     names: tuple[str, ...]
@@ -80,9 +78,9 @@ def compared(
     ulp: float = 8,
     count: int | None = None,
     over: Range | None = None,
-    named: bool = True,
+    explained: bool = True,
 ) -> Found:
-    """Compare at ``count`` points, and make the worst of them plainer where it stays wrong.
+    """Compare at ``count`` points; what is wrong is explained by a plainer point and a cause.
 
     Without a count there are ``POINTS``, or as many as the function computes in a few seconds.
     A function that gives the first of several results is held against these.
@@ -92,44 +90,29 @@ def compared(
     points = drawn(checked, count or (POINTS if checked.near else checked.balls), over)
     got = _called(call, points.all, math.inf if count else _SECONDS)
     given = _given(checked, got)
-    got = [g[:given] or (math.nan,) * given for g in got]
+    nothing = (math.nan,) * given
+    got = [g[:given] or nothing for g in got]
     places = _looked(checked, points, got)
-    looked = [(i, got[i], _error(checked, points.all[i], got[i])[0]) for i in places]
+    looked = [(i, got[i], error(checked, points.all[i], got[i])[0]) for i in places]
     looked = _forgiven(checked, points, looked, ulp)
     place, last, most = max(looked, key=lambda one: one[2])
     if most < 0:
         raise ValueError(f"{checked.id} has no exact value at any of {len(got)} points")
-    at, wrong = points.all[place], most > ulp
-    if wrong:
+    at = points.all[place]
+    names: tuple[str, ...] = ()
+    missing = tuple(p for p, g in zip(points.all, got, strict=False) if any(map(math.isnan, g)))
+    if most > ulp and explained:
+        from symhaptic.check.mistakes import named
+
         at = plainest(checked, call, at, ulp, over or {})
-        last = call([at])[0][:given] or (math.nan,) * given
-    missing = [p for p, g in zip(points.all, got, strict=False) if any(map(math.isnan, g))]
-    some = [(p, g) for p, g, o in zip(points.all, got, points.ordinary, strict=False) if o]
+        last = call([at])[0][:given] or nothing
+        some = [i for i in range(len(got)) if points.ordinary[i]]
+        names = named(checked, [points.all[i] for i in some], [got[i] for i in some], missing)
+    results = checked.results[:given]
+    count = len(got)
     return Found(
-        checked,
-        checked.results[:given],
-        ulp,
-        points,
-        len(got),
-        len(points.all),
-        tuple(looked),
-        most,
-        at,
-        _error(checked, at, last)[1],
-        last,
-        tuple(map(shown, exact(checked, at)[0][:given])),
-        tuple(missing),
-        _named(checked, some, missing) if wrong and named and some else (),
+        checked, results, ulp, points, count, tuple(looked), most, at, last, missing, names
     )
-
-
-def _named(
-    checked: Checked, some: list[tuple[Point, Point]], missing: list[Point]
-) -> tuple[str, ...]:  # fmt: skip
-    """The common error that it may be; the paper is read only where one is sought."""
-    from symhaptic.check.mistakes import named
-
-    return named(checked, [p for p, _ in some], [g for _, g in some], missing)
 
 
 def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
@@ -173,9 +156,11 @@ def _looked(checked: Checked, points: Points, got: list[Point]) -> list[int]:
     if checked.near is not None:
         columns = [np.array(column) for column in zip(*points.all[:count], strict=True)]
         with np.errstate(all="ignore"):
-            near = np.stack(np.broadcast_arrays(*checked.near(*columns)), axis=1).astype(float)
-            near = near[:, : mine.shape[1]]
-            size = np.maximum(np.abs(near), _sizes(checked, columns)[:, : mine.shape[1]])
+            near = _stacked(columns, checked.near(*columns))[:, : mine.shape[1]]
+            size = np.abs(near)
+            if checked.scale is not None:
+                scale = _stacked(columns, checked.scale(*columns))
+                size = np.maximum(size, scale[:, : mine.shape[1]])
             away = np.abs(mine - near) / np.spacing(size)
             away[np.isnan(mine) ^ np.isnan(near) | np.isinf(mine) ^ np.isinf(near)] = np.inf
             away[np.isnan(mine) & np.isnan(near)] = 0.0
@@ -186,13 +171,11 @@ def _looked(checked: Checked, points: Points, got: list[Point]) -> list[int]:
     return list(chosen)
 
 
-def _sizes(checked: Checked, columns: list[Any]) -> Any:
-    if checked.scale is None:
-        return np.zeros((len(columns[0]), len(checked.results)))
-    return np.stack(np.broadcast_arrays(columns[0], *checked.scale(*columns))[1:], axis=1)
+def _stacked(columns: list[Any], values: Sequence[Any]) -> Any:
+    return np.stack(np.broadcast_arrays(columns[0], *values)[1:], axis=1).astype(float)
 
 
-def _error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
+def error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
     """The error of the worst result, and its name; -inf where none has an exact value."""
     worst = -math.inf, checked.results[0]
     rights, sizes = exact(checked, point)
@@ -318,7 +301,7 @@ def plainest(
     end = perf_counter() + seconds
 
     def wrong(at: Point, got: Point) -> bool:
-        off, _ = _error(checked, at, got)
+        off, _ = error(checked, at, got)
         if off == math.inf and checked.border is not None and math.isfinite(got[0]):
             return distance(checked, at, got[0], ulp) > ulp
         return off > ulp

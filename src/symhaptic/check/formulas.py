@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,7 @@ from symhaptic.numeric.plant import discretize, discretize_fractional
 from symhaptic.numeric.stability import is_stable, unstable_roots
 
 At = dict[str, Any]
-_NO_FRACTION = "fractional delays: the published equation is for whole ones"
+_NO_FRACTION = "fractional delays: the published equation is for integer ones"
 _LEAST = 1e-6
 """Angles at which 1 - cos(theta), as published, has four digits."""
 
@@ -132,6 +133,7 @@ def _if_damped(count: Callable[..., Any]) -> Callable[..., tuple[Any, ...]]:
     return exact
 
 
+@cache
 def _largest_delay(alpha: float, beta: float, gamma: float, delta: float) -> tuple[Any, ...]:
     """To 1e-11 of the delay, or of a period where it is shorter."""
     found = winding.largest_delay(alpha, beta, gamma, delta, most=1e6)

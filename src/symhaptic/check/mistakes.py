@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from functools import cache
+from functools import cache, partial
 from itertools import islice, permutations
 from typing import Any, cast
 
@@ -71,6 +71,8 @@ def named(
 
     ``nothing`` are points at which the function gives NaN.
     """
+    if not some:
+        return ()
     points, mine = some[-_SAMPLE:], np.array(got[-_SAMPLE:], dtype=float)
     columns = [np.array(column) for column in zip(*points, strict=True)]
     right = _exact(checked, points)
@@ -177,11 +179,6 @@ def changes(whole: Sequence[str]) -> Iterator[tuple[str, Callable[[Expr], Expr]]
     tan(x/2)
     """
 
-    def turned(e: Expr, some: Sequence[Any], by: Expr) -> Expr:
-        for one in some:
-            e = e.replace(one, lambda x, f=one: f(by * x))
-        return e
-
     def is_half_sum(x: Expr) -> bool:
         return bool(x.is_Add and any(a.is_Rational and a.q > 1 for a in x.args))
 
@@ -199,17 +196,24 @@ def changes(whole: Sequence[str]) -> Iterator[tuple[str, Callable[[Expr], Expr]]
     for said, by in _ANGLES:
         for some in (*((one,) for one in _TURNING), _TURNING):
             where = some[0].__name__ if len(some) == 1 else "tan, sin and cos"
-            yield f"{said} in {where}", lambda e, s=some, by=by: turned(e, s, by)
+            yield f"{said} in {where}", partial(_turned, some=some, by=by)
     yield "1/2 as a division of whole numbers, 0", lambda e: e.replace(is_half_sum, halves)
     yield "a division of whole numbers, rounded down", lambda e: e.replace(is_quotient, down)
     yield "the absolute value left out", lambda e: e.replace(sp.Abs, lambda x: x)
-    for said, power in (("the square root", sp.Rational(1, 2)), ("a square", sp.Integer(2))):
-        yield (
-            f"{said} left out",
-            lambda e, p=power: e.replace(lambda x: x.is_Pow and x.exp == p, lambda x: x.base),
-        )
+    yield "the square root left out", partial(_without, power=sp.Rational(1, 2))
+    yield "a square left out", partial(_without, power=sp.Integer(2))
     for value in _PI:
-        yield f"{value} for pi", lambda e, v=value: e.xreplace({sp.pi: sp.Rational(v)})
+        yield f"{value} for pi", partial(Expr.xreplace, rule={sp.pi: sp.Rational(value)})
+
+
+def _turned(e: Expr, some: Sequence[Any], by: Expr) -> Expr:
+    for one in some:
+        e = e.replace(one, lambda x, f=one: f(by * x))
+    return e
+
+
+def _without(e: Expr, power: Expr) -> Expr:
+    return e.replace(lambda x: x.is_Pow and x.exp == power, lambda x: x.base)
 
 
 def also(id: str, printed: Sequence[Expr]) -> Iterator[Sequence[Expr]]:

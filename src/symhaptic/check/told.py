@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
 from symhaptic.check.checked import FLAT, Checked, Point
-from symhaptic.check.compare import Found, exact, shown
-from symhaptic.check.covered import Covered, covered
+from symhaptic.check.compare import Found, error, exact, shown
+from symhaptic.check.covered import covered
 from symhaptic.check.points import drawn
 
 
@@ -40,7 +40,7 @@ def lines(report: Report) -> list[str]:
     if found.agrees:
         out[0] += "; agrees"
     else:
-        rows = zip(found.results, found.got, found.right, strict=True)
+        rows = zip(found.results, found.got, _right(found), strict=True)
         out += [f"at {named(found, found.at)}"]
         out += ["; ".join(f"{name} is {mine!r}, exact {right}" for name, mine, right in rows)]
     if found.missing and not found.agrees:
@@ -48,31 +48,38 @@ def lines(report: Report) -> list[str]:
     if flat := " and ".join(name for name in found.checked.flat if name in found.results):
         unit = f"{math.ulp(FLAT):.2g}"
         out += [f"in {flat} a unit is {unit}, half of the digits: a maximum is flat"]
-    out += _covered(covered(found))
+    out += _covered(found)
     return out if found.agrees else [*out, *found.names, "differs"]
 
 
+def _right(found: Found) -> list[str]:
+    values, _ = exact(found.checked, found.at)
+    return list(map(shown, values[: len(found.results)]))
+
+
 def _worst(found: Found) -> str:
-    """The worst error; of a truth value or a count how far it is from where it would be right."""
-    if not isinstance(exact(found.checked, found.at)[0][0], int):
-        return f"worst error {found.worst:.3g} ulp of {found.result}"
+    """The worst error; for truth values and counts, their distance from the boundary."""
+    if found.checked.border is None:
+        name = error(found.checked, found.at, found.got)[1]
+        return f"worst error {found.worst:.3g} ulp of {name}"
     if found.worst == 0:
-        return f"{found.result} is right everywhere"
+        return "no wrong answer"
     if math.isinf(found.worst):
-        return f"{found.result} is wrong, and not by a rounding of the arguments"
-    away = f"{found.worst:.3g} ulp ({found.worst * 2.0**-52:.1g} of the arguments)"
-    return f"{found.result} is wrong up to {away} from the boundary"
+        return "wrong answers that no rounding of the arguments explains"
+    away = f"{found.worst:.3g} ulp ({found.worst * 2.0**-52:.1g} relative)"
+    return f"wrong answers within {away} of the boundary"
 
 
-def _covered(what: Covered) -> list[str]:
-    ranges = (f"{name} {low:.3g} to {high:.3g}" for name, (low, high) in what.ranges.items())
+def _covered(found: Found) -> list[str]:
+    what = covered(found)
+    ranges = (f"{name} {low:.3g} to {high:.3g}" for name, (low, high) in what["ranges"].items())
     out = [f"covered: {', '.join(ranges)}"]
-    if what.kinds:
-        out += ["points with " + ", ".join(f"{words}: {n}" for words, n in what.kinds.items())]
-    if what.beside:
-        by = ", ".join(f"{n} at {distance}" for distance, n in what.beside.items())
+    if what["kinds"]:
+        out += ["points with " + ", ".join(f"{words}: {n}" for words, n in what["kinds"].items())]
+    if what["beside"]:
+        by = ", ".join(f"{n} at {distance}" for distance, n in what["beside"].items())
         out += [f"both sides of the boundary, at relative distances: {by}"]
-    return [*out, f"not covered: {'; '.join(what.missing)}"] if what.missing else out
+    return [*out, f"not covered: {'; '.join(what['missing'])}"] if what["missing"] else out
 
 
 def text(report: Report) -> str:
@@ -107,9 +114,8 @@ def junit(report: Report) -> str:
         suite, "testcase", name=found.checked.id, classname=report.of, time=seconds
     )
     properties = ET.SubElement(case, "properties")
-    data = asdict(covered(found))
-    data = {"points": found.called, "exact": len(found.looked)} | data
-    for name, value in data.items():
+    counts = {"points": found.called, "exact_values": len(found.looked)}
+    for name, value in (counts | covered(found)).items():
         ET.SubElement(properties, "property", name=name, value=json.dumps(value))
     if not found.agrees:
         first, *rest = lines(report)
@@ -128,13 +134,12 @@ def json_text(report: Report) -> str:
         "agrees": found.agrees,
         "points": found.called,
         "exact_values": len(found.looked),
-        "covered": asdict(covered(found)),
+        "covered": covered(found),
         "worst_ulp": found.worst if found.worst < math.inf else None,
         "allowed_ulp": found.ulp,
         "at": {name: v.hex() for name, v in zip(found.checked.arguments, found.at, strict=True)},
-        "result": found.result,
         "got": [v.hex() for v in found.got],
-        "exact": list(found.right),
+        "exact": _right(found),
         "nan": len(found.missing),
         "mistakes": list(found.names),
         "seconds": round(report.seconds, 3),

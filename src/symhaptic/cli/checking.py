@@ -114,8 +114,8 @@ def check(
         every = "`symhaptic check --list` lists all"
         refuse(f"--formula: {formula!r} is not known; {suggested(formula, CHECKED, every)}")
     checked = CHECKED[formula]
-    given = {"python": python, "library": library, "command": command}
-    given = {kind: name for kind, name in given.items() if name is not None}
+    ways = {"python": python, "library": library, "command": command}
+    given = {kind: name for kind, name in ways.items() if name is not None}
     if format is CheckFormat.table and not given:
         _tell(told.exact_table(checked, points or POINTS), output)
         return
