@@ -42,6 +42,9 @@ NAMED = {"": "device", "arm": "name"}
 RANGED = "arms"
 """The table whose numbers may be pairs, the lowest and the highest."""
 
+_LARGEST = 2**20
+"""Characters of a device file; ``/dev/full`` and the like have no end."""
+
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 
@@ -67,12 +70,17 @@ def read(path: Path) -> Device:
     numbers with another unit, and for values that a :class:`Scene` refuses.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        with path.open(encoding="utf-8-sig") as file:
+            text = file.read(_LARGEST + 1)
+        if len(text) > _LARGEST:
+            raise BadDevice(f"{path}: has more than {_LARGEST} characters; give a device file")
         data = tomllib.loads(text)
     except (OSError, UnicodeDecodeError) as wrong:
         raise BadDevice(f"{path}: cannot be read ({wrong})") from None
     except RecursionError:
         raise BadDevice(f"{path}: is nested too deeply") from None
+    except BadDevice:
+        raise
     except ValueError as wrong:  # no TOML, or a whole number of more digits than Python reads
         raise BadDevice(f"{path}: {wrong}") from None
     tables = {"": {k: v for k, v in data.items() if not isinstance(v, dict)}}
