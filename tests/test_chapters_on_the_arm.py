@@ -148,7 +148,7 @@ def test_the_ranges_are_thirty_per_cent_rounded_up():
         wider = limit * Decimal("1.3")
         assert wider.quantize(Decimal("0.001"), ROUND_CEILING) == printed
         assert float(printed / limit) == pytest.approx(factor, abs=5e-6)
-    assert verdict("s4c_arm_ranges", "s4c-extension-30").claimed == Kind.REFUTED
+    assert verdict("s4c_arm_ranges", "s4c-extension-30").kind == Kind.REFUTED
     assert math.sqrt(0.001 / 710) * 1000 == pytest.approx(1.1867817, abs=5e-8)
 
 
@@ -167,7 +167,7 @@ DIGITS = [
 @pytest.mark.parametrize(("name", "id", "kind", "old", "new"), DIGITS)
 def test_a_changed_digit_of_the_print_loses_its_verdict(name, id, kind, old, new):
     settled = chapter(name).page.settled[id]
-    assert settled.verdict.claimed == kind
+    assert settled.verdict.kind == kind
     lines = [line.replace(old, new) for line in settled.statement.latex]
     changed = tuple(part for line in lines for part in read(line))
     assert changed != settled.statement.printed
@@ -333,7 +333,7 @@ SLIPS = ["s1-conclusion", "s5b-ratio-panels", "s5b-captions-alike", "s4d-bound-o
 def test_a_slip_says_what_is_meant_and_claims_nothing(id):
     found = verdict("s7a_slips_in_words", id)
     assert found.kind == Kind.SLIP
-    assert found.corrected_latex
+    assert found.corrected
     assert found.shows
     assert found.proposition is None
     assert not found

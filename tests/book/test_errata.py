@@ -30,7 +30,7 @@ def listed(entries, chapters):
 
 
 def test_each_error_is_listed_once(entries, chapters):
-    wrong = [e for e in entries if e.verdict.claimed in WRONG and e.source is PAPER]
+    wrong = [e for e in entries if e.verdict.kind in WRONG and e.source is PAPER]
     assert len(listed(entries, chapters)) == len(wrong)
 
 
@@ -67,18 +67,18 @@ def test_the_gravest_stand_first_and_nothing_is_left_over(entries):
 
 
 def test_an_error_of_which_no_consequence_is_known_is_listed_still(entries):
-    first = next(i for i, e in enumerate(entries) if e.verdict.claimed is Kind.PROVED)
+    first = next(i for i, e in enumerate(entries) if e.verdict.kind is Kind.PROVED)
     more = list(entries)
     more[first] = said(more[first], Kind.REFUTED)
     assert by_importance(more)[-1] == (OTHERS, [more[first]])
 
 
 def said(entry, kind):
-    return replace(entry, verdict=replace(entry.verdict, kind=kind, argued_for=None))
+    return replace(entry, verdict=replace(entry.verdict, kind=kind))
 
 
 def test_what_turns_out_wrong_appears_and_what_is_right_disappears(entries, chapters):
-    first = next(i for i, e in enumerate(entries) if e.verdict.claimed is Kind.PROVED)
+    first = next(i for i, e in enumerate(entries) if e.verdict.kind is Kind.PROVED)
     more = list(entries)
     more[first] = said(more[first], Kind.REFUTED)
     assert len(listed(more, chapters)) == len(listed(entries, chapters)) + 1
@@ -87,5 +87,5 @@ def test_what_turns_out_wrong_appears_and_what_is_right_disappears(entries, chap
 
 
 def test_a_consequence_for_each_error_of_the_paper_and_for_no_other(entries):
-    wrong = {e.statement.id for e in entries if e.verdict.claimed in WRONG and not e.own}
+    wrong = {e.statement.id for e in entries if e.verdict.kind in WRONG and not e.own}
     assert wrong == set(CONSEQUENCES)

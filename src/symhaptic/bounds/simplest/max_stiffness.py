@@ -1,10 +1,10 @@
 """The largest stable stiffness of all plants of a box, for a whole delay, in one ball.
 
-Without delay it is a closed form, a theorem of derivations/s5b_stiffest_undelayed.py.  With a
-delay the largest value of the explicit boundary up to theta = pi/(d + 1/2) is taken: by the theorem
-of s5b_stiffest_wall.py no stable wall is stiffer than a tip of the boundary.  That walls just below the
-tip are stable is not shown in general.  The inequalities between the plant's numbers that keep the
-boundary in shape are checked on the box itself.
+Without delay it is a closed form (derivations/s5b_stiffest_undelayed.py).  With a delay the largest
+value of the explicit boundary up to theta = pi/(d + 1/2) is taken: by the theorem of
+s5b_stiffest_wall.py no stable wall is stiffer than a tip of the boundary.  That walls just below
+the tip are stable is not shown in general.  The inequalities between the plant's numbers that keep
+the boundary in shape are checked on the box itself.
 """
 
 from __future__ import annotations
