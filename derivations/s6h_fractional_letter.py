@@ -1,4 +1,4 @@
-r"""Which polynomial do the paper's curves for $d=\tfrac14$ and $d=\tfrac12$ belong to?
+r"""Which polynomial do the paper's curves for $d=1/4$ and $d=1/2$ belong to?
 
 With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Read to the
 letter, all its roots have to lie inside the unit circle, and that no wall of the figures can do.
