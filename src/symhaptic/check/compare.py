@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from time import perf_counter
 from typing import Any
 
@@ -18,7 +17,7 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.check.checked import Checked, Point
+from symhaptic.check.checked import Checked, Point, exact
 from symhaptic.check.points import Points, Range, drawn
 
 Caller = Callable[[Sequence[Point]], list[Point]]
@@ -40,10 +39,6 @@ _UNKNOWN = -1
 
 _TRIED = 10
 """Wrong truth values whose distance from the boundary is computed."""
-
-_BITS = (192, 384, 768, 1536, 3072)
-_KNOWN, _ROUGH = 2.0**-80, 1e-5
-"""Radius of an exact value as a share of its size: that is sought, and that is used at all."""
 
 
 @dataclass(frozen=True)
@@ -187,33 +182,6 @@ def error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, 
     return worst
 
 
-@lru_cache(maxsize=100_000)
-def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float, ...]]:
-    """Exact results, as precise as it takes, and the sizes that their errors are measured by."""
-    with np.errstate(all="ignore"):
-        scale = checked.scale(*point) if checked.scale else (0.0,) * len(checked.results)
-    sizes = tuple(map(float, scale))
-    found: tuple[Any, ...] = ()
-    for bits in _BITS[: checked.precisions]:
-        with flint.ctx.workprec(bits):
-            try:
-                found = checked.exact(*point)
-            except ArithmeticError:
-                found = (None,) * len(checked.results)
-                continue
-            if all(_is_known(v, size, _KNOWN) for v, size in zip(found, sizes, strict=True)):
-                break
-    pairs = zip(found, sizes, strict=True)
-    return tuple(v if _is_known(v, size, _ROUGH) else None for v, size in pairs), sizes
-
-
-def _is_known(value: Any, size: float, share: float) -> bool:
-    """Whether the radius of a ball is at most a share of its size."""
-    if not isinstance(value, arb) or not value.is_finite():
-        return True
-    return bool(value.rad() <= share * max(abs(float(value.mid())), size, 1e-300))
-
-
 def _off(value: float, right: Any, size: float) -> float:
     """At least so many units; -inf where there is no exact value."""
     if right is None:
@@ -286,11 +254,6 @@ def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
             other = value + sign * share * size
             if other != value:
                 yield tuple((at | {name: other}).values())
-
-
-def shown(right: Any) -> str:
-    """An exact value in 25 digits; ``None`` where there is none."""
-    return str(right) if isinstance(right, int | None) else str(right.str(25, radius=False))
 
 
 def plainest(
