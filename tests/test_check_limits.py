@@ -154,3 +154,23 @@ def test_ranges_may_be_narrower(mine):
         done = symhaptic(*way, "--over", bad, cwd=mine)
         assert done.returncode == 2
         assert done.stderr.startswith(f"symhaptic: error: --over: {bad!r} is no range; give NAME=")
+
+
+def test_what_is_wrong_is_told_though_the_function_ends_at_plainer_arguments(mine):
+    """2 is no point that is drawn, and one of the plainer arguments that are tried."""
+    (mine / "f.c").write_text(
+        "#include <stdlib.h>\n"
+        "double f(double y, double x, double d) { if (y == 2) abort(); return y; }"
+    )
+    build = ["gcc", "-shared", "-fPIC", "-o", "f.so", "f.c"]
+    subprocess.run(build, cwd=mine, check=True)
+    done = symhaptic(*LIMIT, "--library", "f.so:f", "--points", 100, cwd=mine)
+    assert done.returncode == 1, done.stderr
+    assert "differs" in done.stdout
+
+
+def test_a_function_that_reads_gets_nothing(mine):
+    (mine / "reads.py").write_text("def f(y, x, d):\n    return float(input())\n")
+    done = symhaptic(*LIMIT, "--python", "reads:f", cwd=mine)
+    assert done.returncode == 2
+    assert "reads:f: EOFError: EOF when reading a line when called with" in done.stderr

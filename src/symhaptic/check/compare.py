@@ -99,8 +99,7 @@ def compared(
     if most > ulp and explained:
         from symhaptic.check.mistakes import named
 
-        at = plainest(checked, call, at, ulp, over or {})
-        last = call([at])[0][:given] or nothing
+        at, last = plainest(checked, call, (at, last), ulp, over or {})
         some = [i for i in range(len(got)) if points.ordinary[i]]
         names = named(checked, [points.all[i] for i in some], [got[i] for i in some], missing)
     results = checked.results[:given]
@@ -257,18 +256,20 @@ def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
 
 
 def plainest(
-    checked: Checked, call: Caller, point: Point, ulp: float, over: Range, seconds: float = _PLAIN
-) -> Point:
-    """The plainest arguments that are reached, one after the other, while it stays wrong."""
+    checked: Checked,
+    call: Caller,
+    begin: tuple[Point, Point],
+    ulp: float,
+    over: Range,
+    seconds: float = _PLAIN,
+) -> tuple[Point, Point]:
+    """The plainest arguments that are reached, one after the other, while it stays wrong.
+
+    With what the function gives there.
+    """
+    point, last = begin
     before: Point = ()
     end = perf_counter() + seconds
-
-    def wrong(at: Point, got: Point) -> bool:
-        off, _ = error(checked, at, got)
-        if off == math.inf and checked.border is not None and math.isfinite(got[0]):
-            return distance(checked, at, got[0], ulp) > ulp
-        return off > ulp
-
     while before != point:
         before = point
         for i, (name, argument) in enumerate(checked.arguments.items()):
@@ -277,9 +278,20 @@ def plainest(
             others = [(*point[:i], v, *point[i + 1 :]) for v in values]
             if perf_counter() > end or not others:
                 continue
-            got = (g or (math.nan,) * len(checked.results) for g in call(others))
-            point = next((o for o, g in zip(others, got, strict=True) if wrong(o, g)), point)
-    return point
+            try:
+                got = [g[: len(last)] or (math.nan,) * len(last) for g in call(others)]
+            except ValueError:  # what is wrong has been found
+                return point, last
+            wrong = (pair for pair in zip(others, got, strict=True) if _wrong(checked, *pair, ulp))
+            point, last = next(wrong, (point, last))
+    return point, last
+
+
+def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
+    off, _ = error(checked, at, got)
+    if off == math.inf and checked.border is not None and math.isfinite(got[0]):
+        return distance(checked, at, got[0], ulp) > ulp
+    return off > ulp
 
 
 def _plainer(value: float) -> list[float]:

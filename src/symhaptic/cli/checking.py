@@ -39,7 +39,7 @@ def check(
         str | None, typer.Option("--formula", metavar="ID", help="--list names all.")
     ] = None,
     python: Annotated[
-        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function.")
+        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run.")
     ] = None,
     library: Annotated[
         str | None,
