@@ -449,6 +449,7 @@ def library(tmp_path_factory):
     return folder / "lib.so"
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize(
     "name",
     [
