@@ -16,7 +16,8 @@ from command import symhaptic
 import symhaptic as sh
 from symhaptic.check import told
 from symhaptic.check.callers import Theirs, called
-from symhaptic.check.compare import compared, exact
+from symhaptic.check.checked import exact
+from symhaptic.check.compare import compared
 from symhaptic.check.covered import covered
 from symhaptic.check.formulas import CHECKED, _first_maximum
 from symhaptic.check.points import drawn
@@ -448,6 +449,7 @@ def library(tmp_path_factory):
     return folder / "lib.so"
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize(
     "name",
     [

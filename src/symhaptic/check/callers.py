@@ -69,9 +69,13 @@ class Theirs(ExitStack):
         folder = Path(self.enter_context(TemporaryDirectory(prefix="symhaptic-check-")))
         self.points, self.found, self.said = (folder / n for n in ("points", "found", "said"))
         self.callback(self._end)
-        if self.kind != "command":
-            self.process = self._started(stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-            self.about = self._answer("when it is loaded")
+        try:
+            if self.kind != "command":
+                self.process = self._started(stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                self.about = self._answer("when it is loaded")
+        except BaseException:
+            self.close()
+            raise
         return self
 
     def __call__(self, points: Points) -> Values:
@@ -81,11 +85,12 @@ class Theirs(ExitStack):
         self.found.write_bytes(b"")
         if self.kind == "command":
             self._run(len(points))
-        elif self.process is not None and self.process.stdin is not None:
-            with suppress(BrokenPipeError):
-                self.process.stdin.write(b"\n")
-                self.process.stdin.flush()
-            self._answer(points)
+        else:
+            if self.process is not None and self.process.stdin is not None:
+                with suppress(BrokenPipeError):
+                    self.process.stdin.write(b"\n")
+                    self.process.stdin.flush()
+            self._answer("at last", points)
         with open(self.found, errors="replace") as file:
             rows = file.read().splitlines()
         try:
@@ -148,30 +153,24 @@ class Theirs(ExitStack):
         if status:
             raise self._wrong(f"ends with status {status}{self._last()}; end with 0")
 
-    def _answer(self, points: Points | str) -> dict[str, Any]:
+    def _answer(self, when: str, points: Points = ()) -> dict[str, Any]:
         """What the process says within the time that is left."""
-        begin, said = monotonic(), list[bytes]()
-        assert self.process is not None
-        answers = self.process.stdout
-        assert answers is not None
+        begin, said, process = monotonic(), list[bytes](), self.process
+        if process is None or process.stdout is None:
+            raise self._wrong("has ended")
+        answers = process.stdout
         reading = Thread(target=lambda: said.append(answers.readline()), daemon=True)
         reading.start()
         reading.join(max(self.left, 0.001))
         self.left -= monotonic() - begin
-        when = points if isinstance(points, str) else ""
-        if not when:
-            row = self.found.read_bytes().count(b"\n")
-            when = (
-                f"when called with {', '.join(map(str, points[row]))}"
-                if row < len(points)
-                else "at last"
-            )
+        row = self.found.read_bytes().count(b"\n") if points else 0
+        if row < len(points):
+            when = f"when called with {', '.join(map(str, points[row]))}"
         if not said:
             self._end()
             raise self._late("no answer", f" {when}")
         if not said[0]:
-            status = self.process.wait()
-            raise self._wrong(f"ends the program ({status}) {when}{self._last()}")
+            raise self._wrong(f"ends the program ({process.wait()}) {when}{self._last()}")
         told: dict[str, Any] = json.loads(said[0])
         if "wrong" in told:
             raise self._wrong(told["wrong"])
@@ -198,6 +197,7 @@ class Theirs(ExitStack):
                 else:
                     self.process.kill()
             self.process.wait()
+            self.process = None
 
 
 def python_name(name: str) -> str:

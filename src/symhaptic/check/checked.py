@@ -5,7 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
+
+import flint
+import numpy as np
+from flint import arb
 
 Exact = Callable[..., tuple[Any, ...]]
 Point = tuple[float, ...]
@@ -69,3 +74,39 @@ class Checked:
 
 FLAT = 1e8
 """A number of this size has a unit in the last place of half of the digits of one of size 1."""
+
+_BITS = (192, 384, 768, 1536, 3072)
+_KNOWN, _ROUGH = 2.0**-80, 1e-5
+"""Radius of an exact value as a share of its size: that is sought, and that is used at all."""
+
+
+@lru_cache(maxsize=100_000)
+def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float, ...]]:
+    """Exact results, as precise as it takes, and the sizes that their errors are measured by."""
+    with np.errstate(all="ignore"):
+        scale = checked.scale(*point) if checked.scale else (0.0,) * len(checked.results)
+    sizes = tuple(map(float, scale))
+    found: tuple[Any, ...] = ()
+    for bits in _BITS[: checked.precisions]:
+        with flint.ctx.workprec(bits):
+            try:
+                found = checked.exact(*point)
+            except ArithmeticError:
+                found = (None,) * len(checked.results)
+                continue
+            if all(_is_known(v, size, _KNOWN) for v, size in zip(found, sizes, strict=True)):
+                break
+    pairs = zip(found, sizes, strict=True)
+    return tuple(v if _is_known(v, size, _ROUGH) else None for v, size in pairs), sizes
+
+
+def _is_known(value: Any, size: float, share: float) -> bool:
+    """Whether the radius of a ball is at most a share of its size."""
+    if not isinstance(value, arb) or not value.is_finite():
+        return True
+    return bool(value.rad() <= share * max(abs(float(value.mid())), size, 1e-300))
+
+
+def shown(right: Any) -> str:
+    """An exact value in 25 digits; ``None`` where there is none."""
+    return str(right) if isinstance(right, int | None) else str(right.str(25, radius=False))

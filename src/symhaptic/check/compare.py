@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from time import perf_counter
 from typing import Any
 
@@ -18,7 +17,7 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.check.checked import Checked, Point
+from symhaptic.check.checked import Checked, Point, exact
 from symhaptic.check.points import Points, Range, drawn
 
 Caller = Callable[[Sequence[Point]], list[Point]]
@@ -40,10 +39,6 @@ _UNKNOWN = -1
 
 _TRIED = 10
 """Wrong truth values whose distance from the boundary is computed."""
-
-_BITS = (192, 384, 768, 1536, 3072)
-_KNOWN, _ROUGH = 2.0**-80, 1e-5
-"""Radius of an exact value as a share of its size: that is sought, and that is used at all."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +99,7 @@ def compared(
     if most > ulp and explained:
         from symhaptic.check.mistakes import named
 
-        at = plainest(checked, call, at, ulp, over or {})
-        last = call([at])[0][:given] or nothing
+        at, last = plainest(checked, call, (at, last), ulp, over or {})
         some = [i for i in range(len(got)) if points.ordinary[i]]
         names = named(checked, [points.all[i] for i in some], [got[i] for i in some], missing)
     results = checked.results[:given]
@@ -187,33 +181,6 @@ def error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, 
     return worst
 
 
-@lru_cache(maxsize=100_000)
-def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float, ...]]:
-    """Exact results, as precise as it takes, and the sizes that their errors are measured by."""
-    with np.errstate(all="ignore"):
-        scale = checked.scale(*point) if checked.scale else (0.0,) * len(checked.results)
-    sizes = tuple(map(float, scale))
-    found: tuple[Any, ...] = ()
-    for bits in _BITS[: checked.precisions]:
-        with flint.ctx.workprec(bits):
-            try:
-                found = checked.exact(*point)
-            except ArithmeticError:
-                found = (None,) * len(checked.results)
-                continue
-            if all(_is_known(v, size, _KNOWN) for v, size in zip(found, sizes, strict=True)):
-                break
-    pairs = zip(found, sizes, strict=True)
-    return tuple(v if _is_known(v, size, _ROUGH) else None for v, size in pairs), sizes
-
-
-def _is_known(value: Any, size: float, share: float) -> bool:
-    """Whether the radius of a ball is at most a share of its size."""
-    if not isinstance(value, arb) or not value.is_finite():
-        return True
-    return bool(value.rad() <= share * max(abs(float(value.mid())), size, 1e-300))
-
-
 def _off(value: float, right: Any, size: float) -> float:
     """At least so many units; -inf where there is no exact value."""
     if right is None:
@@ -288,24 +255,21 @@ def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
                 yield tuple((at | {name: other}).values())
 
 
-def shown(right: Any) -> str:
-    """An exact value in 25 digits; ``None`` where there is none."""
-    return str(right) if isinstance(right, int | None) else str(right.str(25, radius=False))
-
-
 def plainest(
-    checked: Checked, call: Caller, point: Point, ulp: float, over: Range, seconds: float = _PLAIN
-) -> Point:
-    """The plainest arguments that are reached, one after the other, while it stays wrong."""
+    checked: Checked,
+    call: Caller,
+    begin: tuple[Point, Point],
+    ulp: float,
+    over: Range,
+    seconds: float = _PLAIN,
+) -> tuple[Point, Point]:
+    """The plainest arguments that are reached, one after the other, while it stays wrong.
+
+    With what the function gives there.
+    """
+    point, last = begin
     before: Point = ()
     end = perf_counter() + seconds
-
-    def wrong(at: Point, got: Point) -> bool:
-        off, _ = error(checked, at, got)
-        if off == math.inf and checked.border is not None and math.isfinite(got[0]):
-            return distance(checked, at, got[0], ulp) > ulp
-        return off > ulp
-
     while before != point:
         before = point
         for i, (name, argument) in enumerate(checked.arguments.items()):
@@ -314,9 +278,20 @@ def plainest(
             others = [(*point[:i], v, *point[i + 1 :]) for v in values]
             if perf_counter() > end or not others:
                 continue
-            got = (g or (math.nan,) * len(checked.results) for g in call(others))
-            point = next((o for o, g in zip(others, got, strict=True) if wrong(o, g)), point)
-    return point
+            try:
+                got = [g[: len(last)] or (math.nan,) * len(last) for g in call(others)]
+            except ValueError:  # what is wrong has been found
+                return point, last
+            wrong = (pair for pair in zip(others, got, strict=True) if _wrong(checked, *pair, ulp))
+            point, last = next(wrong, (point, last))
+    return point, last
+
+
+def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
+    off, _ = error(checked, at, got)
+    if off == math.inf and checked.border is not None and math.isfinite(got[0]):
+        return distance(checked, at, got[0], ulp) > ulp
+    return off > ulp
 
 
 def _plainer(value: float) -> list[float]:

@@ -18,8 +18,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.bench.printed import dimensionless, in_units, limit, placed
-from symhaptic.check.checked import Checked, Point
-from symhaptic.check.compare import exact
+from symhaptic.check.checked import Checked, Point, exact
 from symhaptic.notation import alpha, beta, gamma
 from symhaptic.paper import STATEMENTS
 from symhaptic.proof.mutants import mutants

@@ -14,7 +14,7 @@ import flint
 import numpy as np
 from numpy.typing import NDArray
 
-from symhaptic.check.checked import Argument, Checked, Point
+from symhaptic.check.checked import Argument, Checked, Point, exact
 
 Array = NDArray[np.float64]
 Range = Mapping[str, tuple[float, float]]
@@ -145,8 +145,6 @@ def _beside(
     checked: Checked, rng: Any, columns: Array, count: int, over: Range
 ) -> tuple[list[Point], list[float]]:
     """Pairs of points on both sides of a boundary, whose exact values differ."""
-    from symhaptic.check.compare import exact
-
     names = list(checked.arguments)
     rows: list[Point] = []
     far: list[float] = []

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from symhaptic.check.checked import FLAT, Checked, Point
-from symhaptic.check.compare import Found, error, exact, shown
+from symhaptic.check.checked import FLAT, Checked, Point, exact, shown
+from symhaptic.check.compare import Found, error
 from symhaptic.check.covered import covered
 from symhaptic.check.points import drawn
 

@@ -39,7 +39,7 @@ def check(
         str | None, typer.Option("--formula", metavar="ID", help="--list names all.")
     ] = None,
     python: Annotated[
-        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function.")
+        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run.")
     ] = None,
     library: Annotated[
         str | None,
@@ -121,8 +121,10 @@ def check(
         return
     if len(given) != 1:
         refuse("--python, --library, --command: give exactly one of them")
-    for option, value in (("--ulp", ulp), ("--timeout", timeout), ("--memory", memory)):
-        if not (0 < value < float("inf") or value == ulp == 0):
+    if not 0 <= ulp < math.inf:
+        refuse(f"--ulp: {ulp} is not a finite number >= 0; give one")
+    for option, value in (("--timeout", timeout), ("--memory", memory)):
+        if not 0 < value < math.inf:
             refuse(f"{option}: {value} is not a finite number > 0; give one")
     ((kind, name),) = given.items()
     order = _order(checked, arguments)
@@ -143,7 +145,8 @@ def check(
                 points,
                 narrower,
             )
-            theirs.finish()
+            if found.agrees:
+                theirs.finish()
     except ValueError as wrong:
         refuse(str(wrong))
     report = told.Report(found, name, perf_counter() - begin, theirs.place())
