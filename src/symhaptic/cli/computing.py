@@ -33,7 +33,7 @@ class TraceFormat(StrEnum):
 @app.command()
 def bench(
     quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer points and delays; some two minutes.")
+        bool, typer.Option("--quick", help="Fewer points and delays.")
     ] = False,
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
         "reports/bench"
