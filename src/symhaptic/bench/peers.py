@@ -74,7 +74,9 @@ def tasks(count: int) -> list[Task]:
                 "SciPy, dlti": stable_by_dlti,
                 "python-control, feedback": stable_by_control if tool else None,
             },
-            lambda *wall: known(is_stable(*wall, 2), unstable_roots(*wall, 2)),
+            lambda al, be, g, dl: known(
+                is_stable(al, be, g, dl, 2), unstable_roots(al, be, g, dl, 2)
+            ),
         ),
         Task(
             "delay margin",

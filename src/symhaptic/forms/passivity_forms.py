@@ -9,7 +9,7 @@ import sympy as sp
 from sympy import Expr, cos, pi
 
 from symhaptic.forms import required_damping, stiffest_passive
-from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, at_numbers
+from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread, at_numbers
 from symhaptic.forms.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
 from symhaptic.forms.implicit import (
     FractionalPart,

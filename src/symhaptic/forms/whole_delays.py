@@ -17,6 +17,7 @@ from symhaptic.forms.implicit import (
 from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle, of_whole
 from symhaptic.notation import d, epsilon
 
+
 def of_whole_delays(form: Form) -> Form:
     """The form for whole delays, outside which a fractional one is then.
 

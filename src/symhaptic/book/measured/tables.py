@@ -283,6 +283,6 @@ def about(record: dict[str, Any]) -> str:
     when += [f"at commit {record['commit']}"] if record.get("commit") else []
     took = f", in {record['seconds']} s" if record.get("seconds") else ""
     return (
-        f"Measured {''.join(f'{told}, ' for told in when)}on {machine['processor']}, {machine['cores']} cores, {machine['system']}, with "
-        f"{tools}, one thread{took}."
+        f"Measured {''.join(f'{told}, ' for told in when)}on {machine['processor']}, "
+        f"{machine['cores']} cores, {machine['system']}, with {tools}, one thread{took}."
     )
