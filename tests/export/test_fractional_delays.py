@@ -25,8 +25,10 @@ SLACK = {DOUBLE: 1e-12, SINGLE: 1e-4}
 """Of numbers of about 1; the difference to the principal sheet is 1e-3 and more."""
 
 
-@pytest.fixture(params=[(p, s) for p in (DOUBLE, SINGLE, None) for s in SCENES],
-                ids=lambda case: f"{getattr(case[0], 'name', 'arrays')}-{case[1] or 'full'}")  # fmt: skip
+@pytest.fixture(
+    params=[(p, s) for p in (DOUBLE, SINGLE, None) for s in SCENES],
+    ids=lambda case: f"{getattr(case[0], 'name', 'arrays')}-{case[1] or 'full'}",
+)
 def exported(request, tmp_path_factory):
     """A function of a scene by its name: whether it is there, and what it is of numbers."""
     precision, scene = request.param
@@ -108,7 +110,7 @@ def test_the_margin_is_that_of_the_worst_angle(exported):
 
 
 def test_walls_of_the_passivity_boundary_need_the_damping_of_the_device(exported):
-    form, function, slack = exported("passivity_boundary")
+    _, function, slack = exported("passivity_boundary")
     for delay in DELAYS:
         theta = np.float32(np.array([0.2, 0.4, 0.6]) * math.pi / (delay + 1)).astype(float)
         alpha, beta = function(theta, np.full(3, 0.5), np.full(3, np.float32(delay), dtype=float))
@@ -118,7 +120,7 @@ def test_walls_of_the_passivity_boundary_need_the_damping_of_the_device(exported
 
 
 def test_the_stiffest_passive_wall_needs_all_damping_and_no_other_is_stiffer(exported):
-    form, function, slack = exported("max_passive_stiffness")
+    form, function, _ = exported("max_passive_stiffness")
     late = np.float32(DELAYS).astype(float)
     found = function(np.ones(late.size), late)
     alpha = np.ravel(found[0] if isinstance(found, tuple) or np.ndim(found) == 2 else found)

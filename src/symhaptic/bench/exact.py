@@ -23,7 +23,7 @@ def device(gamma: float, delta: float) -> tuple[Any, ...]:
     return n1, moved[0, 1] * moved[1, 2] - moved[1, 1] * n1, trace, (-d).exp()
 
 
-def late(gamma: float, delta: float, part: float) -> tuple[Any, ...]:
+def late(gamma: float, delta: float, part: Any) -> tuple[Any, ...]:
     """m2, m1, m0, a and e: a force that changes inside the period, by the same exponential."""
     g, d, ep = arb(gamma), arb(delta), arb(part)
     matrix = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]])

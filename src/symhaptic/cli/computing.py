@@ -32,9 +32,7 @@ class TraceFormat(StrEnum):
 
 @app.command()
 def bench(
-    quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer points and delays; some two minutes.")
-    ] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer points and delays.")] = False,
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
         "reports/bench"
     ),

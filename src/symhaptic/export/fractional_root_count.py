@@ -18,6 +18,7 @@ from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.root_count import (
     BEYOND,
     CENTER,
+    LEADS,
     LOOP,
     _Wall,
     at_the_end,
@@ -196,7 +197,9 @@ def zone_turns() -> Routine:
     piece = sp.Function("PieceTurns")
     found: Expr = sp.S.Zero
     for extremum in (one, two):
-        touches = choose(extremum > low, sp.Function("ZoneTouches")(extremum, zone, *_LOOP), 0)
+        value = do("value", _value(TERMS, extremum))
+        here = sp.Function("ZoneTouches")(value, extremum, zone, *_LOOP)
+        touches = choose(extremum > low, here, 0)
         found = do("found", found + touches)
     for i in range(4):
         ends = (cuts[i], cuts[i + 1], values[i], values[i + 1])
@@ -220,21 +223,25 @@ def zone_touches(precision: Precision = DOUBLE) -> Routine:
     """At an extremum of the surplus, which may be so small that its sign is not certain."""
     do, x = Steps(), sp.Symbol("x")
     return do.routine("ZoneTouches", "NaN where the wall may be as strong as the device at an "
-                      "extremum of both, else 0", (x, zone, *_LOOP),
-                      sp.Function("Touches")(*_point(do, x, unit(precision)), *LOOP),
+                      "extremum of both, else 0", (LEADS, x, zone, *_LOOP),
+                      sp.Function("Touches")(LEADS, *_point(do, x, unit(precision)), *LOOP),
                       takes=("Loop",))  # fmt: skip
 
 
 def piece_turns(precision: Precision = DOUBLE) -> Routine:
-    """The same for a piece on which the cubic has neither extremum nor inflection."""
+    """The same for a piece on which the cubic has neither extremum nor inflection.
+
+    At an end of the circle it may be 0, which is no crossing.
+    """
     do = Steps()
-    there = And(high > low, sp.Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)))
+    there = And(high > low, sp.Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)),
+                sp.Or(sp.Ne(low, 0), sp.Ne(at_low, 0)))  # fmt: skip
     x = do("x", sp.Function("CubicRoot")(*TERMS, low, high, at_high - at_low))
     point = _point(do, x, unit(precision))
     inner = And(point[0] > 0, point[1] > 0)
     found = do("found", sp.Function("PhaseTurns")(*point, *LOOP))
     rises = do("rises", choose(at_high > at_low, 1, -1) * choose(sp.Eq(zone, FAR), -1, 1))
-    turned = choose(inner, -2 * rises * found, 0)
+    turned = choose(inner, -2 * rises * found, sp.nan)
     return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",
                       (*TERMS, low, high, at_low, at_high, zone, *_LOOP),
                       choose(there, turned, 0), takes=("Loop",))  # fmt: skip

@@ -329,8 +329,8 @@ def some_part() -> Routine:
 
 
 ROUTINES = (
-    straight, straight_at, between, passive_slope, whole_part, fractional_part, some_part, damping_at, rising,
-    steepness, touching, pushed, lead, rated, whole_damping_at,
+    straight, straight_at, between, passive_slope, whole_part, fractional_part, some_part,
+    damping_at, rising, steepness, touching, pushed, lead, rated, whole_damping_at,
     whole_steepness, largest_whole_required_damping, turning,
 )  # fmt: skip
 PRECISE = (

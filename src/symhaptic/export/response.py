@@ -113,7 +113,8 @@ def half_turned() -> Routine:
     half, w, _, root, _ = do.several(_MOTION, "DeviceMotion", gamma, delta)
     swings = And(w < 0, root > 3, half < _LIGHT)
     return do.routine("HalfTurned", "m2 - m1 + m0 behind a fraction of a period", _GIVEN,
-                      choose(swings, sp.Function("HalfTurnedSwing")(*_GIVEN[1:]), found))  # fmt: skip
+                      choose(swings, sp.Function("HalfTurnedSwing")(*_GIVEN[1:]), found),
+                      )  # fmt: skip
 
 
 def half_turned_swing() -> Routine:

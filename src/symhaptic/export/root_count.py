@@ -211,7 +211,7 @@ def crossing_part(precision: Precision = DOUBLE) -> Routine:
         "rest": rest,
         "size": size,
         "per": per,
-        "off": one * along + two * across + away * away,
+        "off": choose(size > 0, one * along + two * across + away * away, 1),
         # what is left of the number is at least three quarters of its size
         "blur": choose(4 * away < 1, blur + unit(precision) * sp.Abs(rest) / 2, _WIDE),
         "slope": 2 * (real * falls + square * tilt),
@@ -264,8 +264,12 @@ def _gap(do: Steps, parts: tuple[_Part, _Part, _Part], unit: Expr) -> tuple[Expr
     """1 - |M W/A|, and the most by which that is off; finding the sizes rounds, too."""
     below, above, force = parts
     ratio = do("ratio", above.size * below.per)
-    gap = do("gap", sp.Abs(1 - ratio * force.size / 4))
+    gap = do("gap", 1 - ratio * force.size / 4)
     return gap, do("rough", below.off + above.off + force.off + 3 * unit / 2)
+
+
+LEADS = sp.Symbol("leads")
+"""Of the sign of |A|^2 - |M W|^2."""
 
 
 def touches(precision: Precision = DOUBLE) -> Routine:
@@ -273,9 +277,11 @@ def touches(precision: Precision = DOUBLE) -> Routine:
     do, last = Steps(), unit(precision)
     y, rest = do("at", Max(_Y, 0)), do("still", Max(_REST, 0))
     gap, rough = _gap(do, _parts(do, y, rest, last, moving=False)[0], last)
-    return do.routine("Touches", "NaN where wall and device may be equally strong, else 0",
-                      (*POINT, *LOOP),
-                      choose(And(_Y > 0, _REST > 0, gap <= 2 * rough), sp.nan, 0),
+    gap = do("signed", choose(LEADS > 0, gap, -gap))
+    good = do("good", choose(gap > 2 * rough, 1, 0))  # not where the gap is NaN
+    return do.routine("Touches", "NaN where it is not certain that the device is stronger if leads "
+                      "is positive, and else the wall, else 0",
+                      (LEADS, *POINT, *LOOP), choose(And(_Y > 0, _REST > 0, good < 1), sp.nan, 0),
                       takes=("Loop",))  # fmt: skip
 
 
@@ -290,6 +296,7 @@ def phase_turns(precision: Precision = DOUBLE) -> Routine:
     parts, sine, edge = _parts(do, y, rest, last)
     below, above, force = parts
     gap, rough = _gap(do, parts, last)
+    gap = do("distant", sp.Abs(gap))
     miss = [do("miss", last + 3 * part.off) for part in parts]
     slope_off = sum(part.fast * off for part, off in zip(parts, miss, strict=True))
     slope = do("sure", sp.Abs(below.slope - above.slope - force.slope) - slope_off)
@@ -324,13 +331,18 @@ def phase_turns(precision: Precision = DOUBLE) -> Routine:
                       takes=("Loop",))  # fmt: skip
 
 
+def _on_circle(y: Expr, rest: Expr) -> Boolean:
+    """Whether a root is there, of y and 4 - y that are known apart; -1 is infinite."""
+    return And(y > 0, rest > 0, Min(y, rest) < 4)
+
+
 def nearest_point(precision: Precision = DOUBLE) -> Routine:
     """A point that is known about y = 0, about the own frequency and about 4, from the nearest."""
     do, last = Steps(), unit(precision)
     y, rest, off = POINT[:3]
     small = y < rest
     edge = do("edge", choose(small, y, rest))
-    there = And(y > 0, rest > 0, edge < 4)
+    there = _on_circle(y, rest)
     inside = And(sp.Abs(off) < edge, CENTER + off > 0, BEYOND - off > 0)
     inside = do("inside", choose(inside, 1, 0)) > 0
     found = {
@@ -352,13 +364,13 @@ def point_off(unit: Expr) -> tuple[Expr, Expr]:
     return 2 * unit, unit / 4
 
 
-def _of_nearest(name: str, about: str, routine: str) -> Routine:
+def _of_nearest(name: str, about: str, routine: str, *first: sp.Symbol) -> Routine:
     do, given = Steps(), POINT[:3]
     names = ("at", "still", "away", "loose", "free", "there")
     *point, there = do.several(names, "NearestPoint", *given, CENTER, BEYOND)
     point[:2] = (do(s.name, choose(there > 0, s, 2)) for s in point[:2])
-    return do.routine(name, about, (*given, CENTER, BEYOND, *LOOP),
-                      choose(there > 0, sp.Function(routine)(*point, *LOOP), 0),
+    return do.routine(name, about, (*first, *given, CENTER, BEYOND, *LOOP),
+                      choose(there > 0, sp.Function(routine)(*first, *point, *LOOP), 0),
                       takes=("Loop",))  # fmt: skip
 
 
@@ -371,7 +383,7 @@ def crossing_turns() -> Routine:
 def bottom_touches() -> Routine:
     """The same of the extremum, where there is no crossing."""
     about = "NaN where the wall may be as strong as the device at an extremum of both, else 0"
-    return _of_nearest("BottomTouches", about, "Touches")
+    return _of_nearest("BottomTouches", about, "Touches", LEADS)
 
 
 def _leads(k: _Quadratic) -> Expr:
@@ -410,12 +422,12 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
     near, own, far, center, beyond = _about(do, e, v)
     a_off = do("a_off", turned_off(precision, at_minus_one))
     last = unit(precision)
-    unsure = Or(
+    unsure = [
         weak,
         at_the_end(do, v.far, last, a_off),
         flat(do, (near.c, near.b, near.a), near.most, last),
         flat(do, (far.c, far.b, far.a), far.most, last, 2 * a_off),
-    )
+    ]
     root, disc = _root(do, (near, own, far))
     ys, offs = _solved(do, near, root), _solved(do, own, root)
     rests = _solved(do, far, root)[::-1]
@@ -427,7 +439,10 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
         for y, off, rest in zip(ys, offs, rests, strict=True)
     )
     bottoms = (do("bottom", _extremum(do, k)) for k in (near, far, own))
-    none = sp.Function("BottomTouches")(*bottoms, center, beyond, *loop)
+    none = sp.Function("BottomTouches")(near.a, *bottoms, center, beyond, *loop)
+    inside = [choose(And(disc >= 0, _on_circle(*at)), 1, 0) for at in zip(ys, rests, strict=True)]
+    sides = [choose(_leads(k), 1, 0) for k in (near, far)]
+    odd = [do("odd", sp.Abs(one - two)) for one, two in (inside, sides)]
     total = do("total", choose(disc >= 0, 2 * (one - two), none))
     side = do("side", choose(v.slope >= 0, 1, -1))
     begin = choose(alpha > 0, 0, side)
@@ -437,7 +452,7 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
     total = do("total", total + choose(_leads(near), begin, 0))
     total = do("total", total - choose(_leads(far), end, 0))
     return do.routine("WholeRoots", "roots outside the unit circle, -1 where that is not certain",
-                      ARGUMENTS, counted(do, unsure, total))  # fmt: skip
+                      ARGUMENTS, counted(do, Or(*unsure, sp.Ne(*odd)), total))  # fmt: skip
 
 
 def counted(do: Steps, unsure: Boolean, total: Expr) -> Expr:

@@ -157,7 +157,7 @@ def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     kept = exp(-delta * (1 - epsilon)) if parts.damping else sp.S.One
     impulse = plant.normalised(parts).transition(sp.S.One, split)[0, 1]
     own = whole.n1 + whole.n0, whole.n1 - whole.n0, 1 - whole.e, impulse
-    pairs = (
+    pairs: tuple[tuple[Expr, Expr], ...] = (
         (first.rise, late.m2),
         (kept * last.fall, late.m0),
         (whole.n1 + whole.n0, late.m2 + late.m1 + late.m0),

@@ -204,8 +204,8 @@ def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
     counts: list[Expr] = [WholeRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)]
     if parts.delay:
         late = fractional_of(parts).apart, across_of(parts) / 2
-        numbers = *fractional_delay.ends(parts), *numbers[2:-1], *late
-        counts.append(FractionalRoots(*wall, l, *numbers))
+        ends = fractional_delay.ends(parts)
+        counts.append(FractionalRoots(*wall, l, *ends, *numbers[2:-1], *late))
     return [(count, Stable(count, *wall, *given)) for count in counts]
 
 

@@ -547,10 +547,10 @@ static inline Part crossing_part(double x, double u, double x_off, double u_off,
     const double rest = atan2(x < 0.0 ? -u : u, fabs(x)), falls = per*steep;
     const double tilt = 0.5*low - 0.5*high, square = up*up;
     const double fast = square*(high + low) + 2.0*fabs(falls);
-    return (Part){x < 0.0 ? (u < 0.0 ? -1.0 : 1.0) : 0.0, rest, size, per, across*two + along*one +
-        away*away, away < 0.25 ? blur + 4.440892098500626e-16*fabs(rest) : 4.0, 2.0*falls*real +
-        2.0*square*tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*square, up*
-        (real*tilt - falls), two*(one*fabs(tilt) + fabs(falls))};
+    return (Part){x < 0.0 ? (u < 0.0 ? -1.0 : 1.0) : 0.0, rest, size, per, size > 0.0 ? across*
+        two + along*one + away*away : 1.0, away < 0.25 ? blur + 4.440892098500626e-16*fabs(rest) :
+        4.0, 2.0*falls*real + 2.0*square*tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*
+        square, up*(real*tilt - falls), two*(one*fabs(tilt) + fabs(falls))};
 }
 
 // the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
@@ -570,14 +570,14 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
     const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
         (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, -2.0*edge*total, low,
         high);
-    const double ratio = part.per*part2.size, gap_ = fabs(0.25*ratio*part3.size - 1.0);
+    const double ratio = part.per*part2.size, gap_ = 1.0 - 0.25*ratio*part3.size;
     const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
-    const double miss = 3.0*part.off + 8.881784197001252e-16;
+    const double distant = fabs(gap_), miss = 3.0*part.off + 8.881784197001252e-16;
     const double miss2 = 3.0*part2.off + 8.881784197001252e-16;
     const double miss3 = 3.0*part3.off + 8.881784197001252e-16;
     const double sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
         fabs(part2.slope - part.slope + part3.slope);
-    const double whole3 = sure == 0.0 ? 1.0 : sure, reach = 0.25*(9.0*gap_ + 9.0*rough)/whole3;
+    const double whole3 = sure == 0.0 ? 1.0 : sure, reach = 0.25*(9.0*distant + 9.0*rough)/whole3;
     const double bends = part.bend + part2.bend + part3.bend;
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
     const double late = loop->d + 2.0;
@@ -605,7 +605,8 @@ static inline double phase_turns(const Loop *loop, double y, double rest, double
 // what the crossing on a piece, if there is one, adds
 static inline double piece_turns(const Loop *loop, double k0, double k1, double k2, double k3,
     double low, double high, double at_low, double at_high, double zone) {
-    if (((at_high >= 0.0 && at_low < 0.0) || (at_high < 0.0 && at_low >= 0.0)) && high > low) {
+    if (((at_high >= 0.0 && at_low < 0.0) || (at_high < 0.0 && at_low >= 0.0)) &&
+        (at_low != 0.0 || low != 0.0) && high > low) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
         const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
@@ -619,13 +620,15 @@ static inline double piece_turns(const Loop *loop, double k0, double k1, double 
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             return -2.0*found*rises;
         }
+        return NAN;
     }
     return 0.0;
 }
 
-// NaN where wall and device may be equally strong, else 0
-static inline double touches(const Loop *loop, double y, double rest, double off, double loose,
-    double free) {
+// NaN where it is not certain that the device is stronger if leads is positive, and else the wall,
+// else 0
+static inline double touches(const Loop *loop, double leads, double y, double rest, double off,
+    double loose, double free) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
     const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
     const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
@@ -637,21 +640,22 @@ static inline double touches(const Loop *loop, double y, double rest, double off
         (made*fabs(loop->n1) + loop->n1_off), 0.0, 0.0, 0.0);
     const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
         (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, 0.0, 0.0, 0.0);
-    const double ratio = part.per*part2.size, gap_ = fabs(0.25*ratio*part3.size - 1.0);
+    const double ratio = part.per*part2.size, gap_ = 1.0 - 0.25*ratio*part3.size;
     const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
-    if (gap_ <= 2.0*rough && rest > 0.0 && y > 0.0) { return NAN; }
+    const double signed_ = leads > 0.0 ? gap_ : -gap_, good = signed_ > 2.0*rough ? 1.0 : 0.0;
+    if (good < 1.0 && rest > 0.0 && y > 0.0) { return NAN; }
     return 0.0;
 }
 
 // NaN where the wall may be as strong as the device at an extremum of both, else 0
-static inline double zone_touches(const Loop *loop, double x, double zone) {
+static inline double zone_touches(const Loop *loop, double leads, double x, double zone) {
     const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
     const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
     const double off = zone == 0.0 ? x - loop->center : (zone == 1.0 ? x : loop->beyond - x);
     const double loose = zone == 1.0 ? 1.7763568394002505e-15 : 2.220446049250313e-16;
     const double free = zone == 1.0 ? 0.0 : 8.881784197001252e-16*
         (zone == 0.0 ? loop->center : loop->beyond);
-    return touches(loop, y, rest, off, loose, free);
+    return touches(loop, leads, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -670,8 +674,13 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double p = first*(first*(first*k3 + k2) + k1) + k0;
     const double p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const double found = cut2 > low ? zone_touches(loop, cut2, zone) : 0.0;
-    const double found2 = found + (cut3 > low ? zone_touches(loop, cut3, zone) : 0.0);
+    const double value2 = cut3*(cut3*(cut3*k3 + k2) + k1) + k0;
+    double found = 0.0;
+    if (cut2 > low) {
+        const double value = cut2*(cut2*(cut2*k3 + k2) + k1) + k0;
+        found = zone_touches(loop, value, cut2, zone);
+    }
+    const double found2 = found + (cut3 > low ? zone_touches(loop, value2, cut3, zone) : 0.0);
     const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
     const double found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
     const double found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
@@ -839,17 +848,19 @@ static inline Point nearest_point(const Loop *loop, double y, double rest, doubl
         loop->beyond - off : (rest > y ? 4.0 - y : rest), inside > 0.0 ? off :
         (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0 ?
         1.7763568394002505e-15 : 2.220446049250313e-16, inside > 0.0 ? 0.0 : 8.881784197001252e-16*
-        (rest > y ? loop->center : loop->beyond), edge < 4.0 && rest > 0.0 && y > 0.0 ? 1.0 : 0.0};
+        (rest > y ? loop->center : loop->beyond), fmin(rest, y) < 4.0 && rest > 0.0 && y > 0.0 ?
+        1.0 : 0.0};
 }
 
 // NaN where the wall may be as strong as the device at an extremum of both, else 0
-static inline double bottom_touches(const Loop *loop, double y, double rest, double off) {
+static inline double bottom_touches(const Loop *loop, double leads, double y, double rest,
+    double off) {
     const Point point = nearest_point(loop, y, rest, off);
     if (point.there > 0.0) {
         const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
             loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
             .apart_off = 0.0, .n1_off = 0.0, .a_off = loop->a_off};
-        return touches(&loop2, point.at, point.still, point.away, point.loose, point.free);
+        return touches(&loop2, leads, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0;
 }
@@ -891,40 +902,48 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         lost;
     const double far1_size = fabs(lost) + fabs((apart*apart)*force) +
         fabs(at_minus_one*(e + 1.0)) + fabs(cross*(wall_far*wall_far));
-    const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const double far0 = (at_minus_one - pull)*(at_minus_one + pull), center = 2.0*at_one/(e + 1.0);
+    const double beyond = 2.0*at_minus_one/(e + 1.0), sine = 0.25*beyond*center;
+    const double tilt = 0.25*beyond - 0.25*center, real = 0.25*beyond*together - 0.25*apart*center;
+    const double m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
+    const double wave = 0.25*alpha*beyond - 0.25*center*wall_far;
+    const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
+    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
     const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
     const double pull2 = fabs(apart*wall_far);
     const double end_off = a_off + 1.7763568394002505e-15*at_minus_one + 1.7763568394002505e-15*
         pull2;
     const double room = 3.552713678800501e-15*near1_size, product = 4.0*near0*square;
     const double room2 = 2.0*a_off + 3.552713678800501e-15*far1_size, product2 = 4.0*far0*square;
+    const double square2 = near1*near1, product3 = 4.0*near0*square;
+    const double size = square2 + fabs(product3), square3 = own1*own1, product4 = 4.0*own0*own2;
+    const double size2 = square3 + fabs(product4), square4 = far1*far1, product5 = 4.0*far0*square;
+    const double size3 = square4 + fabs(product5);
+    const double odd2 = fabs(((((far1 == 0.0 && square < 0.0) || far1 < 0.0) && far0 == 0.0) ||
+        far0 < 0.0 ? 1.0 : 0.0) - ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
+        near0 == 0.0) || near0 < 0.0 ? 1.0 : 0.0));
+    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
+    const double positive = disc4 >= 0.0 ? disc4 : 0.0, root = sqrt(positive);
+    const Roots roots = quadratic_roots(near0, near1, square, root);
+    const Roots roots3 = quadratic_roots(far0, far1, square, root);
+    const double odd = fabs((disc4 >= 0.0 && fmin(roots.high, roots3.low) < 4.0 &&
+        roots.high > 0.0 && roots3.low > 0.0 ? 1.0 : 0.0) -
+        (disc4 >= 0.0 && fmin(roots3.high, roots.low) < 4.0 && roots.low > 0.0 &&
+        roots3.high > 0.0 ? 1.0 : 0.0));
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
         (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
         (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
-        end_off >= fabs(at_minus_one - pull2)) {
+        end_off >= fabs(at_minus_one - pull2) || odd != odd2) {
         return -1.0;
     }
-    const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
-    const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
-    const double real = 0.25*beyond*together - 0.25*apart*center, m0 = (n1*n1)*sine + real*real;
-    const double m1 = (n1*n1)*tilt - n1*real, wave = 0.25*alpha*beyond - 0.25*center*wall_far;
-    const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const double product3 = 4.0*near0*square, size = square2 + fabs(product3), square3 = own1*own1;
-    const double product4 = 4.0*own0*own2, size2 = square3 + fabs(product4), square4 = far1*far1;
-    const double product5 = 4.0*far0*square, size3 = square4 + fabs(product5);
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
-        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
     double total;
     if (disc4 >= 0.0) {
-        const double root = sqrt(disc4);
-        const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
-        const Roots roots3 = quadratic_roots(far0, far1, square, root);
         const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
             .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
             .beyond = beyond};
@@ -941,7 +960,7 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
             loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
             beyond};
-        total = bottom_touches(&loop2, bottom, bottom2, bottom3);
+        total = bottom_touches(&loop2, square, bottom, bottom2, bottom3);
     }
     const double total2 = total + ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
         near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0);

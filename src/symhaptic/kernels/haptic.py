@@ -1097,7 +1097,7 @@ def crossing_part(xp, x, u, x_off, u_off, steep, low, high):
     fast = square*(high + low) + 2.0*xp.abs(falls)
     return (
         xp.where(case1, xp.where(u < 0.0, xp.full_like(u, -1.0), 1.0), 0.0), rest, size, per,
-        across*two + along*one + away*away,
+        xp.where(size > 0.0, across*two + along*one + away*away, 1.0),
         xp.where(away < 0.25, blur + close*xp.abs(rest), 4.0), 2.0*falls*real + 2.0*square*
         tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*square, up*
         (real*tilt - falls), two*(one*xp.abs(tilt) + xp.abs(falls))
@@ -1134,14 +1134,15 @@ def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, t
         off*total, loss*sine, 4.0*a_off + total*(2.0*free + number2*xp.abs(off)), loss*made*sine,
         -2.0*edge*total, low, high)
     ratio = per*size2
-    gap_ = xp.abs(0.25*ratio*size3 - 1.0)
+    gap_ = 1.0 - 0.25*ratio*size3
     rough = away + away2 + away3 + number
+    distant = xp.abs(gap_)
     miss = 3.0*away + number2
     miss2 = 3.0*away2 + number2
     miss3 = 3.0*away3 + number2
     sure = xp.abs(rise2 - rise + rise3) - fast*miss - fast2*miss2 - fast3*miss3
     whole = xp.where(sure == 0.0, 1.0, sure)
-    reach = 0.25*(9.0*gap_ + 9.0*rough)/whole
+    reach = 0.25*(9.0*distant + 9.0*rough)/whole
     bends = bend_ + bend2 + bend3
     case1 = at > 2.0
     half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
@@ -1201,19 +1202,21 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
 
         return select(xp, (rest > 0.0) & (y > 0.0), yes,
             (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, loss, n1,
-            n1_off, rest, slope, together, x, y, zone), lambda rest: 0.0, (rest,))
+            n1_off, rest, slope, together, x, y, zone), lambda rest: xp.nan, (rest,))
 
     return select(xp, (((at_high >= 0.0) & (at_low < 0.0)) | ((at_high < 0.0) & (at_low >= 0.0))) &
-        (high > low), yes, (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d,
-        far, high, k0, k1, k2, k3, loss, low, n1, n1_off, slope, together, zone),
-        lambda at_high: 0.0, (at_high,))
+        ((at_low != 0.0) | (low != 0.0)) & (high > low), yes,
+        (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, high, k0, k1, k2,
+        k3, loss, low, n1, n1_off, slope, together, zone), lambda at_high: 0.0, (at_high,))
 
 
-def touches(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+def touches(xp, leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
     apart_off, n1_off, a_off):
-    """NaN where wall and device may be equally strong, else 0"""
+    """NaN where it is not certain that the device is stronger if leads is positive, and else
+    the wall, else 0
+    """
     close, number, number2 = (2.384185791015625e-07, 7.152557373046875e-07,
-        4.76837158203125e-07) if y.dtype == xp.float32 else (4.440892098500626e-16,
+        4.76837158203125e-07) if leads.dtype == xp.float32 else (4.440892098500626e-16,
         1.3322676295501878e-15, 8.881784197001252e-16)
     at = xp.where(0.0 > y, 0.0, y)
     still = xp.where(0.0 > rest, 0.0, rest)
@@ -1231,16 +1234,18 @@ def touches(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, toget
         total*(2.0*free + number2*xp.abs(off)), loss*made*sine, xp.full_like(a_off, 0.0),
         xp.full_like(a_off, 0.0), xp.full_like(a_off, 0.0))
     ratio = per*size2
-    gap_ = xp.abs(0.25*ratio*size3 - 1.0)
+    gap_ = 1.0 - 0.25*ratio*size3
     rough = away + away2 + away3 + number
-    return xp.where((gap_ <= 2.0*rough) & (rest > 0.0) & (y > 0.0), xp.full_like(gap_, xp.nan), 0.0)
+    signed = xp.where(leads > 0.0, gap_, -gap_)
+    good = xp.where(signed > 2.0*rough, xp.full_like(rough, 1.0), 0.0)
+    return xp.where((good < 1.0) & (rest > 0.0) & (y > 0.0), xp.full_like(good, xp.nan), 0.0)
 
 
-def zone_touches(xp, x, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off,
-    a_off, center, beyond):
+def zone_touches(xp, leads, x, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off,
+    n1_off, a_off, center, beyond):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
-        4.76837158203125e-07) if x.dtype == xp.float32 else (1.7763568394002505e-15,
+        4.76837158203125e-07) if leads.dtype == xp.float32 else (1.7763568394002505e-15,
         2.220446049250313e-16, 8.881784197001252e-16)
     case1 = zone == 1.0
     case2 = zone == 0.0
@@ -1249,8 +1254,8 @@ def zone_touches(xp, x, zone, alpha, slope, far, d, n1, loss, together, apart, a
     off = xp.where(case2, x - center, xp.where(case1, x, beyond - x))
     loose = xp.where(case1, xp.full_like(zone, number), last)
     free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
-    return touches(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
-        apart_off, n1_off, a_off)
+    return touches(xp, leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together,
+        apart, apart_off, n1_off, a_off)
 
 
 def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1,
@@ -1277,11 +1282,18 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     p = first*(first*(first*k3 + k2) + k1) + k0
     p2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     p3 = k0 + last*(k1 + last*(k2 + k3*last))
-    found = select(xp, cut2 > low, lambda *v: zone_touches(xp, *v),
-        (cut2, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
-        center, beyond), lambda cut2: 0.0, (cut2,))
-    found2 = found + xp.where(cut3 > low, zone_touches(xp, cut3, zone, alpha, slope, far, d, n1,
-        loss, together, apart, apart_off, n1_off, a_off, center, beyond), 0.0)
+    value_ = cut3*(cut3*(cut3*k3 + k2) + k1) + k0
+
+    def yes(a_off, alpha, apart, apart_off, beyond, center, cut2, d, far, k0, k1, k2, k3, loss, n1,
+        n1_off, slope, together, zone):
+        value_ = cut2*(cut2*(cut2*k3 + k2) + k1) + k0
+        return zone_touches(xp, value_, cut2, zone, alpha, slope, far, d, n1, loss, together,
+            apart, apart_off, n1_off, a_off, center, beyond)
+
+    found = select(xp, cut2 > low, yes, (a_off, alpha, apart, apart_off, beyond, center, cut2, d,
+        far, k0, k1, k2, k3, loss, n1, n1_off, slope, together, zone), lambda cut2: 0.0, (cut2,))
+    found2 = found + xp.where(cut3 > low, zone_touches(xp, value_, cut3, zone, alpha, slope, far,
+        d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond), 0.0)
     found2 = found2 + piece_turns(xp, k0, k1, k2, k3, low, first, at_low, p, zone, alpha, slope,
         far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
     found2 = found2 + piece_turns(xp, k0, k1, k2, k3, first, middle, p, p2, zone, alpha, slope,
@@ -1545,17 +1557,18 @@ def nearest_point(xp, y, rest, off, center, beyond):
         xp.where(case2, off, xp.where(case1, y - center, beyond - rest)),
         xp.where(case2, xp.full_like(inside_, number), last),
         xp.where(case2, 0.0, number2*xp.where(case1, center, beyond)),
-        xp.where((edge < 4.0) & (rest > 0.0) & (y > 0.0), xp.full_like(edge, 1.0), 0.0)
+        xp.where((rest > 0.0) & (xp.where(rest < y, rest, y) < 4.0) & (y > 0.0),
+        xp.full_like(rest, 1.0), 0.0)
     )
 
 
-def bottom_touches(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
-    apart, apart_off, n1_off, a_off):
+def bottom_touches(xp, leads, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss,
+    together, apart, apart_off, n1_off, a_off):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     at, still, away, loose, free, there = nearest_point(xp, y, rest, off, center, beyond)
     return select(xp, there > 0.0, lambda *v: touches(xp, *v),
-        (at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart, apart_off,
-        n1_off, a_off), lambda there: 0.0, (there,))
+        (leads, at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+        apart_off, n1_off, a_off), lambda there: 0.0, (there,))
 
 
 def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
@@ -1612,6 +1625,18 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
             xp.abs(cross*(wall_far*wall_far))
         )
         far0 = (at_minus_one - pull)*(at_minus_one + pull)
+        center = 2.0*at_one/(e + 1.0)
+        beyond = 2.0*at_minus_one/(e + 1.0)
+        sine = 0.25*beyond*center
+        tilt = 0.25*beyond - 0.25*center
+        real = 0.25*beyond*together - 0.25*apart*center
+        m0 = (n1*n1)*sine + real*real
+        m1 = (n1*n1)*tilt - n1*real
+        wave = 0.25*alpha*beyond - 0.25*center*wall_far
+        wall = sine*(slope*slope) + wave*wave
+        own0 = lost*sine - m0*wall
+        own1 = lost*tilt - force*m0 - m1*wall
+        own2 = e - force*m1
         a_off = number*square_root(xp, at_minus_one*gamma)
         pull = xp.abs(apart*wall_far)
         end_off = a_off + number2*at_minus_one + number2*pull
@@ -1619,30 +1644,39 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
         product = 4.0*near0*square
         room2 = 2.0*a_off + number3*far1_size
         product2 = 4.0*far0*square
+        square2 = (near1*near1)
+        product3 = 4.0*near0*square
+        size = square2 + xp.abs(product3)
+        square3 = (own1*own1)
+        product4 = 4.0*own0*own2
+        size2 = square3 + xp.abs(product4)
+        square4 = (far1*far1)
+        product5 = 4.0*far0*square
+        size3 = square4 + xp.abs(product5)
+        odd2 = xp.abs(xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+            (far0 == 0.0)) | (far0 < 0.0), xp.full_like(far0, 1.0), 0.0) -
+            xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) |
+            (near0 < 0.0), xp.full_like(near0, 1.0), 0.0))
 
-        def no(a_off, alpha, apart, at_minus_one, at_one, d, e, far0, far1, force, loss, lost, n1,
-            near0, near1, slope, square, together, wall_far):
-            center = 2.0*at_one/(e + 1.0)
-            beyond = 2.0*at_minus_one/(e + 1.0)
-            sine = 0.25*beyond*center
-            tilt = 0.25*beyond - 0.25*center
-            real = 0.25*beyond*together - 0.25*apart*center
-            m0 = (n1*n1)*sine + real*real
-            m1 = (n1*n1)*tilt - n1*real
-            wave = 0.25*alpha*beyond - 0.25*center*wall_far
-            wall = sine*(slope*slope) + wave*wave
-            own0 = lost*sine - m0*wall
-            own1 = lost*tilt - force*m0 - m1*wall
-            own2 = e - force*m1
-            square2 = (near1*near1)
-            product3 = 4.0*near0*square
-            size = square2 + xp.abs(product3)
-            square3 = (own1*own1)
-            product4 = 4.0*own0*own2
-            size2 = square3 + xp.abs(product4)
-            square4 = (far1*far1)
-            product5 = 4.0*far0*square
-            size3 = square4 + xp.abs(product5)
+        def no(product3, product5, size, size2, size3, square2, square4):
+            return select(xp, (size > size3) & (size2 > size3), lambda product5, square4: square4 -
+                product5, (product5, square4), lambda product3, square2: square2 - product3,
+                (product3, square2))
+
+        disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product4, square3: square3 -
+            product4, (product4, square3), no, (product3, product5, size, size2, size3, square2,
+            square4))
+        positive = xp.where(disc4 >= 0.0, disc4, 0.0)
+        root = square_root(xp, positive)
+        low, high = quadratic_roots(xp, near0, near1, square, root)
+        low3, high3 = quadratic_roots(xp, far0, far1, square, root)
+        odd = xp.abs(xp.where((disc4 >= 0.0) & (high > 0.0) & (low3 > 0.0) &
+            (xp.where(high < low3, high, low3) < 4.0), xp.full_like(disc4, 1.0), 0.0) -
+            xp.where((disc4 >= 0.0) & (high3 > 0.0) & (low > 0.0) &
+            (xp.where(high3 < low, high3, low) < 4.0), xp.full_like(disc4, 1.0), 0.0))
+
+        def no(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high, high3, loss, low,
+            low3, n1, near0, near1, own0, own1, own2, root, slope, square, together, wall_far):
             side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
             end = (
                 xp.where(wall_far > 0.0, side, 0.0) - d +
@@ -1650,21 +1684,9 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                 3.0
             )
 
-            def no(product3, product5, size, size2, size3, square2, square4):
-                return select(xp, (size > size3) & (size2 > size3), lambda product5,
-                    square4: square4 - product5, (product5, square4), lambda product3,
-                    square2: square2 - product3, (product3, square2))
-
-            disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product4,
-                square3: square3 - product4, (product4, square3), no,
-                (product3, product5, size, size2, size3, square2, square4))
-
-            def yes(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0,
-                near1, own0, own1, own2, slope, square, together, wall_far):
-                root = square_root(xp, disc4)
-                low, high = quadratic_roots(xp, near0, near1, square, root)
+            def yes(a_off, alpha, apart, beyond, center, d, high, high3, loss, low, low3, n1, own0,
+                own1, own2, root, slope, together, wall_far):
                 low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
-                low3, high3 = quadratic_roots(xp, far0, far1, square, root)
                 return (
                     2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope,
                     wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
@@ -1683,13 +1705,13 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
                     no, (far1, near1, square))
                 bottom3 = select(xp, own2 == 0.0, lambda own2: -1.0, (own2,), lambda own1,
                     own2: -0.5*own1/own2, (own1, own2))
-                return bottom_touches(xp, bottom, bottom2, bottom3, center, beyond, alpha, slope,
-                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                return bottom_touches(xp, square, bottom, bottom2, bottom3, center, beyond, alpha,
+                    slope, wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
                     xp.full_like(a_off, 0.0), a_off)
 
             total = select(xp, disc4 >= 0.0, yes,
-                (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1,
-                own0, own1, own2, slope, square, together, wall_far), no,
+                (a_off, alpha, apart, beyond, center, d, high, high3, loss, low, low3, n1, own0,
+                own1, own2, root, slope, together, wall_far), no,
                 (a_off, alpha, apart, beyond, center, d, far1, loss, n1, near1, own1, own2, slope,
                 square, together, wall_far))
             total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
@@ -1702,9 +1724,10 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
             (loss + strength < number4)) & (strength > 0.0)) |
             ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
             ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
-            (end_off >= xp.abs(at_minus_one - pull)), lambda at_minus_one: -1.0, (at_minus_one,),
-            no, (a_off, alpha, apart, at_minus_one, at_one, d, e, far0, far1, force, loss, lost,
-            n1, near0, near1, slope, square, together, wall_far))
+            (end_off >= xp.abs(at_minus_one - pull)) | (odd != odd2), lambda at_minus_one: -1.0,
+            (at_minus_one,), no, (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high,
+            high3, loss, low, low3, n1, near0, near1, own0, own1, own2, root, slope, square,
+            together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together))

@@ -544,10 +544,10 @@ static inline Part crossing_part(float x, float u, float x_off, float u_off, flo
     const float rest = atan2f(x < 0.0f ? -u : u, fabsf(x)), falls = per*steep;
     const float tilt = 0.5f*low - 0.5f*high, square = up*up;
     const float fast = square*(high + low) + 2.0f*fabsf(falls);
-    return (Part){x < 0.0f ? (u < 0.0f ? -1.0f : 1.0f) : 0.0f, rest, size, per, across*two + along*
-        one + away*away, away < 0.25f ? blur + 2.3841858e-07f*fabsf(rest) : 4.0f, 2.0f*falls*real +
-        2.0f*square*tilt, fast, 2.0f*(falls*falls) + fast*fast + 2.0f*high*low*square, up*
-        (real*tilt - falls), two*(one*fabsf(tilt) + fabsf(falls))};
+    return (Part){x < 0.0f ? (u < 0.0f ? -1.0f : 1.0f) : 0.0f, rest, size, per, size > 0.0f ?
+        across*two + along*one + away*away : 1.0f, away < 0.25f ? blur + 2.3841858e-07f*
+        fabsf(rest) : 4.0f, 2.0f*falls*real + 2.0f*square*tilt, fast, 2.0f*(falls*falls) + fast*
+        fast + 2.0f*high*low*square, up*(real*tilt - falls), two*(one*fabsf(tilt) + fabsf(falls))};
 }
 
 // the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
@@ -566,13 +566,14 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
         (-loop->alpha - loop->far), low, high);
     const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
         (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, -2.0f*edge*total, low, high);
-    const float ratio = part.per*part2.size, gap_ = fabsf(0.25f*ratio*part3.size - 1.0f);
-    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f;
+    const float ratio = part.per*part2.size, gap_ = 1.0f - 0.25f*ratio*part3.size;
+    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f, distant = fabsf(gap_);
     const float miss = 3.0f*part.off + 4.7683716e-07f, miss2 = 3.0f*part2.off + 4.7683716e-07f;
     const float miss3 = 3.0f*part3.off + 4.7683716e-07f;
     const float sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
         fabsf(part2.slope - part.slope + part3.slope);
-    const float whole3 = sure == 0.0f ? 1.0f : sure, reach = 0.25f*(9.0f*gap_ + 9.0f*rough)/whole3;
+    const float whole3 = sure == 0.0f ? 1.0f : sure;
+    const float reach = 0.25f*(9.0f*distant + 9.0f*rough)/whole3;
     const float bends = part.bend + part2.bend + part3.bend;
     const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
         sqrtf(still));
@@ -600,7 +601,8 @@ static inline float phase_turns(const Loop *loop, float y, float rest, float off
 // what the crossing on a piece, if there is one, adds
 static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, float k3,
     float low, float high, float at_low, float at_high, float zone) {
-    if (((at_high >= 0.0f && at_low < 0.0f) || (at_high < 0.0f && at_low >= 0.0f)) && high > low) {
+    if (((at_high >= 0.0f && at_low < 0.0f) || (at_high < 0.0f && at_low >= 0.0f)) &&
+        (at_low != 0.0f || low != 0.0f) && high > low) {
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
         const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
@@ -614,13 +616,15 @@ static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, 
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
             return -2.0f*found*rises;
         }
+        return NAN;
     }
     return 0.0f;
 }
 
-// NaN where wall and device may be equally strong, else 0
-static inline float touches(const Loop *loop, float y, float rest, float off, float loose,
-    float free) {
+// NaN where it is not certain that the device is stronger if leads is positive, and else the wall,
+// else 0
+static inline float touches(const Loop *loop, float leads, float y, float rest, float off,
+    float loose, float free) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
     const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
     const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
@@ -632,21 +636,22 @@ static inline float touches(const Loop *loop, float y, float rest, float off, fl
         (made*fabsf(loop->n1) + loop->n1_off), 0.0f, 0.0f, 0.0f);
     const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
         (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, 0.0f, 0.0f, 0.0f);
-    const float ratio = part.per*part2.size, gap_ = fabsf(0.25f*ratio*part3.size - 1.0f);
+    const float ratio = part.per*part2.size, gap_ = 1.0f - 0.25f*ratio*part3.size;
     const float rough = part.off + part2.off + part3.off + 7.1525574e-07f;
-    if (gap_ <= 2.0f*rough && rest > 0.0f && y > 0.0f) { return NAN; }
+    const float signed_ = leads > 0.0f ? gap_ : -gap_, good = signed_ > 2.0f*rough ? 1.0f : 0.0f;
+    if (good < 1.0f && rest > 0.0f && y > 0.0f) { return NAN; }
     return 0.0f;
 }
 
 // NaN where the wall may be as strong as the device at an extremum of both, else 0
-static inline float zone_touches(const Loop *loop, float x, float zone) {
+static inline float zone_touches(const Loop *loop, float leads, float x, float zone) {
     const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
     const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
     const float off = zone == 0.0f ? x - loop->center : (zone == 1.0f ? x : loop->beyond - x);
     const float loose = zone == 1.0f ? 9.536743e-07f : 1.1920929e-07f;
     const float free = zone == 1.0f ? 0.0f : 4.7683716e-07f*
         (zone == 0.0f ? loop->center : loop->beyond);
-    return touches(loop, y, rest, off, loose, free);
+    return touches(loop, leads, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -665,8 +670,13 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float middle2 = fminf(middle, more), p = first*(first*(first*k3 + k2) + k1) + k0;
     const float p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const float p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const float found = cut2 > low ? zone_touches(loop, cut2, zone) : 0.0f;
-    const float found2 = found + (cut3 > low ? zone_touches(loop, cut3, zone) : 0.0f);
+    const float value2 = cut3*(cut3*(cut3*k3 + k2) + k1) + k0;
+    float found = 0.0f;
+    if (cut2 > low) {
+        const float value = cut2*(cut2*(cut2*k3 + k2) + k1) + k0;
+        found = zone_touches(loop, value, cut2, zone);
+    }
+    const float found2 = found + (cut3 > low ? zone_touches(loop, value2, cut3, zone) : 0.0f);
     const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
     const float found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
     const float found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
@@ -831,18 +841,18 @@ static inline Point nearest_point(const Loop *loop, float y, float rest, float o
         inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest), inside > 0.0f ? off :
         (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0f ? 9.536743e-07f :
         1.1920929e-07f, inside > 0.0f ? 0.0f : 4.7683716e-07f*
-        (rest > y ? loop->center : loop->beyond), edge < 4.0f && rest > 0.0f && y > 0.0f ? 1.0f :
-        0.0f};
+        (rest > y ? loop->center : loop->beyond), fminf(rest, y) < 4.0f && rest > 0.0f &&
+        y > 0.0f ? 1.0f : 0.0f};
 }
 
 // NaN where the wall may be as strong as the device at an extremum of both, else 0
-static inline float bottom_touches(const Loop *loop, float y, float rest, float off) {
+static inline float bottom_touches(const Loop *loop, float leads, float y, float rest, float off) {
     const Point point = nearest_point(loop, y, rest, off);
     if (point.there > 0.0f) {
         const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
             loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
             .apart_off = 0.0f, .n1_off = 0.0f, .a_off = loop->a_off};
-        return touches(&loop2, point.at, point.still, point.away, point.loose, point.free);
+        return touches(&loop2, leads, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0f;
 }
@@ -884,37 +894,45 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         lost;
     const float far1_size = fabsf(lost) + fabsf((apart*apart)*force) +
         fabsf(at_minus_one*(e + 1.0f)) + fabsf(cross*(wall_far*wall_far));
-    const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const float far0 = (at_minus_one - pull)*(at_minus_one + pull), center = 2.0f*at_one/(e + 1.0f);
+    const float beyond = 2.0f*at_minus_one/(e + 1.0f), sine = 0.25f*beyond*center;
+    const float tilt = 0.25f*beyond - 0.25f*center;
+    const float real = 0.25f*beyond*together - 0.25f*apart*center, m0 = (n1*n1)*sine + real*real;
+    const float m1 = (n1*n1)*tilt - n1*real, wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
+    const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
+    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
     const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull2 = fabsf(apart*wall_far);
     const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
     const float room = 1.9073486e-06f*near1_size, product = 4.0f*near0*square;
     const float room2 = 2.0f*a_off + 1.9073486e-06f*far1_size, product2 = 4.0f*far0*square;
+    const float square2 = near1*near1, product3 = 4.0f*near0*square;
+    const float size = square2 + fabsf(product3), square3 = own1*own1, product4 = 4.0f*own0*own2;
+    const float size2 = square3 + fabsf(product4), square4 = far1*far1, product5 = 4.0f*far0*square;
+    const float size3 = square4 + fabsf(product5);
+    const float odd2 = fabsf(((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) && far0 == 0.0f) ||
+        far0 < 0.0f ? 1.0f : 0.0f) - ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
+        near0 == 0.0f) || near0 < 0.0f ? 1.0f : 0.0f));
+    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
+    const float positive = disc4 >= 0.0f ? disc4 : 0.0f, root = sqrtf(positive);
+    const Roots roots = quadratic_roots(near0, near1, square, root);
+    const Roots roots3 = quadratic_roots(far0, far1, square, root);
+    const float odd = fabsf((disc4 >= 0.0f && fminf(roots.high, roots3.low) < 4.0f &&
+        roots.high > 0.0f && roots3.low > 0.0f ? 1.0f : 0.0f) -
+        (disc4 >= 0.0f && fminf(roots3.high, roots.low) < 4.0f && roots.low > 0.0f &&
+        roots3.high > 0.0f ? 1.0f : 0.0f));
     if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
         strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
         (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
-        end_off >= fabsf(at_minus_one - pull2)) {
+        end_off >= fabsf(at_minus_one - pull2) || odd != odd2) {
         return -1.0f;
     }
-    const float center = 2.0f*at_one/(e + 1.0f), beyond = 2.0f*at_minus_one/(e + 1.0f);
-    const float sine = 0.25f*beyond*center, tilt = 0.25f*beyond - 0.25f*center;
-    const float real = 0.25f*beyond*together - 0.25f*apart*center, m0 = (n1*n1)*sine + real*real;
-    const float m1 = (n1*n1)*tilt - n1*real, wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
-    const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const float product3 = 4.0f*near0*square, size = square2 + fabsf(product3), square3 = own1*own1;
-    const float product4 = 4.0f*own0*own2, size2 = square3 + fabsf(product4), square4 = far1*far1;
-    const float product5 = 4.0f*far0*square, size3 = square4 + fabsf(product5);
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
-        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
     float total;
     if (disc4 >= 0.0f) {
-        const float root = sqrtf(disc4);
-        const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
-        const Roots roots3 = quadratic_roots(far0, far1, square, root);
         const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
             .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
             .beyond = beyond};
@@ -931,7 +949,7 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
             loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
             beyond};
-        total = bottom_touches(&loop2, bottom, bottom2, bottom3);
+        total = bottom_touches(&loop2, square, bottom, bottom2, bottom3);
     }
     const float total2 = total + ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
         near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f);

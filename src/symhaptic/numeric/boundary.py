@@ -153,8 +153,10 @@ def stability_boundary(
 
 def _principal(xp: Any, theta: Any, gamma: Any, delta: Any, delay: Any) -> tuple[Any, Any]:
     """The curve of a device without delay, turned by z^-delay."""
-    numbers = haptic.device_at_minus_one_kick_together_n_gap(xp, gamma, delta)
-    at_minus_one, _, together, apart = *numbers[:3], delta * numbers[3]
+    at_minus_one, _, together, gap = haptic.device_at_minus_one_kick_together_n_gap(
+        xp, gamma, delta
+    )
+    apart = delta * gap
     loss, half = delta * haptic.decay(xp, delta), theta / 2
     device = gamma * together, at_minus_one, loss, together, apart, together + apart
     ahead, in_phase = haptic.ahead_in_phase(xp, half, *device)

@@ -464,7 +464,7 @@ def test_the_margin_where_little_is_left_of_the_force_at_minus_one():
 
 
 def test_a_root_that_leaves_at_minus_one_next_to_three_half_turns_is_not_missed():
-    """Of a wall with alpha + 2 beta near 0: once 0.835, though a real root is outside from 0.168."""
+    """Of a wall with alpha + 2 beta near 0: once 0.835, where a real root is outside from 0.168."""
     loop = 88.73761316747441, -44.36880658419819, 88.82643960980423, 6.896720153027982e-13
     margin = float(delay_margin(*loop))
     assert margin == pytest.approx(0.168395224, abs=1e-8)
@@ -511,7 +511,9 @@ def test_hardly_any_force_at_minus_one_takes_no_time(loop):
 @pytest.mark.parametrize("loop", UNDECIDED)
 def test_what_is_not_decided_is_a_lower_bound_and_warned_of(loop):
     """Walls that are next to unstable at each delay, or next to it at one."""
-    with pytest.warns(RuntimeWarning, match=r"^delay_margin: alpha=.* a lower bound .*1 of 1 values"):
+    with pytest.warns(
+        RuntimeWarning, match=r"^delay_margin: alpha=.* a lower bound .*1 of 1 values"
+    ):
         margin = float(delay_margin(*loop))
     for share in (0.0, 0.1, 0.5, 0.9, 0.999):
         assert all_inside(*loop, share * margin)

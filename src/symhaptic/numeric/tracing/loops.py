@@ -49,9 +49,9 @@ class Loops(NamedTuple):
         left = np.flatnonzero(~one | (roots < 0))
         if left.size:
             some, over = self.take(left), part[left] == 1
-            late = some.behind(np.where(over, 0.0, part[left])), some.v, steps[left] + over
-            roots[left] = stability.count(*late, False)
-        return roots == 0
+            x = some.behind(np.where(over, 0.0, part[left]))
+            roots[left] = stability.count(x, some.v, steps[left] + over, False)
+        return np.asarray(roots == 0)
 
     def can_leave(self, part: Array) -> NDArray[np.bool_]:
         """Whether roots can leave at all behind a fraction 0 < part <= 1."""

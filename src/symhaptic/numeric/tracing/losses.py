@@ -101,7 +101,7 @@ class _Search:
 
     def left(self, parts: _Parts) -> NDArray[np.bool_]:
         """Which parts may change what is known."""
-        return parts.delay < np.minimum(self.least, self.open)[parts.at]
+        return np.asarray(parts.delay < np.minimum(self.least, self.open)[parts.at])
 
     def give_up(self, parts: _Parts) -> None:
         """Leave parts undecided."""

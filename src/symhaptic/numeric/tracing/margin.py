@@ -83,9 +83,8 @@ def max_delay(
     encloses the angles at which plant and wall can be equally strong, to second order, and the
     phases there; these exclude roots on the circle for many whole delays at once, or show that
     all roots cross in one direction.  The bounds are computed in double precision without
-    directed rounding.  At most 4096 parts of a period are examined for each loop, which takes up
-    to a tenth of a second for a loop alone; most loops take some milliseconds, or some 20
-    microseconds each in an array.  The time does not grow with the margin.
+    directed rounding.  At most 4096 parts of a period are examined for each loop, however
+    large the margin is, so that each call ends.
 
     See Also
     --------
