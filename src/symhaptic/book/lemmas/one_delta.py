@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from sympy import Ne, S, pi
@@ -68,6 +68,7 @@ from symhaptic.proof.theorems.kernel import (
     conjoined,
     part,
     placed,
+    relation,
     weakened,
     witnessed,
 )
@@ -203,6 +204,11 @@ def shown() -> Theorem:
 # -- numbers -------------------------------------------------------------------------------------
 
 
+def _from(rows: tuple[list[Any], ...], wanted: Any) -> Theorem:
+    """A relation as the sum of these products."""
+    return combined(wanted, *rows)
+
+
 @cache
 def in_numbers() -> Theorem:
     """Between which numbers the ratio lies for the arm at the limits, with one delta and two."""
@@ -215,24 +221,11 @@ def in_numbers() -> Theorem:
         most = least(0, damper)
         top = most.conclusion.right  # type: ignore[attr-defined]
         more = number(Relation(S.Zero, "<", held[0] - low * top))
-        found.append(
-            beside(
-                next(claims_),
-                stable,
-                held,
-                lambda wanted, low=low, most=most, more=more: combined(wanted, [low, most], [more]),
-            )
-        )
+        stiffer = partial(_from, ([low, most], [more]))
+        found.append(beside(next(claims_), stable, held, stiffer))
         passive_, wall = passive_wall(0, damper)
         less = number(Relation(S.Zero, "<", high * wall[0] - limit))
-        found.append(
-            beside(
-                next(claims_),
-                passive_,
-                wall,
-                lambda wanted, less=less: combined(wanted, [softer], [less]),
-            )
-        )
+        found.append(beside(next(claims_), passive_, wall, partial(_from, ([softer], [less]))))
     return conjoined(*found)
 
 
@@ -313,7 +306,8 @@ def counterexample_of() -> Case:
     angle = {omega: pi / (2 * LIMITS[T])}
     ends = [fact(p.at(angle)) for p in conjuncts(device.body.of[0])]
     short = at(assume(device), angle, *ends)
-    fails = absurd(short, number(negated(short.conclusion)), device)
+    contrary = negated(relation(short))
+    fails = absurd(short, number(contrary), device)
     both_ways = assume(there)
     differ = absurd(applied(both_ways, held), fails, there)
     assert given

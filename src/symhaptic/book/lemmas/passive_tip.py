@@ -48,7 +48,7 @@ def passive_wall() -> Theorem:
     walls = {line.lhs: line.rhs for line in ELEVEN}
     best = placed(stiffest_wall(*map(assume, ELEVEN)), walls)
     best = closed(best, *(identity(v, v) for v in walls.values()))
-    return part(best, best.conclusion.parts[0])  # type: ignore[attr-defined]
+    return part(best, best.conclusion.parts[0])
 
 
 @cache

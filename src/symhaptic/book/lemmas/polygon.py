@@ -64,7 +64,8 @@ HALF = exp(-I * theta / 2)
 def middle(corners: Sequence[Wall]) -> Wall:
     """The mean of the corners."""
     count = Rational(len(corners))
-    return tuple(sum(values) / count for values in zip(*corners, strict=True))  # type: ignore[return-value]
+    x, y = (sum(values) / count for values in zip(*corners, strict=True))
+    return x, y
 
 
 # -- where a zero at an angle lies ----------------------------------------------------------
@@ -119,9 +120,9 @@ def stretches(arm: Arm, delay: int, corners: Sequence[Wall]) -> list[Stretch]:
     runs: list[tuple[Side | None, np.ndarray[Any, Any]]] = []
     symbols = sp.symbols("p q c")
     value = sp.lambdify((theta, *symbols), beyond(symbols, delay).xreplace(known), "numpy")
-    for side in sides(corners):
-        found_beyond = value(grid, *map(float, side)) > 0
-        runs.append((side, found_beyond & (grid < np.pi - 1e-3)))
+    for line in sides(corners):
+        found_beyond = value(grid, *map(float, line)) > 0
+        runs.append((line, found_beyond & (grid < np.pi - 1e-3)))
     outweighed = sp.lambdify(theta, outweighs(corners).xreplace(known), "numpy")
     runs.append((None, outweighed(grid) > 0))
 

@@ -52,10 +52,10 @@ STIFFEST = Rational(98702, 10**4)
 """A little more than the spring of the Nyquist frequency for delta = 0.02."""
 
 WALLS: dict[int, Wall] = {
-    0: (Rational("0.04321"), Rational("0.0018")),
+    0: (Rational("0.04441"), Rational("0.00225")),
     1: (Rational("0.017447"), Rational("0.0076")),
 }
-"""Robustly stable walls for delta = 0.02, nearly the stiffest but for d = 0."""
+"""Robustly stable walls for delta = 0.02, nearly the stiffest."""
 
 
 @cache

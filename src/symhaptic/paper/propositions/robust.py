@@ -90,7 +90,7 @@ def _stiffness_rises_with_the_damper(printed: Printed) -> Proposition:
     return both(parts)
 
 
-CONSERVATIVE = {0: ("1.08", "1.118"), 1: ("1.053", "1.0532")}
+CONSERVATIVE = {0: ("1.11", "1.118"), 1: ("1.053", "1.0532")}
 """Between which numbers the largest robustly stable over the largest passive stiffness lies."""
 AT_MOST = {2: "1.0232", 4: "1.0083", 8: "1.0026"}
 """Below which numbers, for longer delays."""
