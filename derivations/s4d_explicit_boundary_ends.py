@@ -4,18 +4,17 @@ The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, fo
 which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
-from sympy import I, Ne, Rational, S, cosh, diff, exp, pi, sinh, sqrt, symbols
+from sympy import I, Rational, S, cosh, exp, pi, sinh, sqrt, symbols
 
+from symhaptic.book.lemmas.cotangent import cotangent_exceeds
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, t, theta, z
-from symhaptic.proof.enclosed import value
-from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import device_static, rising
-from symhaptic.proof.theorems.kernel import assume, placed
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
+from symhaptic.proof.enclosed import value as enclosed
+from symhaptic.proof.theorems.familiar import device_static
+from symhaptic.proof.theorems.kernel import assume
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0
@@ -63,24 +62,13 @@ def start(page):
     )
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
-    across, name = (stiffness + gamma) / theta**2, r"\frac{\alpha+\gamma}{\theta^2}"
-    page.limit(
-        "From its start the boundary goes to the right in the second order",
-        across,
-        theta,
-        S.Zero,
-        right,
-        name=name,
-    )
-    across, name = (damping + s_1 + d * gamma) / theta**2, r"\frac{\beta+s_1+d\gamma}{\theta^2}"
-    page.limit(
-        "From its start the boundary goes up in the second order",
-        across,
-        theta,
-        S.Zero,
-        up,
-        name=name,
-    )
+    for way, moved, value, name in (
+        ("to the right", stiffness + gamma, right, r"\alpha+\gamma"),
+        ("up", damping + s_1 + d * gamma, up, r"\beta+s_1+d\gamma"),
+    ):
+        title = f"From its start the boundary goes {way} in the second order"
+        name = rf"\frac{{{name}}}{{\theta^2}}"
+        page.limit(title, moved / theta**2, theta, S.Zero, value, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
         "At the start the boundary has the slope",
@@ -120,23 +108,10 @@ def without_spring(page, slope):
     )
     page.lemma(
         "Without a spring the boundary starts flatter than the line of (25), for $\\delta>0$",
-        exceeds(excess),
+        cotangent_exceeds(),
         because="this is the difference in the slope above; the boundary falls below the line at "
         "once",
     )
-
-
-def exceeds(excess):
-    """0 < coth(delta/2) - 2/delta for 0 < delta, as t cosh(t/2) - 2 sinh(t/2) rises from 0."""
-    half = positive(t / 2 > 0, [Rational(1, 2), t > 0])
-    sine = closed(rising(sinh, S.Zero, t / 2), half)
-    rest = t * cosh(t / 2) - 2 * sinh(t / 2)
-    slope = positive(diff(rest, t) > 0, [Rational(1, 2), t > 0, sine])
-    above = positive(rest.subs(t, delta) > 0, [grows(rest, t, S.Zero, delta, slope)])
-    sine = placed(sine, {t: delta})
-    below = positive(delta * sinh(delta / 2) > 0, [delta > 0, sine])
-    apart = positive(Ne(sinh(delta / 2), 0), [sine]), positive(Ne(delta, 0), delta > 0)
-    return closed(over(excess > 0, above, below), *apart)
 
 
 def gap(page):
@@ -174,7 +149,7 @@ def gap(page):
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
         "At the corner of (23) the distance is enclosed",
-        [("g", value(below.subs(corner)))],
+        [("g", enclosed(below.subs(corner)))],
     )
 
 

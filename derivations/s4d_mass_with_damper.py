@@ -8,7 +8,7 @@ from sympy import Rational, S, sqrt, symbols
 
 from symhaptic.book.lemmas.damped_mass import signs
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.book.lemmas.undelayed_stiffness import FREE, all_softer_reach, none_reaches
+from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, delta, gamma, s, w, z
@@ -56,13 +56,13 @@ def stiffness(page):
         because="a stable wall has $1+n_1\\beta>0$",
     )
     page.lemma(
-        "Without a spring, $\\delta\\le\\frac13$, no stable wall reaches this stiffness",
-        of_masses(none_reaches(FREE)),
+        "Without a spring, $\\delta\\le0.1$, no stable wall reaches this stiffness",
+        of_masses(none_stiffer()),
         because="for either root $w$; the positive one bounds more",
     )
     page.lemma(
-        "Without a spring, $\\delta\\le\\frac13$, a smaller stiffness is stable with one damping",
-        of_masses(all_softer_reach(FREE)),
+        "Without a spring, $\\delta\\le0.1$, a smaller stiffness is stable with one damping",
+        of_masses(all_softer()),
     )
     page.step(
         "The largest stiffness has a closed form",

@@ -7,8 +7,13 @@ closed form, and the paper's first ratio, 17.8 for $d=0$, is decided on the whol
 from sympy import Rational, S, sqrt
 
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, of_ratio
-from symhaptic.book.lemmas.undelayed_stiffness import LARGEST
-from symhaptic.book.lemmas.undelayed_tip import all_softer, claim, closed_form, none_stiffer
+from symhaptic.book.lemmas.undelayed_tip import (
+    LARGEST,
+    all_softer,
+    claim,
+    closed_form,
+    none_stiffer,
+)
 from symhaptic.bounds.walls import over, passive, undelayed
 from symhaptic.model import boundary, jury, plant
 from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, s_1, w
@@ -20,7 +25,7 @@ RISE = n_1 + n_0
 
 
 def derive(page):
-    first, second, third, minor = jury.criterion(jury.coefficients(0)).expressions
+    minor = jury.criterion(jury.coefficients(0)).expressions[-1]
     arm = {a: 1 + e - gamma * RISE}
     page.say(
         "Jury's inequalities for $d=0$ are $p_1(1)>0$, $c_1>0$, $c_3=-p_1(-1)>0$ and $\\Delta_2>0$ "
@@ -31,23 +36,6 @@ def derive(page):
     split = RISE * (1 - n_0 * beta) * (beta + s_1) - n_0 * (1 + n_1 * beta) * (alpha + gamma)
     page.step(
         "The minor has two products", minor.subs(arm).subs(e, 1 - loss), split, name=r"\Delta_2"
-    )
-    between = (8 - first - second - third).subs(arm).subs(e, 1 - loss)
-    page.step(
-        "The fourth coefficient, as all add up to 8",
-        between,
-        4 - RISE * (alpha + gamma) - 4 * n_0 * beta,
-        name="c_2",
-    )
-    parts = n_0 * (1 + n_1 * beta) * between
-    parts += (1 - n_0 * beta) * ((n_1 - n_0) ** 2 * beta + RISE**2 * s_1 - 4 * n_0)
-    page.step(
-        "The minor is also a sum with the fourth coefficient",
-        RISE * minor.subs(arm).subs(e, 1 - loss),
-        parts,
-        name=r"(n_1+n_0)\Delta_2",
-        because="all $c_k$ of a stable wall are positive, and the last factor is negative beside "
-        "soft springs: $1+n_1\\beta\\le0$ would make $\\Delta_2$ negative",
     )
     largest(page, minor, arm)
     ratio(page)
@@ -81,7 +69,8 @@ def largest(page, minor, arm):
         because="$\\Delta_2$ and $1+n_1\\beta$ are positive, and a square is not negative",
     )
     page.lemma(
-        "With the damping $\\beta=(w/n_0-1)/n_1$ every wall below it is stable",
+        "With the damping $\\beta=(w/n_0-1)/n_1$ every wall with "
+        "$-\\gamma<\\alpha<\\alpha_{\\max}(0)$ is stable",
         all_softer(),
         because="there the square vanishes; the other inequalities of Jury's hold, by balls around "
         "the numbers of the device",

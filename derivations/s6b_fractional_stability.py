@@ -107,10 +107,7 @@ def derive(page):
         "There is a root at 1 on the left bound only",
         combined(at_one, [device_static(assume(DEVICE)), 1], [total, alpha]),
     )
-    page.say(
-        "As before, $\\alpha>-\\gamma$ is necessary, for every plant and every delay. There may be "
-        "a root at $-1$, too:"
-    )
+    page.say("As before, $\\alpha>-\\gamma$ is necessary. There may be a root at $-1$, too:")
     page.step(
         "For even $\\ell$ a root at $-1$ is another line",
         polynomial.subs(l, 0).subs(z, -1),

@@ -63,8 +63,7 @@ def derive(page):
         "The sample is taken between two whole delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
-        because="between the delays $\\ell$ and $\\ell+1$, with the weights $1-\\varepsilon$ and "
-        "$\\varepsilon$",
+        because="of $\\ell$ and $\\ell+1$ periods, weighted by $1-\\varepsilon$ and $\\varepsilon$",
     )
     form = fractional.energy_form()
     straight = page.step(
@@ -93,8 +92,7 @@ def derive(page):
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",
-        because="on the unit circle the delay only turns it, so that the square of the modulus "
-        "does not contain it",
+        because="on the unit circle the delay only turns it",
     )
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
@@ -123,10 +121,9 @@ def derive(page):
         "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$; below, "
         "$x$ stands for $\\varrho$."
     )
-    wall_ = {K: 2 * b * u / T, B: b * (w - u)}
     page.step(
         "In $u$ and $w$ the size of the wall falls with the angle",
-        square.subs(wall_) / (2 * b * sin(theta / 2)) ** 2,
+        square.subs({K: 2 * b * u / T, B: b * (w - u)}) / (2 * b * sin(theta / 2)) ** 2,
         w**2 + u**2 * cot(theta / 2) ** 2,
         name=r"\Bigl(\frac{T|H|}{2b\sin\psi}\Bigr)^2",
     )

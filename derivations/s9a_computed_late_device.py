@@ -43,6 +43,24 @@ def derive(page):
     gap, across = (LATE.block.written_out()[place] for place in (3, 5))
     page.same("gap", gap.left, gap.right)
     page.say(
+        "A lightly damped device that turns nearly an odd number of half turns in a period is the "
+        "exception: there these terms are much larger than their sum. Let $c$ be the difference "
+        "of the poles, $h=\\delta/2$ and $u=\\frac12-\\varepsilon$. Then every term of another sum "
+        "vanishes with the damping or with $\\cosh(c/4)$, which is the cosine of half the angle "
+        "that an undamped device turns in a period:"
+    )
+    turned = LATE.block.written_out()[6]
+    page.show(
+        "At $z=-1$ the numerator is small for a lightly damped device near half turns",
+        r"\tfrac{\gamma}{4}e^{h}(m_2-m_1+m_0)",
+        r"2\cosh\tfrac c4\sinh\tfrac{c(1-\varepsilon)}4\sinh\tfrac{c\varepsilon}4"
+        r"+\sinh^2\tfrac h2-\cosh\tfrac c4\cosh\tfrac{cu}2\,(e^{-hu}\cosh\tfrac h2-1)"
+        r"\br-\tfrac{\delta}c e^{-hu}\cosh\tfrac h2\cosh\tfrac c4\sinh\tfrac{cu}2"
+        r"-e^{-hu}\sinh\tfrac h2\sinh\tfrac c4\bigl(\sinh\tfrac{cu}2"
+        r"+\tfrac{\delta}c\cosh\tfrac{cu}2\bigr)",
+        page.same("gap near half turns", turned.left, turned.right),
+    )
+    page.say(
         "The boundary asks for the difference of $m_2$ and $m_0$, too. Where the device swings "
         "nearly whole turns in a period both are alike, and what little is left decides about slow "
         "motions. With $k$ for the way by an impulse in the whole period, and $L=1-e$, "

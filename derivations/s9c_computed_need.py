@@ -53,23 +53,41 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "What is left at one angle is (5). The sine in it, of $(d+\\frac12)\\theta$, is that of "
-        "$2d+1$ halves of the angle, whose product is not rounded:"
+        "For a whole delay (5) gives the margin at one angle. The sine in it, of "
+        "$(d+\\frac12)\\theta$, is computed as that of $2d+1$ half angles, whose product is not "
+        "rounded:"
     )
     margin = passivity.margin().xreplace(UNITS)
     page.step(
-        "What is left at an angle has two functions",
+        "The margin at an angle has two functions",
         margin,
         delta
         - alpha * upright(SinNext(2 * d, theta / 2)) / (2 * sin(theta / 2))
         + beta * upright(CosNext(d, theta)),
         name=r"\delta-\delta_\mathrm{min}",
     )
+    page.say(
+        "For a delay of $\\ell+\\varepsilon$ periods the need $n$ of a straight motion is the mean "
+        "over the whole delays $\\ell$ and $\\ell+1$. One sine and one cosine of "
+        "$(\\ell+1)\\theta$ are enough for it:"
+    )
+    page.step(
+        "The need of a straight motion has one sine and one cosine",
+        fractional.required_straight().xreplace(UNITS),
+        upright(required_damping.straight_at()),
+        name="n",
+    )
+    page.say(
+        "All motions need the positive solution $b$ of "
+        "$b^2-bn-\\tfrac14\\varepsilon(1-\\varepsilon)s=0$, where $s$ is the square of the wall's "
+        "size. The margin is $\\delta-b$."
+    )
     settle(
         page,
         "passivity_margin_at",
         (MARGIN,),
-        "the computed margin at an angle is the derived one, (5), for every angle",
+        "the computed margin at an angle is the derived one: (5) for whole delays, and the margin "
+        "of the worst motion for delays with a fraction",
     )
 
 

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.numeric.tracing.extremes import max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
-    from symhaptic.numeric.tracing.margin import delay_margin
+    from symhaptic.numeric.tracing.margin import delay_margin, max_delay
     from symhaptic.numeric.tracing.region import Region, stable_region
     from symhaptic.numeric.tracing.robust import robust_region
     from symhaptic.proof.enclose import enclose, enclose_maximum
@@ -63,6 +63,7 @@ _HOME = {
     "jury": "symhaptic.model.jury",
     "lambdify": "symhaptic.scene.callables",
     "linear_limit": "symhaptic.numeric.linear",
+    "max_delay": "symhaptic.numeric.tracing.margin",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
     "max_stable_stiffness": "symhaptic.numeric.tracing.extremes",
     "passivity_boundary": "symhaptic.numeric.passivity",
@@ -99,6 +100,7 @@ __all__ = [
     "jury",
     "lambdify",
     "linear_limit",
+    "max_delay",
     "max_passive_stiffness",
     "max_stable_stiffness",
     "passivity_boundary",

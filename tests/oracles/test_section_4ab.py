@@ -68,8 +68,8 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
     only(agrees, first, second, images, product)
 
     for title, spring in (
-        ("At critical damping $n_1$ has this limit", 0.25),
-        ("Without a spring $n_1$ has this limit", 0.0),
+        ("At critical damping ${}$ has this limit", 0.25),
+        ("Without a spring ${}$ has this limit", 0.0),
     ):
 
         def agrees_there(n1, n0, spring=spring):
@@ -78,7 +78,10 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
                 for ours, theirs in zip((n1, n0), exact, strict=False):
                     assert abs(value(ours, delta=delta) - theirs) < 1e-45
 
-        only(agrees_there, *(shown("s4b_normalisation", title, i) for i in (0, 1)))
+        only(
+            agrees_there,
+            *(shown("s4b_normalisation", title.format(name)) for name in ("n_1", "n_0")),
+        )
 
 
 @guards("s4b_normalisation")

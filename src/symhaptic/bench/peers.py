@@ -77,7 +77,7 @@ def tasks(count: int) -> list[Task]:
             "delay margin",
             soft,
             _margin_error,
-            lambda al, be, g, dl: delay_margin(al, be, g, dl, "principal"),
+            lambda al, be, g, dl: delay_margin(al, be, g, dl, sheet="principal"),
             {"python-control, stability_margins": margin_by_control if tool else None},
         ),
     ]

@@ -80,7 +80,7 @@ def each(
     with ExitStack() as pools:
         if waiting:
             pool = pools.enter_context(_pool(min(workers, len(waiting)), FORKED))
-            pools.callback(pool.shutdown, wait=False, cancel_futures=True)
+            pools.callback(pool.shutdown, cancel_futures=True)
             running = {pool.submit(_run, work, paths[i]): i for i in waiting}
         while running or own:
             while own and len(apart) < workers:
@@ -91,7 +91,7 @@ def each(
             for future in wait(running, PAUSE, FIRST_COMPLETED).done:
                 i, done = running.pop(future), done + 1
                 if i in apart:
-                    apart.pop(i).shutdown(wait=False)
+                    apart.pop(i).shutdown()
                 try:
                     yield i, future.result()
                 except BrokenProcessPool:

@@ -195,7 +195,7 @@ def unstable_roots(
     [0, 2]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     found = _outside(given, sheet)
     xp = given.xp
     kind = xp.__array_namespace_info__().default_dtypes()["integral"]
@@ -249,7 +249,7 @@ def is_stable(
     [False, True]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     return _stable(given, sheet)  # type: ignore[no-any-return]
 
 

@@ -45,7 +45,7 @@ def tip(arm: Arm, delay: int, digits: int = 9) -> tuple[Rational, Rational, Rati
 
 def _digits(share: Expr) -> int:
     """Decimals that tell a tip from one that is this share away, and at least nine."""
-    return max(9, 4 - int(log(float(share), 10)))
+    return max(9, 4 - int(log(abs(share), 10)))
 
 
 @cache

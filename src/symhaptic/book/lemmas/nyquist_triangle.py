@@ -222,8 +222,7 @@ def hardly_moved() -> Theorem:
     known = []
     for goal in conjuncts(goals):
         gap = goal.right - goal.left  # type: ignore[attr-defined]
-        certificate: Any = box.positive(gap, {delta: (0, DAMPED)})
-        known.append(combined(goal, [on_plain_box(certificate)]))
+        known.append(combined(goal, [on_plain_box(box.positive(gap, {delta: (0, DAMPED)}))]))
     ends = positive(delta >= 0, delta > 0)
     moved = for_all(symbols, given, weakened(closed(conjoined(*known), ends), *given))
     return conjoined(kept, moved)
