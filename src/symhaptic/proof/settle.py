@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from symhaptic.notation.terms import NoTerm
+from symhaptic.notation.written import written
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Printed, read
@@ -72,7 +73,8 @@ class Settlement:
             return Verdict(Kind.SLIP, "", corrected=self.slip, shows=self.shows, note=self.note)
         if self.left_open:
             claim = None if self.claim is None else self.claim(printed)
-            return Verdict(Kind.UNDECIDED, OPEN, note=self.note, claim=claim)
+            shown = None if claim is None else written(claim)
+            return Verdict(Kind.UNDECIDED, OPEN, note=self.note, claim=claim, proposition=shown)
         if self.external is not None and not self.derived:
             return Verdict(Kind.EXTERNAL, self.external, note=self.note)
         return self._compared(printed)
