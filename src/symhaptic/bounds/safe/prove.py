@@ -122,16 +122,20 @@ def circle(loops: Loops, low: float) -> tuple[Fraction, ...]:
     return (*found, PI)
 
 
-def widest(loops: Loops, angles: Ends, hands: Hands, K: float, B: float) -> tuple[float, int]:
-    """By how much walls differ over a piece, and across what most: the angle, or h, r or s."""
-    (low, high), ((h0, h1), (r0, r1), (s0, s1)) = angles, hands
+def widest(loops: Loops, piece: Piece, K: float, B: float) -> tuple[float, int]:
+    """By how much walls differ over a piece, and across what most: the angle, or h, r or s.
+
+    Next to the angle 0 walls are unknown only if the arms differ too much.
+    """
+    (low, high), ((h0, h1), (r0, r1), (s0, s1)) = piece.angles, piece.hands
     mass = float(loops.mass + h1) / float(loops.mass + h0) - 1
     by_r, by_s = (float(h1) if by else 1.0 for by in loops.by_mass)
     drift = float(r1 * (h1 - h0)) if loops.by_mass[0] else 0.0
     spring = float(s1 * (h1 - h0)) if loops.by_mass[1] else 0.0
     held = 1 + float(loops.stiffness) / K  # its spring is part of what turns with the angle
+    arms_alone = not low and math.isinf(piece.walls.K[0]) and any(a < b for a, b in piece.hands)
     sizes = (
-        2 * (float(high / low) - 1) * held if low else 16.0,
+        2 * (float(high / low) - 1) * held if low else 0.0 if arms_alone else 16.0,
         mass + drift / B + spring / K,
         float(r1 - r0) * by_r / B,
         float(s1 - s0) * by_s / K,
@@ -175,7 +179,7 @@ def shown(loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float
                 if looked > most:
                     tops[:] = 0.0
                     break
-                size, across = widest(loops, piece.angles, piece.hands, K, B)
+                size, across = widest(loops, piece, K, B)
                 slack = max(0.0, (looked - _EASY) / _HARD)
                 if size > fine and np.any(heights <= (1 - slack) * begun[which]):
                     across, halves = best_halves(loops, piece, across, touching, tops)
