@@ -72,17 +72,11 @@ def derive(page):
     [seventeen], [eighteen] = STATEMENTS["eq17"].printed, STATEMENTS["eq18"].printed
     page.define("With them the paper writes the numerator (17)", n, seventeen.rhs)
     page.define("and the denominator (18)", p, eighteen.rhs)
-    page.step(
-        "(18) is this polynomial times a factor",
-        eighteen.rhs,
-        bottom,
-        name=p,
-        because="$p(z)=-2c_1\\gamma\\,p_1(z)$ with the device's $n_1$, $n_0$, $a$ and $e$",
-        paper="18",
-    )
+    page.same("(18) is p_1 times a factor", eighteen.rhs, bottom)
     page.say(
-        "The factor vanishes for a device that nobody holds and at critical damping, and with it "
-        "all of $n(z)$ and $p(z)$."
+        "With the device's $n_1$, $n_0$, $a$ and $e$ this is $p(z)=-2c_1\\gamma\\,p_1(z)$. The "
+        "factor vanishes for a device that nobody holds and at critical damping, and with it all "
+        "of $n(z)$ and $p(z)$."
     )
     _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for an ungrabbed device", late=False)
     _settle(

@@ -17,7 +17,6 @@ from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
-HEAD = ["", *(f"$d={n}$" for n in range(8))]
 PARTS = {
     gamma: ("spring", r"$\delta=0$", r"$\delta=0.02$"),
     delta: ("damper", r"$\gamma=0$", r"$\gamma=0.001$"),
@@ -56,14 +55,14 @@ def derive(page):
 def in_numbers(page, parameter, id):
     """The changes between the ends of one range."""
     name, *ends = PARTS[parameter]
-    rows = [[end, *row] for end, row in zip(ends, CHANGES[parameter].values(), strict=True)]
+    rows = [[str(n), *row] for n, row in enumerate(zip(*CHANGES[parameter].values(), strict=True))]
     page.table(
         f"Largest stable stiffness without the {name} over that with it, change in per cent of the "
         "smaller one, decimals cut off."
         if parameter == gamma
         else f"Growth of the largest stable stiffness by the {name}, in per cent, decimals cut "
         "off.",
-        HEAD,
+        ["$d$", *ends],
         rows,
     )
     ranges = r"$\gamma=0.001$" if parameter == gamma else r"$\delta=0.02$"

@@ -31,7 +31,11 @@ def as_sentence(text: str) -> str:
 
 
 def prose(text: str) -> str:
-    """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
+    """Prose with formulas between dollar signs: what TeX takes for itself is written out.
+
+    A line may break after each hyphen of an id.
+    """
+    text = re.sub(r"\\texttt\{[^{}]*\}", lambda id: id[0].replace("-", r"-\allowbreak{}"), text)
     return beside_formulas(referred(text, lambda number: f"\\chapterlink{{{number}}}"))
 
 
