@@ -47,7 +47,6 @@ def derive(page):
         "The arm's forces can be counted as external",
         both * x - F_E,
         device * x - (F_E - arm * x),
-        name=r"(ms^2+bs+k)\,x-F_E",
         because="zero for the motion of both; the last bracket is the force on the device alone",
     )
     _settle(page)

@@ -5,19 +5,20 @@ We ask whether only their sum matters, and whether a delay that is no multiple o
 period can be treated like one that is.
 """
 
-from sympy import S
+from sympy import Ne, S
 
 from symhaptic.book.lemmas.sampled import late_answer, lumped
-from symhaptic.book.lemmas.sampled_points import FREE, fails, shown_at
+from symhaptic.book.lemmas.sampled_points import FREE, completed, shown_at
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import normalised, sampled
-from symhaptic.notation import d, d_1, d_2, function, l, z
-from symhaptic.notation.proposition import whole
+from symhaptic.notation import T, d, d_1, d_2, function, l, t_d, z
+from symhaptic.notation.proposition import TRUE, Predicate, Relation
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.device import q
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
-from symhaptic.proof.theorems.tactics import for_all
+from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, witnessed
+from symhaptic.proof.theorems.leaves import is_whole
+from symhaptic.proof.theorems.roots import degree
+from symhaptic.proof.theorems.tactics import closed, every, example, fact, for_all, over, positive
 
 
 def derive(page):
@@ -54,6 +55,7 @@ def derive(page):
         example=shown_at(claim, point),
         note="the delays of device and sensor need not be whole; those of the computation are",
     )
+    _not_negative(page)
     page.say(
         "Now the free mass, $\\gamma=\\delta=0$, in units of $m$ and $T$. A unit force is held for "
         "one period but arrives $d<1$ periods late; where is the mass when it is sampled next?"
@@ -75,27 +77,53 @@ def derive(page):
         because="a delay of whole periods shifts the samples and changes none of them",
     )
     page.say(
-        "Writing $z^{-d}$ in front of $P(z)$, and replacing $z$ by a power of a finer variable, "
-        "places the whole response between the samples: at the next sample it predicts no motion "
-        "at all. For $d=\\tfrac12$ the mass has in truth moved by $\\tfrac18$. The substitution is "
-        "therefore exact for whole delays. For the others $P(\\zeta^q)$ is not even the device "
-        "sampled $q$ times as often: it is $q$ copies of the slow device, coupled by the delay."
+        "Writing $z^{-d}$ in front of $P(z)$ places the whole response between the samples: at "
+        "the next sample it predicts no motion at all. For $d=\\tfrac12$ the mass has moved by "
+        "$\\tfrac18$. So $z^{-d}$ is exact for whole delays only. For other delays the "
+        "substitution $z=w^q$ makes a polynomial, as the paper says, and it is an approximation, "
+        "as the paper says, too: $P(w^q)$ is not the device sampled $q$ times as often but $q$ "
+        "copies of the slow device, coupled by the delay."
     )
     page.lemma(
-        "Behind whole delays $z^{-d}$ is exact, for every device",
+        "For whole delays $z^{-d}$ is exact, for every device",
         late_answer(),
         because="a force that comes whole periods late is $z^{-d}$ times the force",
     )
-    claim = CLAIMED["s2c-rational-delay"](())
-    symbols, given, _ = taken_apart(claim)
-    point = FREE | {d: S.Half, q: 2, z: 4}
+    _rational(page)
+
+
+def _rational(page):
+    """The substitution makes whole exponents, and approximates."""
+    polynomial, some = CLAIMED["s2c-rational-delay"](()).of
+    symbols, given, has = taken_apart(polynomial)
+    found = degree(has.of[0], has.over[0], has.of[1])
+    known = [assume(part) for part in given]
+    open_ = found.hypotheses.difference(given)
+    steps = [is_whole(h.of[0], *known) if isinstance(h, Predicate) else fact(h) for h in open_]
+    found = page.lemma(
+        "With $z=w^{q+1}$ the polynomial of the loop has whole exponents", closed(found, *steps)
+    )
+    late = FREE | {d: S.Half, z: S(4)}
+    values, answers = completed(every(some.over, some.body.of[:-1], TRUE), late)
+    there = [p.at(values) for p in some.body.of]
+    shown = [*answers, *(fact(p) for p in there if isinstance(p, Relation))]
+    apart = closed(conjoined(*map(assume, there)), *shown)
     page.settle(
         "s2c-rational-delay",
-        for_all(symbols, [*given, whole(d)], weakened(late_answer(), *given)),
-        example=shown_at(claim, point | {d: 1}, whole(d)),
-        unless=[fails(claim, point, but=whole(d))],
-        shows=r"half a period late, a free mass answers $z=4$ by $\tfrac{41}{288}$, not by "
-        r"$\tfrac12\cdot\tfrac5{18}$",
-        note="the paper calls the substitution an approximation; the exact form for fractional "
-        "delays is the modified z-transform",
+        conjoined(for_all(symbols, given, found), witnessed(apart, some, values)),
+        note="half a period late, a free mass answers $z=4$ by $\\tfrac{41}{288}$ and not by "
+        "$\\tfrac12\\cdot\\tfrac5{18}$; the exact form for fractional delays is the modified "
+        "z-transform (fractional-polynomial)",
+    )
+
+
+def _not_negative(page):
+    """A delay that is zero is allowed."""
+    symbols, given, _ = taken_apart(CLAIMED["s2c-positive-delay"](()))
+    period = positive(Ne(T, 0), T > 0)
+    page.settle(
+        "s2c-positive-delay",
+        for_all(symbols, given, closed(over(t_d / T >= 0, t_d >= 0, T > 0), period)),
+        example=example({t_d: S.Zero, T: S.One}, given),
+        note="zero is allowed, as in Fig. 7",
     )

@@ -49,10 +49,12 @@ def derive(page):
     angle = omega * T
     needed = passivity.required_damping(H(z), angle)
     printed = re((1 - exp(-I * angle)) * H(exp(I * angle)), evaluate=False)
-    page.result(
-        "At every angle the damper must burn more than the wall gives",
-        b > T / 2 / (1 - cos(angle)) * printed,
-        equal_to=b > needed,
+    page.step(
+        "At every angle the damper must exceed what the wall gives",
+        needed,
+        T / 2 / (1 - cos(angle)) * printed,
+        name=r"b_{\min}(\omega)",
+        boxed=True,
         paper="4",
         because="a motion whose spectrum is concentrated near an angle where this fails gains "
         "energy",
@@ -127,7 +129,9 @@ def _settle(page, condition):
                 but=PUSHES,
             )
         ],
-        note="at equality no motion gains energy either, so that (4) is sufficient, and necessary "
-        "but for equality",
-        shows="$H=-(1+1/z+1/z^2)$ pulls, satisfies (4) for every damper, and gives energy away",
+        note="of walls with three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$ with a whole $d$, as (1) is; "
+        "no other $H$ is settled. At equality no motion gains energy either, so that (4) is "
+        "sufficient, and necessary but for equality",
+        shows="a wall of three taps, $H=(h_0+h_1/z+h_2/z^2)z^{-d}$, may pull: $H=-(1+1/z+1/z^2)$ "
+        "satisfies (4) for every damper, and gives energy away",
     )

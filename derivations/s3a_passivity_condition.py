@@ -47,9 +47,8 @@ def derive(page):
         need,
         brackets,
         paper="5",
-        name=r"\frac{T}{2}\,\frac{\Re\{(1-e^{-j\theta})H(e^{j\theta})e^{-jd\theta}\}}"
-        r"{1-\cos\theta}",
-        because="the wall put into the energy balance, with $z=e^{j\\theta}$, $\\theta=\\omega T$",
+        name=r"\frac{T}{2}\,\frac{\Re\{(1-1/z)H(z)z^{-d}\}}{1-\cos\theta}\Big|_{z=e^{j\theta}}",
+        because="the wall put into the energy balance, with $\\theta=\\omega T$",
     )
     page.step(
         "The stiffness counts with Dirichlet's kernel",
@@ -61,10 +60,12 @@ def derive(page):
         cos(d * theta) - 2 * cos((d + 1) * theta) + cos((d + 2) * theta),
         -(2 - 2 * cos(theta)) * cos((d + 1) * theta),
     )
-    page.result(
-        r"The margin is that of (5), for every real $d$ and every $0<\theta<\pi$",
-        b > passivity.dirichlet_form(),
-        equal_to=b > need,
+    page.step(
+        r"The damper must exceed what (5) says, for every real $d$ and every $0<\theta<\pi$",
+        need,
+        passivity.dirichlet_form(),
+        name=r"b_{\min}(\theta)",
+        boxed=True,
         because="the Dirichlet kernel of order $d$ against a single cosine; the mass has dropped "
         "out",
     )

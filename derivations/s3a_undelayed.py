@@ -11,6 +11,7 @@ from symhaptic.book.lemmas.undelayed import (
     APART,
     HALF,
     OFF_BORDER,
+    damped_side,
     decides,
     either,
     enough,
@@ -127,6 +128,20 @@ def derive(page):
         ],
         shows="a spring with $K=-1$ meets (6), but four unit steps gain 2",
         note="with $\\ge$ it is the passive walls with $K\\ge0$, those on the border as well",
+    )
+    upper_part(page)
+
+
+def upper_part(page):
+    """(6) for walls that damp."""
+    symbols, given, _ = taken_apart(CLAIMED["s3c-upper-part"](()))
+    found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
+    page.settle(
+        "s3c-upper-part",
+        for_all(symbols, given, weakened(found, *given)),
+        example=example({K: S.One, B: S.One, b: S(2), T: S.One}, given),
+        note="the condition that (5) becomes at the frequency of the largest damping "
+        "(\\texttt{s3c-bmax-frequency}); the lower part, for $B<0$, is $b>\\frac{KT}2-B$",
     )
 
 

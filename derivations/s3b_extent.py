@@ -22,13 +22,13 @@ def derive(page):
         "The margin over $b$ is linear in $u$ and $w$",
         passivity.margin().subs(wall) / b,
         1 - u * cot(psi) * sin(N * psi) + w * cos(N * psi),
-        name=r"F/b",
+        name=r"1-b_{\min}/b",
     )
     page.step(
         "At $N\\psi=\\pi$ only the damping counts",
         margin.subs(psi, pi / N),
         1 - w,
-        name="F/b",
+        name=r"1-b_{\min}/b",
         because="so $w\\le1$",
     )
     page.limit(
@@ -37,7 +37,7 @@ def derive(page):
         psi,
         S.Zero,
         1 + w - N * u,
-        name="F/b",
+        name=r"\bigl(1-b_{\min}/b\bigr)",
         because="so $w\\ge Nu-1\\ge-1$",
     )
     page.step(

@@ -50,7 +50,7 @@ def derive(page):
         "The dashed curve of the corners is a hyperbola in $y=B/b$",
         corner[0].subs(d, delay),
         2 * (1 + y) * (1 - 2 * y) / (1 + 4 * y),
-        name=r"\frac{KT}{b}",
+        name=r"\frac{K_cT}{b}",
         because="an arc of a hyperbola from $(2,0)$ to $(0,\\tfrac12)$",
     )
     page.same("the corner's damping", corner[1].subs(d, delay), y)
@@ -58,7 +58,7 @@ def derive(page):
         "The dash-dotted curve of the tips is (11)",
         tip[0],
         2 * tan(angle / 2),
-        name=r"\frac{KT}{b}",
+        name=r"\frac{K_{\max}T}{b}",
         because="this is Fig. 5; it falls with every delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)

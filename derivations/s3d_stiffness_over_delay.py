@@ -4,17 +4,17 @@ Fig. 5 of the paper draws the stiffness of (11) over the delay. For which delays
 that is passive?
 """
 
-from sympy import Rational, S, cos, pi, tan
+from sympy import Rational, S, pi, tan
 
 from symhaptic.book.figures.passivity import largest_stiffness
+from symhaptic.book.lemmas.half_late_passive import passive_with
 from symhaptic.book.lemmas.motions import half_late, not_passive
 from symhaptic.book.lemmas.stiffest_passive import divisors, stiffest_wall
-from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, b, d, epsilon, l, theta, x
+from symhaptic.model import passivity
+from symhaptic.notation import B, K, T, b, d, theta
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.proof import box
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
 from symhaptic.proof.theorems.leaves import combined
@@ -31,37 +31,21 @@ def derive(page):
         "The tip of the envelope has the stiffness of (11)",
         passivity.envelope()[0].subs(theta, angle) * T / b,
         2 * tan(angle / 2),
-        name=r"\frac{KT}{b}",
+        name=r"\frac{K_{\max}T}{b}",
         because="the tip of the envelope, where the damping does nothing",
     )
-    larger(page)
+    page.lemma(
+        "With half a period of delay the wall $K=1.17\\,b/T$, $B=0.32\\,b$ is passive",
+        passive_with(Rational("1.17"), Rational("0.32")),
+        because="so the largest passive stiffness is above the curve of Fig. 5, which is at "
+        "$2\\tan\\frac\\pi6=1.1547$ there",
+    )
     page.figure(
         "fig5",
         "Fig. 5 of the paper: the largest stiffness that satisfies (5).",
         largest_stiffness,
     )
     _tips(page)
-
-
-def larger(page):
-    """A passive wall half a period late that is stiffer than the curve."""
-    exact = fractional.margin().subs({epsilon: S.Half, l: 0, b: 1, T: 1})
-    wall = {K: Rational("1.17"), B: Rational("0.32")}
-    square = 32 * x**2 / 25 - 5027 * x / 2500 + Rational(127239, 160000)
-    page.show(
-        "At the wall $KT/b=1.17$, $B/b=0.32$, half a period late, the margin is quadratic",
-        "D/b^2",
-        square,
-        page.same("in x", exact.subs(wall), square.subs(x, cos(theta / 2) ** 2)),
-        because="with $x=\\cos^2\\frac\\theta2$",
-    )
-    return page.positive(
-        "The wall beyond Fig. 5 is passive",
-        box.positive(square, {x: (0, 1)}),
-        on=r"0\le x\le1",
-        name="D/b^2",
-        because="though the curve of Fig. 5 ends at $2\\tan\\frac\\pi6=1.1547$",
-    )
 
 
 def _tips(page):

@@ -11,7 +11,7 @@ from symhaptic.book.lemmas.sampled import device_claim, late_answer
 from symhaptic.book.lemmas.sampled_points import FREE, SWINGING, fails, shown_at
 from symhaptic.model.passivity import on_circle
 from symhaptic.model.plant import Plant, sampled
-from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, k, m, omega, s, t, z
+from symhaptic.notation import T, T_s, b, c_1, c_2, c_3, d, function, k, m, omega, s, t, z
 from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
@@ -75,8 +75,6 @@ def derive(page):
     )
     page.settle("eq13", Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)), definition=True)
 
-    images = {c_2: exp(two), c_3: exp(one)}
-    stiffness = m * ((b * T / m) ** 2 - c_1**2) / (4 * T**2)
     page.say(
         "The samples obey $x_{k+1}=\\Phi x_k+\\Gamma F_k$ with $\\Phi=e^{AT}$, so the transfer "
         "function is $(1,0)(z-\\Phi)^{-1}\\Gamma$. Written with $c_1,c_2,c_3$:"
@@ -84,16 +82,15 @@ def derive(page):
     device = sampled(unit, split=c_1)
     exact = T**2 / m * device.transfer
     (form,) = read(CORRECTED)
-    given = images | {k: stiffness}
-    page.show(
+    page.step(
         "The discrete equivalent is the printed one with a factor $m/T$",
-        "P(z)",
-        CORRECTED,
-        page.same("written", exact.xreplace(given), form.xreplace(given)),
+        exact,
+        form,
+        name=function("P")(z),
         paper="12",
     )
     page.say(
-        "The last summand of the numerator needs the factor $m/T$ that the print lacks: without "
+        "The last summand of the numerator needs the factor $m/T$ that (12) lacks: without "
         "it a damping is added to a squared damping, and the result depends on the units. The "
         "form is $0/0$ for $k=0$ and at critical damping, where the motion is not special at all."
     )
@@ -122,7 +119,7 @@ def _delay(page):
         "On the unit circle the delay only turns",
         on_circle(z ** (-d), omega * T),
         exp(-I * d * omega * T),
-        name=r"z^{-d}",
+        name=r"z^{-d}\big|_{s=j\omega}",
     )
     page.lemma(
         "A force that comes whole periods late is $z^{-d}$ times the force",
@@ -140,6 +137,6 @@ def _delay(page):
         example=shown_at(corrected, free, whole(d)),
         unless=[fails(claim, free)],
         shows=r"at $d=T=1$, $T_s=2$ a free mass would answer $e^{-2}$ times, not half as much",
-        note="the print has the Laplace variable as a subscript; exact at the samples for whole "
-        "delays",
+        note="possibly of the conversion of the text: $T_s$ for $Ts$; exact at the samples for "
+        "whole delays",
     )

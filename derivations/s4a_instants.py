@@ -26,24 +26,13 @@ def derive(page):
     page.say(
         "Over a period the state moves as $x_{k+1}=\\Phi x_k+\\Gamma F_k$ if the force $F_k$ is "
         "held all the time. That is a law for the samples alone. Two periods after each other are "
-        "one of twice the length:"
+        "one of twice the length, $\\Phi(2)=\\Phi(1)\\Phi(1)$, and a force that is held for both "
+        "answers like two in a row, $\\Gamma(2)=\\Phi(1)\\Gamma(1)+\\Gamma(1)$."
     )
     one = [part(S.One, c).xreplace(given) for part in (device.transition, device.held)]
     two = [part(S(2), c).xreplace(given) for part in (device.transition, device.held)]
-    motion = page.same("motion", two[0], one[0] * one[0])
-    push = page.same("push", two[1], one[0] * one[1] + one[1])
-    page.show(
-        "The free motion of two periods is that of one, twice",
-        r"\Phi(2)",
-        r"\Phi(1)\,\Phi(1)",
-        motion,
-    )
-    page.show(
-        "A force held for both periods answers like two in a row",
-        r"\Gamma(2)",
-        r"\Phi(1)\,\Gamma(1)+\Gamma(1)",
-        push,
-    )
+    page.same("motion", two[0], one[0] * one[0])
+    page.same("push", two[1], one[0] * one[1] + one[1])
     page.say(
         "A delay of $d$ whole periods puts $F_{k-d}$ in place of $F_k$; the force is still held "
         "from one sampling instant to the next. So for whole delays, and as long as the external "
@@ -58,8 +47,6 @@ def derive(page):
         name="x_1",
         because="by its samples $F_0=0$ the mass has not moved at all",
     )
-    sampled = page.same("samples", free.held(S.One)[0] * t.subs(t, 0), S.Zero)
-    page.show("The samples of that force say less", "n_1F_0", S.Zero, sampled)
     page.step(
         "A held force that comes $d$ periods late is not the shifted one",
         free.held(1 - d)[0],

@@ -4,7 +4,7 @@ Seven physical parameters describe the loop. Measured in units of the moving mas
 sampling period, two of them disappear.
 """
 
-from sympy import Eq, Ne, Poly, S, exp
+from sympy import Eq, Function, Ne, Poly, S, exp
 
 from symhaptic.book.lemmas.renaming import definitions, renamed
 from symhaptic.book.lemmas.sampled import device_claim
@@ -16,6 +16,7 @@ from symhaptic.notation import (
     B,
     K,
     T,
+    a,
     alpha,
     b,
     beta,
@@ -24,9 +25,12 @@ from symhaptic.notation import (
     c_3,
     d,
     delta,
+    e,
     gamma,
     k,
     m,
+    n_0,
+    n_1,
     s,
     t_d,
     z,
@@ -49,11 +53,12 @@ def derive(page):
         s**2 + b * T / m * s + k * T**2 / m,
         name=r"\tfrac{T^2}{m}\bigl(m\tfrac{s^2}{T^2}+b\tfrac sT+k\bigr)",
     )
+    page.define("The wall, (1)", Function("H")(z), wall.transfer())
     force = page.step(
         "The wall has two numbers, $\\alpha$ and $\\beta$",
         wall.transfer() * T**2 / m,
         K * T**2 / m + B * T / m * (1 - 1 / z),
-        name=r"\tfrac{T^2}{m}H(z)",
+        name=r"\tfrac{T^2}{m}H",
     )
     _, damping, stiffness = Poly(motion, s).all_coeffs()
     virtual_stiffness = force.subs(z, 1)
@@ -71,19 +76,19 @@ def derive(page):
     unit = plant.normalised(FULL)
     one, two = unit.poles(c_1)
     _abbreviations(page, Eq(c_1, unit.split), Eq(c_2, exp(two)), Eq(c_3, exp(one)))
-    images = {c_2: exp(two), c_3: exp(one)}
-    given = images | {gamma: (delta**2 - c_1**2) / 4}
+    given = {gamma: (delta**2 - c_1**2) / 4}
+    for name, meaning in ((c_1, unit.split), (c_2, exp(two)), (c_3, exp(one))):
+        page.define("One of the abbreviations (15)", name, meaning)
     device = sampled(unit, split=c_1)
     first = ((2 - c_2 - c_3) * c_1 + (c_2 - c_3) * delta) / (2 * c_1 * gamma)
     second = ((2 * exp(-delta) - c_2 - c_3) * c_1 + (c_3 - c_2) * delta) / (2 * c_1 * gamma)
     for title, name, theirs, form in (
-        ("The first sample of the step response is $n_1$", "n_1", device.n1, first),
-        ("The second coefficient is $n_0$", "n_0", device.n0, second),
-        ("The images of the poles add up to $a$", "a", device.a, c_2 + c_3),
+        ("The first sample of the step response is $n_1$", n_1, device.n1, first),
+        ("The second coefficient is $n_0$", n_0, device.n0, second),
+        ("The images of the poles add up to $a$", a, device.a, c_2 + c_3),
+        ("The two poles have the product $e$", e, exp(one) * exp(two), exp(-delta)),
     ):
-        proof = page.same(name, theirs.xreplace(given), form.xreplace(given))
-        page.show(title, name, form, proof)
-    page.step("The two poles have the product $e$", exp(one) * exp(two), exp(-delta), name="e")
+        page.step(title, theirs, form, name=name)
     page.say(
         "so that the device is $P(z)=\\frac{T^2}{m}(n_1z+n_0)/(z^2-az+e)$. The forms of $n_1$ and "
         "$n_0$ are $0/0$ for $\\gamma=0$, a device that nobody holds, and for $c_1=0$. The values "
@@ -97,7 +102,7 @@ def derive(page):
     ):
         chain = general.xreplace(given)
         page.limit(
-            "At critical damping $n_1$ has this limit",
+            f"At critical damping ${name}$ has this limit",
             chain,
             c_1,
             S.Zero,
@@ -105,7 +110,7 @@ def derive(page):
             name=name,
         )
         page.limit(
-            "Without a spring $n_1$ has this limit",
+            f"Without a spring ${name}$ has this limit",
             chain,
             c_1,
             delta,

@@ -6,7 +6,7 @@ polynomial, and its form should not break down for the devices that one meets.
 
 from functools import cache
 
-from sympy import Eq, Ne, S, symbols
+from sympy import Eq, Ne, S, exp, sqrt, symbols
 
 from symhaptic.book.lemmas.sampled import loop_claim
 from symhaptic.book.lemmas.sampled_points import CRITICAL, SWINGING, UNHELD, fails, shown_at
@@ -16,7 +16,10 @@ from symhaptic.notation import (
     alpha,
     beta,
     c_1,
+    c_2,
+    c_3,
     d,
+    delta,
     function,
     gamma,
     z,
@@ -35,40 +38,46 @@ def derive(page):
     push = ((alpha + beta) * z - beta) / z ** (d + 1)
     page.say("With the sampled device $P$ and the delayed wall, in units of $m$ and $T$:")
     page.step(
-        "In these numbers the wall has no unit",
+        "In these numbers the delayed wall has no unit",
         wall.normalised(FULL)[0] / wall.normalised(FULL)[1],
         (alpha + beta * (1 - 1 / z)) * z ** (-d),
-        name=r"\tfrac{T^2}{m}H(z)z^{-d}",
+        name=r"\tfrac{T^2}{m}H_d(z)",
     )
     page.step(
         "The closed loop is a quotient with one denominator",
         plain / (1 + plain * push),
         (n_1 * z + n_0) * z ** (d + 1) / short,
-        name=r"\tfrac{m}{T^2}G_x(z)",
+        name=r"\tfrac{m}{T^2}G_x",
         because="$P/(1+PHz^{-d})$, both sides multiplied by the two denominators",
         paper="16",
     )
     page.say("The denominator is monic and never degenerates:")
-    page.show(
-        "The characteristic polynomial is (18)",
-        "p_1(z)",
+    page.step(
+        "The characteristic polynomial, with the highest coefficient 1",
+        loop.closing(plant.Sampled(n_1, n_0, a, e)),
         short,
-        page.same(
-            "the model",
-            loop.characteristic(split=c_1),
-            short.xreplace({a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}),
-        ),
+        name="p_1(z)",
         boxed=True,
-        paper="18",
-    )
-    page.say(
-        "The paper multiplies numerator and denominator by $-2c_1\\gamma$. That factor vanishes "
-        "for a device that nobody holds and at critical damping, and with it all of $n(z)$ and "
-        "$p(z)$."
     )
     n, p, closed = function("n")(z), function("p")(z), function("G_x")(z)
     scale = -2 * c_1 * gamma
     top, bottom = scale * device.numerator, scale * loop.characteristic(split=c_1)
+    page.say("The abbreviations (15) of the paper are")
+    for title, name, meaning in (
+        ("The difference of the poles", c_1, sqrt(delta**2 - 4 * gamma)),
+        ("the image of the faster pole", c_2, exp(-(delta + c_1) / 2)),
+        ("and that of the slower one", c_3, exp(-(delta - c_1) / 2)),
+    ):
+        page.define(title, name, meaning)
+    [seventeen], [eighteen] = STATEMENTS["eq17"].printed, STATEMENTS["eq18"].printed
+    page.define("With them the paper writes the numerator (17)", n, seventeen.rhs)
+    page.define("and the denominator (18)", p, eighteen.rhs)
+    page.same("(18) is p_1 times a factor", eighteen.rhs, bottom)
+    page.say(
+        "With the device's $n_1$, $n_0$, $a$ and $e$ this is $p(z)=-2c_1\\gamma\\,p_1(z)$. The "
+        "factor vanishes for a device that nobody holds and at critical damping, and with it all "
+        "of $n(z)$ and $p(z)$."
+    )
     _settle(page, "eq17", Eq(n, top), r"$n(z)\equiv0$ for an ungrabbed device", late=False)
     _settle(
         page,

@@ -52,7 +52,7 @@ def derive(page):
         "was measured. Over the next largest ratios, of Hogan and of Tsuji et al.:"
     )
     shown = []
-    for column, name in ((1, "k_H/m_H"), (2, "b_H/m_H")):
+    for column, name in ((1, r"\frac{k_H/m_H}{(k_H/m_H)_2}"), (2, r"\frac{b_H/m_H}{(b_H/m_H)_2}")):
         all_of_them = ratios(column)
         most = all_of_them.pop(EXCLUDED)
         shown.append((name, most / max(all_of_them.values())))

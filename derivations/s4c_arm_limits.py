@@ -73,13 +73,13 @@ def largest(page):
         "The stiffness of the row that is left out is beyond (23)",
         hard * PERIOD**2,
         Rational(1, 150),
-        name=r"\gamma",
+        name=r"\frac{kT^2}m",
     )
     page.step(
         "The damping of the row that is left out is beyond (23)",
         viscous * PERIOD,
         Rational(1, 20),
-        name=r"\delta",
+        name=r"\frac{bT}m",
     )
     return spring, up
 
@@ -87,11 +87,12 @@ def largest(page):
 def limits(page, spring, damper):
     """(22) from (19), (21) and the devices of the paper's reference [8]."""
     total = damper + DEVICE
-    page.show(
+    page.step(
         "The limits of arm and device add up",
-        "14.6+0.625",
-        "15.225",
-        page.same("sum", total, Rational("15.225")),
+        total,
+        Rational("15.225"),
+        name="14.6+0.625",
+        because="that is 15.225",
         paper="22",
     )
     page.settle_external(
@@ -108,11 +109,14 @@ def limits(page, spring, damper):
         because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
     )
     signs = {"<": Lt, "<=": Le}
-    forms = [signs[p.sign](p.left, p.right, evaluate=False) for p in inside.conclusion.of]
+    names = {meaning: name for name, meaning in held.items()}
+    forms = [
+        signs[p.sign](p.left.xreplace(names), p.right.xreplace(names), evaluate=False)
+        for p in inside.conclusion.of
+    ]
     page.settle_external(
         "eq22",
         "on $b_D/m_D<0.625\\,\\mathrm{s}^{-1}$ for the devices of [8], and on Table II",
         r"follows from both; the weighted mean of both gives $14.6\,T$ already",
         *forms,
-        given=held,
     )

@@ -4,19 +4,23 @@ The boundary runs through the angles $0<\theta<\pi$. We ask for its two ends, fo
 which it starts, and how it lies there against the line $\beta+\delta=\alpha(d+\tfrac12)$ of (25).
 """
 
-from sympy import I, Rational, S, cosh, diff, exp, pi, sinh, sqrt, symbols, tanh
+from sympy import I, Rational, S, cosh, exp, pi, sinh, sqrt, symbols
 
+from symhaptic.book.lemmas.cotangent import cotangent_exceeds
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, c, d, delta, gamma, h, nu, s_1, s_2, theta, z
-from symhaptic.proof import sign
-from symhaptic.proof.enclosed import value
+from symhaptic.proof.enclosed import value as enclosed
+from symhaptic.proof.theorems.familiar import device_static
+from symhaptic.proof.theorems.kernel import assume
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL = N_1 + N_0
 NU, FIRST = N_0 / TOTAL, (1 - E + gamma * N_0) / TOTAL
 SECOND = 1 / TOTAL - (1 - NU) * FIRST
+SLOPE = r"\frac{d\beta}{d\alpha}"
 
 
 def derive(page):
@@ -27,15 +31,10 @@ def derive(page):
 
 def start(page):
     """The end at theta -> 0, and the slope there."""
-    device = plant.sampled(plant.normalised(FULL), split=c)
-    given = {gamma: (delta**2 - c**2) / 4}
-    static = (1 - device.a + device.e).xreplace(given)
-    page.show(
-        "The spring is the denominator's value at 1",
-        "1-a+e",
-        gamma * TOTAL,
-        page.same("static", static, (gamma * (device.n1 + device.n0)).xreplace(given)),
-        because="as $P(1)=1/\\gamma$. It takes the place of $a$",
+    page.lemma(
+        "At $z=1$ the denominator is the spring times the numerator",
+        device_static(assume(DEVICE)),
+        because="since $P(1)=1/\\gamma$. The spring $\\gamma$ takes the place of $a$ here",
     )
     page.say("Three more numbers of the arm keep the formulas short:")
     page.define("The numerator's second number has a share $\\nu$", nu, NU)
@@ -43,11 +42,11 @@ def start(page):
     page.define("At low frequencies it shows the mass $s_2$", s_2, 1 / TOTAL - (1 - nu) * s_1)
     near = gamma + s_1 * (z - 1) + s_2 * (z - 1) ** 2 / (1 + (1 - nu) * (z - 1))
     arm = plant.Sampled(N_1, N_0, 1 + E - gamma * TOTAL, E)
-    page.show(
-        "Near $z=1$ the arm is these three",
-        r"\frac{1}{P(z)}",
+    page.step(
+        "Near $z=1$ the arm is given by these three numbers",
+        1 / arm.transfer,
         near,
-        page.same("near 1", 1 / arm.transfer, near.subs({nu: NU, s_1: FIRST, s_2: SECOND})),
+        name=r"P^{-1}(z)",
     )
     stiffness, damping = boundary.solved(on_circle(-(z**d) * near))
     page.limit(
@@ -63,30 +62,19 @@ def start(page):
     )
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
-    across, name = (stiffness + gamma) / theta**2, r"\frac{\alpha+\gamma}{\theta^2}"
-    page.limit(
-        "From its start the boundary goes to the right in the second order",
-        across,
-        theta,
-        S.Zero,
-        right,
-        name=name,
-    )
-    across, name = (damping + s_1 + d * gamma) / theta**2, r"\frac{\beta+s_1+d\gamma}{\theta^2}"
-    page.limit(
-        "From its start the boundary goes up in the second order",
-        across,
-        theta,
-        S.Zero,
-        up,
-        name=name,
-    )
+    for way, moved, value, name in (
+        ("to the right", stiffness + gamma, right, r"\alpha+\gamma"),
+        ("up", damping + s_1 + d * gamma, up, r"\beta+s_1+d\gamma"),
+    ):
+        title = f"From its start the boundary goes {way} in the second order"
+        name = rf"\frac{{{name}}}{{\theta^2}}"
+        page.limit(title, moved / theta**2, theta, S.Zero, value, name=name)
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     page.step(
         "At the start the boundary has the slope",
         up / right,
         d + Rational(1, 2) - short / (12 * s_2 + 12 * (d + 1) * s_1 + 6 * d * (d + 1) * gamma),
-        name=r"\frac{d\beta}{d\alpha}",
+        name=SLOPE,
         boxed=True,
         because="less than that of the line wherever $n_1\\ge n_0$ and no $s_i$ is negative",
     )
@@ -97,28 +85,32 @@ def without_spring(page, slope):
     """gamma = 0: the start is (0, -delta), on the line."""
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     numbers = {gamma: 0, N_1: device.n1, N_0: device.n0, E: device.e}
-    page.step("Without a spring the damping is $\\delta$", FIRST.subs(numbers), delta, name=s_1)
-    page.step("Without a spring the mass $s_2$ is 1", SECOND.subs(numbers), S.One, name=s_2)
-    excess = 1 / tanh(delta / 2) - 2 / delta
+    page.step(
+        "Without a spring the damping is $\\delta$",
+        FIRST.subs(numbers),
+        delta,
+        name=r"s_1\big|_{\gamma=0}",
+    )
+    page.step(
+        "Without a spring the mass $s_2$ is 1",
+        SECOND.subs(numbers),
+        S.One,
+        name=r"s_2\big|_{\gamma=0}",
+    )
+    excess = cosh(delta / 2) / sinh(delta / 2) - 2 / delta
     page.step(
         "Without a spring the boundary starts at $(0,-\\delta)$ with the slope",
         slope.subs(numbers),
         d + Rational(1, 2) - ((d + 1) ** 2 * delta + excess) / (2 + 2 * (d + 1) * delta),
-        name=r"\frac{d\beta}{d\alpha}",
+        name=SLOPE,
         boxed=True,
         because="it is the $d+\\tfrac12$ of (25) for $\\delta\\to0$ only",
     )
-    up, half = sign.Interval(delta, S.Zero), Rational(1, 2)
-    grown = [[half, sign.exponential(s * delta / 2)] for s in (1, -1)]
-    sine = sign.integrated(2 * sinh(delta / 2), up, sign.combined(cosh(delta / 2), *grown))
-    rise = delta * cosh(delta / 2) - 2 * sinh(delta / 2)
-    slope = sign.combined(diff(rise, delta), [Rational(1, 4), up.above, sine])
-    under = sign.combined(delta * sinh(delta / 2), [half, up.above, sine])
-    page.positive(
-        "The start is flatter than the line",
-        sign.quotient(excess, sign.integrated(rise, up, slope), under),
-        r"\delta>0",
-        because="so the boundary falls below the line at once",
+    page.lemma(
+        "Without a spring the boundary starts flatter than the line of (25), for $\\delta>0$",
+        cotangent_exceeds(),
+        because="this is the difference in the slope above; the boundary falls below the line at "
+        "once",
     )
 
 
@@ -131,25 +123,33 @@ def gap(page):
     numbers = {N_1: device.n1, N_0: device.n0, E: device.e}
     below = FIRST.subs(numbers) - delta - gamma / 2
     weighed = below * gamma * (device.n1 + device.n0)
-    page.show(
-        "The start lies below that line by a difference of order $\\delta\\gamma^2$",
-        r"s_1-\delta-\tfrac12\gamma",
-        exp(-delta / 2) / (gamma * TOTAL) * waves,
-        page.same("gap", weighed.xreplace(given), (exp(-delta / 2) * waves).xreplace(given)),
-        because="with $c^2=\\delta^2-4\\gamma$",
+    page.say(
+        "Let $g=s_1-\\delta-\\frac12\\gamma$ be the distance of the start from that line. With the "
+        "difference $c$ of the poles:"
+    )
+    page.define("The poles of the arm differ by $c$", gamma, given[gamma])
+    page.step(
+        "The distance of the start from the line of (25) is a difference of hyperbolic functions",
+        weighed,
+        exp(-delta / 2) * waves,
+        name=r"\gamma(n_1+n_0)\,g",
+        because="positive up to the limit (30), as \\chapter{s4d_explicit_boundary_signs} shows",
     )
     scaled = waves.xreplace(given).subs({delta: h * delta, c: h * c}, simultaneous=True)
-    page.show(
-        "For short periods the difference is $\\delta\\gamma^2/720$ to lowest order",
-        r"\lim_{T\to0}\frac{720}{\delta\gamma^2}\bigl(s_1-\delta-\tfrac12\gamma\bigr)",
+    page.limit(
+        "For short periods the distance is $\\delta\\gamma^2/720$ to lowest order",
+        720 * scaled / (h**7 * delta * gamma**3).xreplace(given),
+        h,
+        S.Zero,
         S.One,
-        page.limits(720 * scaled / (h**7 * delta * gamma**3).xreplace(given), h, S.Zero, S.One),
-        because="as $n_1+n_0$ and the exponential tend to 1",
+        name=r"\frac{720\,(n_1+n_0)\,e^{\delta/2}}{\delta\gamma^2}\,g",
+        because="a period $h$ times as long has $h\\delta$ and $hc$ in place of $\\delta$ and $c$; "
+        "$n_1+n_0$ and the exponential tend to 1",
     )
     corner = {gamma: Rational(1, 1000), delta: Rational(1, 50), c: sqrt(-Rational(9, 2500))}
     page.enclosed(
-        "At the corner of (23) the difference is enclosed",
-        [(r"s_1-\delta-\tfrac12\gamma", value(below.subs(corner)))],
+        "At the corner of (23) the distance is enclosed",
+        [("g", enclosed(below.subs(corner)))],
     )
 
 

@@ -8,7 +8,7 @@ from sympy import I, Rational, S, Symbol, cos, pi, sin, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import Omega, alpha, beta, d, gamma, theta, x
+from symhaptic.notation import Omega, d, gamma, theta, x
 
 ANGLE = (d + 1) * theta
 SPRING = Symbol("g")
@@ -18,25 +18,26 @@ def derive(page):
     swinging = plant.sampled(plant.normalised(Parts(damping=False)), split=2 * I * Omega)
     arm = plant.Sampled(swinging.n1, swinging.n0, swinging.a, S.One)
     stiffness, damping = (side.xreplace({gamma: Omega**2}) for side in boundary.wall(arm))
-    spring = page.define(
-        "One function of the spring decides, with $\\Omega=\\sqrt\\gamma$",
+    page.define("The device swings by this angle in a period", gamma, Omega**2)
+    page.define(
+        "One function of the spring decides",
         SPRING,
         gamma * (cos(Omega) - cos(theta)) / (1 - cos(Omega)),
-    ).xreplace({gamma: Omega**2})
+    )
     first, second = cos(ANGLE) / cos(theta / 2) ** 2, 2 * sin(ANGLE) / sin(theta)
-    page.show(
+    page.step(
         "The boundary of an undamped device has one stiffness at each angle",
-        alpha,
+        stiffness,
         SPRING * first,
-        page.same("stiffness", stiffness, spring * first),
+        name=r"\alpha(\theta)",
         boxed=True,
         because="for every real $d$ on the principal sheet, and $\\cos\\Omega\\ne1$",
     )
-    page.show(
+    page.step(
         "The boundary's damping is given by a sine",
-        alpha + 2 * beta,
+        stiffness + 2 * damping,
         SPRING * second,
-        page.same("damping", stiffness + 2 * damping, spring * second),
+        name=r"\alpha(\theta)+2\beta(\theta)",
         boxed=True,
     )
     per_gamma = (x - cos(theta)) / (1 - x)
@@ -110,12 +111,12 @@ def end(page):
         "For odd half swings, $x=-1$, it stays finite",
         per_gamma * cos(ANGLE) / cos(theta / 2) ** 2,
         -cos(ANGLE),
-        name=r"\alpha/\gamma",
+        name=r"\frac{\alpha}{\gamma}\Big|_{x=-1}",
     )
     page.step(
         "For $x=-1$ the damping stays finite, too",
         2 * per_gamma * sin(ANGLE) / sin(theta),
         -sin(ANGLE) / tan(theta / 2),
-        name=r"(\alpha+2\beta)/\gamma",
+        name=r"\frac{\alpha+2\beta}{\gamma}\Big|_{x=-1}",
         because="so that it ends at $\\alpha=(-1)^d\\gamma$, $\\beta=-\\alpha/2$",
     )

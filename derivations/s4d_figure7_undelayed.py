@@ -9,8 +9,8 @@ from sympy import S, cos, symbols
 
 from symhaptic.book.figures.stability import undelayed
 from symhaptic.book.lemmas.springs_alike import line_and_curve, springs_alike
-from symhaptic.model.passivity import on_circle
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, theta, z
+from symhaptic.model import boundary, plant
+from symhaptic.notation import a, beta, d, delta, e, gamma, n_0, n_1, theta
 from symhaptic.paper.propositions.plots import CURVE, OTHER
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.kernel import conjoined
@@ -18,25 +18,26 @@ from symhaptic.proof.theorems.tactics import example
 
 
 def derive(page):
-    x = symbols("x")
+    x = symbols("xi")
     size = n_1**2 + n_0**2 + 2 * n_1 * n_0 * x
     top = (2 * x - 1) * (a * n_0 - n_1) + a * n_1 - e * (n_1 + n_0) - n_0 * (4 * x**2 - 2 * x - 1)
     side = a * n_0 - (1 - e) * n_1 - 2 * n_0 * x
-    polynomial = (z**2 - a * z + e) * z + (n_1 * z + n_0) * ((alpha + beta) * z - beta)
-    on_it = {alpha: top / size, beta: side / size}
-    root = page.same(
-        "a root at exp(j theta)", on_circle(polynomial.subs(on_it)).subs(x, cos(theta)), S.Zero
+    stiffness, damping = (of.subs(d, 0) for of in boundary.wall(plant.Sampled(n_1, n_0, a, e)))
+    page.say("For $d=0$ the explicit boundary is a pair of rational functions of a cosine.")
+    page.define("The angle enters by its cosine", x, cos(theta))
+    page.step(
+        "The boundary without delay has this stiffness",
+        stiffness,
+        top / size,
+        name=r"\alpha(\theta)",
     )
-    page.say("For $d=0$ the explicit boundary is a pair of rational functions of $x=\\cos\\theta$.")
-    page.show("The boundary without delay has this stiffness", alpha, on_it[alpha], root)
-    page.show("The boundary without delay has this damping", beta, on_it[beta], root)
-    graph = page.same("the curve as a graph", on_it[alpha], CURVE.subs(beta, on_it[beta]))
-    page.show(
-        "The curve gives one stiffness for each damping",
-        alpha,
-        CURVE,
-        graph,
-        because="where Jury's minor vanishes, which is linear in $\\alpha$",
+    page.step(
+        "The boundary without delay has this damping", damping, side / size, name=r"\beta(\theta)"
+    )
+    page.same("the curve as a graph", top / size, CURVE.subs(beta, side / size))
+    page.say(
+        "Each of its dampings has one stiffness. There Jury's minor vanishes, which is linear in "
+        "$\\alpha$."
     )
     curve = page.lemma(
         "The stable walls are those above $\\beta=-1$ between a line and this curve",

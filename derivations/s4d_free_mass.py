@@ -5,42 +5,45 @@ is known in closed form. We show that the first arc, $0<(d+1)\theta<\pi/2$, and 
 enclose the stable walls, all of them and nothing else.
 """
 
-from sympy import I, Rational, cos, cot, diff, exp, pi, sin, tan
+from sympy import Eq, I, Ne, Rational, cos, cot, diff, exp, sin, tan
 
 from symhaptic.book.figures.passivity import free_mass
 from symhaptic.model import boundary, loop, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.passivity import on_circle, real_part
 from symhaptic.notation import alpha, beta, d, tau, theta, x, y, z
-from symhaptic.proof import sign
+from symhaptic.proof.theorems.familiar import square
+from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, over, positive, sine_of_half
 
 FREE = Parts(stiffness=False, damping=False)
 ANGLE = (d + 1) * theta
 HALF = Rational(1, 2)
+BENT = (1 + 2 * cos(theta / 2) ** 2) / sin(theta / 2) ** 4
+CURVATURE = (d + 1) ** 2 * cos(ANGLE) + alpha * BENT / 8
 
 
 def derive(page):
     polynomial = loop.characteristic(FREE)
     stiffness, damping = boundary.wall(plant.sampled(plant.normalised(FREE)))
-    t = tan(theta / 2)
-    page.show(
-        "With $\\tau=\\tan\\frac\\theta2$ the boundary's stiffness is a cosine",
-        alpha,
+    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
+    page.step(
+        "On the boundary of a free mass the stiffness is a cosine",
+        stiffness,
         4 * tau**2 * cos(ANGLE),
-        page.same("stiffness", stiffness, 4 * t**2 * cos(ANGLE)),
+        name=r"\alpha(\theta)",
     )
-    page.show(
-        "With $\\tau$ stiffness and twice the damping are a sine",
-        alpha + 2 * beta,
+    page.step(
+        "On the boundary of a free mass stiffness and twice the damping are a sine",
+        stiffness + 2 * damping,
         4 * tau * sin(ANGLE),
-        page.same("damping", stiffness + 2 * damping, 4 * t * sin(ANGLE)),
+        name=r"\alpha(\theta)+2\beta(\theta)",
     )
-    necessary(page, polynomial, t)
-    page.show(
-        "On the whole boundary stiffness and angle give the damping",
-        r"(\alpha+2\beta)^2",
-        16 * tau**2 - alpha**2 / tau**2,
-        page.same("level", (stiffness + 2 * damping) ** 2, 16 * t**2 - stiffness**2 / t**2),
+    necessary(page, polynomial)
+    page.lemma(
+        "On the boundary of a free mass the stiffness and the angle give the damping",
+        damping_given(),
         because="for a given $\\alpha$ it grows with $\\theta$",
     )
     page.say(
@@ -80,7 +83,7 @@ def derive(page):
     )
 
 
-def necessary(page, polynomial, t):
+def necessary(page, polynomial):
     """A stable wall lies between the two ends of the first arc."""
     page.step(
         "At $z=1$ the polynomial is $\\alpha$",
@@ -92,11 +95,11 @@ def necessary(page, polynomial, t):
     real = cos(theta / 2) ** 2 * (alpha - 4 * tau**2 * cos(ANGLE))
     imaginary = sin(theta) / 2 * (alpha + 2 * beta - 4 * tau * sin(ANGLE))
     turned = on_circle(polynomial) * exp(-I * theta)
-    page.show(
+    page.step(
         "On the upper half of the circle the polynomial has these two parts",
-        r"e^{-j\theta}p_1(e^{j\theta})",
+        turned,
         real + I * imaginary,
-        page.same("on the circle", turned, (real + I * imaginary).subs(tau, t)),
+        name=r"e^{-j\theta}p_1(e^{j\theta})",
     )
     root = x + I * y
     page.step(
@@ -113,24 +116,17 @@ def necessary(page, polynomial, t):
         "$\\theta_1<\\theta_2$, its imaginary part is positive and negative. The real part "
         "vanishes where $h=\\cos(d+1)\\theta-\\frac\\alpha4\\cot^2\\frac\\theta2$ does."
     )
-    up, below, stiff = (sign.assume(e) for e in (theta, pi - theta, alpha))
-    late, steps = (sign.assume(e, strict=False) for e in (cos(ANGLE), d))
-    angle = sign.combined(theta / 2, [HALF, up])
-    rest = sign.combined(pi / 2 - theta / 2, [HALF, below])
-    s = sign.sine(angle, sign.combined(pi - theta / 2, [rest], [sign.number(pi / 2)]))
-    c = sign.cosine(angle, rest)
-    bent = sign.quotient(
-        (1 + 2 * cos(theta / 2) ** 2) / sin(theta / 2) ** 4,
-        sign.combined(1 + 2 * cos(theta / 2) ** 2, [1], [2, c, c]),
-        sign.combined(sin(theta / 2) ** 4, [s, s, s, s]),
-    )
-    size = sign.combined(d + 1, [1], [steps])
     level = cos(ANGLE) - alpha / 4 * cot(theta / 2) ** 2
-    page.positive(
-        "The arc is concave",
-        sign.combined(-diff(level, theta, 2), [size, size, late], [Rational(1, 8), stiff, bent]),
-        r"\alpha>0,\ \cos(d+1)\theta\ge0",
+    page.step(
+        "The function $h$ has this curvature",
+        -diff(level, theta, 2),
+        CURVATURE,
         name="-h''",
+    )
+    page.lemma(
+        "The curvature of $h$ has one sign where $\\cos(d+1)\\theta$ is not negative",
+        concave(),
+        because="so $h$ is concave there",
     )
     page.say(
         "A zero of $h$ needs $\\cos(d+1)\\theta>0$. On the first stretch, $(d+1)\\theta<\\pi/2$, "
@@ -140,4 +136,26 @@ def necessary(page, polynomial, t):
         "and $\\theta_1$, $\\theta_2$ lie on the first arc. There $\\alpha$ is that of the "
         "boundary, and by the imaginary part $\\beta$ lies between the two dampings. No other wall "
         "is stable."
+    )
+
+
+def concave():
+    """0 < -h''(theta) for 0 < theta < pi, 0 < alpha, 0 <= d and 0 <= cos((d+1) theta)."""
+    sine, size = sine_of_half(theta), positive(d + 1 > 0, d >= 0, [1])
+    fourth = positive(sin(theta / 2) ** 4 > 0, [sine] * 4)
+    top = positive(1 + 2 * cos(theta / 2) ** 2 > 0, [1], [2, square(cos(theta / 2))])
+    bent = over(BENT > 0, top, fourth)
+    late = assume(cos(ANGLE) >= 0)
+    found = positive(CURVATURE > 0, [size, size, late], [Rational(1, 8), alpha > 0, bent])
+    return closed(found, positive(Ne(sin(theta / 2), 0), [sine]))
+
+
+def damping_given():
+    """(alpha + 2 beta)^2 by alpha and tau."""
+    cosine = Eq(alpha, 4 * tau**2 * cos(ANGLE))
+    sine = Eq(alpha + 2 * beta, 4 * tau * sin(ANGLE))
+    return combined(
+        Eq((alpha + 2 * beta) ** 2, 16 * tau**2 - alpha**2 / tau**2),
+        [assume(sine), sine.lhs + sine.rhs],
+        [assume(cosine), (cosine.lhs + cosine.rhs) / tau**2],
     )

@@ -4,39 +4,56 @@ The stable walls of a free mass lie between the line $\alpha=0$ and the first ar
 $0<(d+1)\theta\le\pi/2$. On it we look for the largest stiffness and the largest damping.
 """
 
-from sympy import Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
+from sympy import Ne, Rational, S, Symbol, chebyshevt, cos, diff, pi, sin, sqrt, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, d, rho, tau, theta, x
-from symhaptic.proof import roots, sign
+from symhaptic.notation import d, rho, tau, theta, x
+from symhaptic.notation.proposition import Relation
+from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value
+from symhaptic.proof.theorems.familiar import both_ways, ordered, sign_of
+from symhaptic.proof.theorems.kernel import assume, by_cases, substituted
+from symhaptic.proof.theorems.tactics import closed, fact, over, positive, sine_of_half
 
 ANGLE = (d + 1) * theta
-ARC = r"d\ge0,\ 0<(d+1)\theta\le\pi/2"
-HALF = Rational(1, 2)
+TANGENT, BRACKET = tan(theta / 2), Symbol("g")
+RISE = (
+    (1 + 2 * (d + 1) * TANGENT**2 + TANGENT**4) * sin(ANGLE)
+    + 2 * d * TANGENT * cos(ANGLE)
+    + (TANGENT**2 + TANGENT**4) * sin(d * theta)
+)
+"""The slope of the damping along the arc."""
+FALL = (d + 1) * ((2 + cos(theta)) * sin(ANGLE) + (d + 1) * sin(theta) * cos(ANGLE))
+"""Less the slope of g along the arc."""
 DELAYS = range(9)
 
 
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
-    t = tan(theta / 2)
-    stiffness, damping = 4 * t**2 * cos(ANGLE), 2 * t * sin(ANGLE) - 2 * t**2 * cos(ANGLE)
-    arc = page.same("boundary", boundary.wall(free), (stiffness, damping))
-    page.show(
-        "With $\\tau=\\tan\\frac\\theta2$ the arc's stiffness is quadratic in $\\tau$",
-        alpha,
+    stiffness, damping = boundary.wall(free)
+    page.define("The angle enters by the tangent of its half", tau, tan(theta / 2))
+    page.step(
+        "The stiffness on the arc is quadratic in $\\tau$",
+        stiffness,
         4 * tau**2 * cos(ANGLE),
-        arc,
+        name=r"\alpha(\theta)",
     )
-    page.show(
-        "With $\\tau=\\tan\\frac\\theta2$ the arc's damping is quadratic in $\\tau$",
-        beta,
+    page.step(
+        "The damping on the arc is quadratic in $\\tau$",
+        damping,
         2 * tau * sin(ANGLE) - 2 * tau**2 * cos(ANGLE),
-        arc,
+        name=r"\beta(\theta)",
     )
     bend = 2 * cos(ANGLE) - (d + 1) * sin(theta) * sin(ANGLE)
-    signs(page, damping, bend)
+    page.step(
+        "The slope of the damping along the arc is a sum",
+        diff(damping, theta),
+        RISE.subs(TANGENT, tau),
+        name=r"\frac{d\beta}{d\theta}",
+    )
+    rises, falls = signs()
+    page.lemma("The damping rises along the arc: each term of its slope is positive", rises)
     page.step(
         "The largest damping is that of its end, where $\\alpha=0$",
         damping.subs(theta, pi / (2 * (d + 1))),
@@ -45,56 +62,60 @@ def derive(page):
         boxed=True,
         because="a bound that is approached as $\\alpha\\to0$",
     )
-    page.show(
-        "The stiffness rises with that function",
-        r"\frac{d\alpha}{d\theta}",
-        4 * tau**2 * Symbol("g") / sin(theta),
-        page.same("slope", diff(stiffness, theta), 4 * t**2 / sin(theta) * bend),
-    )
-    page.step("The bracket $g$ starts from 2", bend.subs(theta, 0), S(2), name="g")
+    page.define("One function gives the sign of the stiffness's slope", BRACKET, bend)
     page.step(
-        "The bracket $g$ is negative where the arc ends",
+        "The slope of the stiffness has the sign of $g$",
+        diff(stiffness, theta),
+        4 * tau**2 * BRACKET / sin(theta),
+        name=r"\frac{d\alpha}{d\theta}",
+    )
+    page.step("The slope of $g$ is a sum", -diff(bend, theta), FALL, name=r"-\frac{dg}{d\theta}")
+    page.lemma("The function $g$ falls along the arc: each term is positive", falls)
+    page.step("The function $g$ starts from 2", bend.subs(theta, 0), S(2), name="g(0)")
+    page.step(
+        "The function $g$ is negative where the arc ends",
         -bend.subs(theta, pi / (2 * (d + 1))),
         (d + 1) * sin(pi / (2 * (d + 1))),
-        name="-g",
+        name=r"-g\bigl(\tfrac{\pi}{2(d+1)}\bigr)",
         because="so for every real $d$ one angle has the largest stiffness, that with "
         "$(d+1)\\tan(d+1)\\theta\\,\\sin\\theta=2$",
     )
     whole_delays(page, stiffness, bend)
 
 
-def signs(page, damping, bend):
-    """Along the arc the damping rises, and the sign of the stiffness's slope changes once."""
-    up = sign.assume(theta)
-    steps, room = (sign.assume(e, strict=False) for e in (d, pi / 2 - ANGLE))
-    size = sign.combined(d + 1, [1], [steps])
-    quarter = sign.number(pi / 2)
-    angle, part = sign.combined(ANGLE, [size, up]), sign.combined(d * theta, [steps, up])
-    side = sign.combined(pi / 2 - theta, [room], [part])
-    half, rest = sign.combined(theta / 2, [HALF, up]), pi / 2 - theta / 2
-    rest = sign.combined(rest, [HALF, side], [HALF, quarter])
-    t = sign.quotient(
-        tan(theta / 2),
-        sign.sine(half, sign.combined(pi - theta / 2, [rest], [quarter])),
-        sign.cosine(half, rest),
-    )
-    sine = sign.sine(angle, sign.combined(pi - ANGLE, [room], [quarter]))
-    cosine = sign.cosine(angle, room)
-    less = sign.sine(part, sign.combined(pi - d * theta, [room], [up], [quarter]))
-    small = sign.sine(up, sign.combined(pi - theta, [side], [quarter]))
-    wide = sign.cosine(up, side)
-    grown = ([sine], [2, size, t, t, sine], [t, t, t, t, sine], [2, steps, t, cosine])
-    rising = sign.combined(diff(damping, theta), *grown, [t, t, less], [t, t, t, t, less])
-    page.positive("Along the arc the damping rises", rising, ARC, name=r"\frac{d\beta}{d\theta}")
-    falls = sign.combined(
-        -diff(bend, theta), [2, size, sine], [size, wide, sine], [size, size, small, cosine]
-    )
-    page.positive(
-        "The bracket $g=2\\cos(d+1)\\theta-(d+1)\\sin\\theta\\sin(d+1)\\theta$ falls",
-        falls,
-        ARC,
-        name=r"-\frac{dg}{d\theta}",
-    )
+def signs():
+    """0 < d beta/d theta and 0 < -dg/d theta for 0 <= d, 0 < theta and (d+1) theta < pi/2."""
+    turn = ANGLE
+    steps, up, room = assume(d >= 0), assume(theta > 0), assume(turn < pi / 2)
+    quarter, half = fact(Relation(S.Zero, "<", pi / 2)), Rational(1, 2)
+    size = positive(d + 1 > 0, steps, [1])
+    angle, part = positive(turn > 0, [size, up]), positive(d * theta >= 0, [steps, up])
+    side = positive(theta < pi / 2, [room], [part])
+    sine = closed(sign_of(sin, turn), angle, positive(turn < pi, [room], [quarter]))
+    cosine = closed(sign_of(cos, turn), positive(turn > -pi / 2, [angle], [quarter]), room)
+    small = closed(sign_of(sin, theta), positive(theta < pi, [side], [quarter]))
+    wide = closed(sign_of(cos, theta), positive(theta > -pi / 2, up, [quarter]), side)
+    low = positive(theta / 2 > -pi / 2, [half, up], [quarter])
+    high = positive(theta / 2 < pi / 2, [half, side], [half, quarter])
+    below = closed(sign_of(cos, theta / 2), low, high)
+    apart = positive(Ne(cos(theta / 2), 0), [below])
+    above = closed(sine_of_half(theta), positive(theta < pi, [side], [quarter]))
+    t = closed(over(TANGENT > 0, above, below), apart)
+    less = not_negative_sine(part, positive(d * theta < pi, [room], [up], [quarter]))
+    terms = ([sine], [2, size, t, t, sine], [t] * 4 + [sine], [2, steps, t, cosine])
+    rises = closed(positive(RISE > 0, *terms, [t, t, less], [t] * 4 + [less]), apart)
+    terms = ([2, size, sine], [size, wide, sine], [size, size, small, cosine])
+    return rises, positive(FALL > 0, *terms)
+
+
+def not_negative_sine(low, high):
+    """0 <= sin x from 0 <= x and x < pi."""
+    angle = low.conclusion.right
+    inside = positive(sin(angle) >= 0, [closed(sign_of(sin, angle), high)])
+    zero = both_ways(low, assume(angle <= 0))
+    at_zero = fact(Relation(S.Zero, "<=", S.Zero))
+    edge = substituted(sin(x) >= 0, x, at_zero, zero)
+    return by_cases(ordered(S.Zero, angle), inside, edge)
 
 
 def whole_delays(page, stiffness, bend):

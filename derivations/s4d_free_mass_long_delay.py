@@ -5,22 +5,27 @@ $\pi/2$, and $h=1/(d+1)$. We look for what $(d+1)^2\alpha_{\max}$ tends to for l
 fast, and on which side it stays.
 """
 
-from sympy import Rational, S, cos, diff, pi, sin, tan
+from sympy import Ne, Rational, S, cos, diff, pi, sin, tan
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import d, h, phi, psi, theta
-from symhaptic.proof import sign
+from symhaptic.notation import alpha, chi, d, h, phi, psi, theta
+from symhaptic.notation.proposition import Relation
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.roots import zero
+from symhaptic.proof.theorems.analysis import grows
+from symhaptic.proof.theorems.familiar import sign_of
+from symhaptic.proof.theorems.tactics import closed, fact, over, positive
 
-LONG = phi**2 * cos(phi)
+LONG, CHORD = phi**2 * cos(phi), 2 * psi - sin(2 * psi)
 AT = r"at $\varphi=\varphi_*$"
 
 
 def derive(page):
     free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     stiffness = boundary.wall(free)[0].subs(d, 1 / h - 1).subs(theta, h * phi)
+    page.define("The delay by its share in the loop", d, 1 / h - 1)
+    page.define("The boundary's stiffness", alpha, stiffness)
     scaled = page.step(
         "With $\\varphi$ for the angle the stiffness has a factor near 1",
         stiffness / h**2,
@@ -111,18 +116,30 @@ def expansion(page, scaled, angle):
 
 
 def sides(page):
-    """tan(x)/x rises."""
-    up, end = sign.assume(psi), sign.assume(pi / 2 - psi)
-    low = sign.Interval(psi, S.Zero, (end, sign.number(S.One)))
-    sine = sign.sine(up, sign.combined(pi - psi, [end], [sign.number(pi / 2)]))
-    chord = 2 * psi - sin(2 * psi)
-    chord = sign.integrated(chord, low, sign.combined(diff(chord, psi), [4, sine, sine]))
-    c = sign.cosine(up, end)
-    under = sign.combined(2 * psi**2 * cos(psi) ** 2, [2, up, up, c, c])
-    page.positive(
-        "For a given $\\varphi$ it falls as $d$ grows",
-        sign.quotient(diff(tan(psi) / psi, psi), chord, under),
-        r"0<\psi<\pi/2",
-        because="as $\\tan\\psi/\\psi$ rises, with $\\psi=h\\varphi/2$",
+    """tan(psi)/psi rises with psi."""
+    page.step(
+        "The slope of $\\tan\\psi/\\psi$ is a quotient",
+        diff(tan(psi) / psi, psi),
+        CHORD / (2 * psi**2 * cos(psi) ** 2),
         name=r"\frac{d}{d\psi}\,\frac{\tan\psi}{\psi}",
     )
+    page.lemma(
+        "The slope of $\\tan\\psi/\\psi$ is positive for $0<\\psi<\\pi/2$",
+        rises(),
+        because="so with $\\psi=h\\varphi/2$ the stiffness $(d+1)^2\\alpha$ at a given $\\varphi$ "
+        "falls as $d$ grows",
+    )
+
+
+def rises():
+    """0 < (2 psi - sin 2 psi)/(2 psi^2 cos^2 psi) for 0 < psi < pi/2."""
+    up, quarter = positive(psi > 0, psi > 0), fact(Relation(S.Zero, "<", pi / 2))
+    before = positive(chi < pi / 2, chi < psi, psi < pi / 2)
+    sine = closed(sign_of(sin, chi), positive(chi < pi, [before], [quarter]))
+    slope = positive(diff(CHORD, psi).subs(psi, chi) > 0, [4, sine, sine])
+    chord = grows(CHORD.subs(psi, chi), chi, S.Zero, psi, slope)
+    cosine = closed(sign_of(cos, psi), positive(psi > -pi / 2, up, [quarter]))
+    under = positive(2 * psi**2 * cos(psi) ** 2 > 0, [2, up, up, cosine, cosine])
+    apart = positive(Ne(psi, 0), up), positive(Ne(cos(psi), 0), [cosine])
+    found = over(CHORD / (2 * psi**2 * cos(psi) ** 2) > 0, positive(CHORD > 0, [chord]), under)
+    return closed(found, *apart)

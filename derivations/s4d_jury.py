@@ -10,6 +10,7 @@ from sympy import Matrix, S, expand, symbols
 
 from symhaptic.model import jury
 from symhaptic.notation import s, x, y, z
+from symhaptic.notation.latex import latex
 
 DEGREES = range(2, 8)
 """At which the general formulas are checked by polynomial arithmetic."""
@@ -86,21 +87,20 @@ def halves(page):
         page.same("sum", f, sum(c * (z**i + z ** (n - i)) for i, c in enumerate(rising)))
         page.same("difference", g, sum(c * (z**i - z ** (n - i)) for i, c in enumerate(rising)))
     for n, pair in ((3, three), (4, four)):
-        proof = page.same("halves", polynomials(names[: n + 1]), pair)
-        for what, name, half in zip(("sum", "difference"), "FG", pair, strict=True):
-            page.show(f"For degree {n} the {what} is a polynomial in $x$", name, half, proof)
+        found = zip(("sum", "difference"), "FG", polynomials(names[: n + 1]), pair, strict=True)
+        for what, name, made, half in found:
+            page.step(f"For degree {n} the {what} is a polynomial in $x$", made, half, name=name)
 
 
 def bezout(page):
     """The matrix of order 2, and its form for orders up to 3."""
     f, g = symbols("f_0:3"), symbols("g_0:2")
     matrix = Matrix([[f[2] * g[1], f[2] * g[0]], [f[2] * g[0], f[1] * g[0] - f[0] * g[1]]])
-    proof = page.same("B", Matrix(jury.bezoutian(f, g)), matrix)
-    page.show(
+    page.step(
         "For degree 4 the matrix has two rows and two columns",
-        "B",
+        Matrix(jury.bezoutian(f, g)),
         matrix,
-        proof,
+        name="B",
         because="for $F=f_2x^2+f_1x+f_0$",
     )
     for m in (1, 2, 3):
@@ -110,11 +110,13 @@ def bezout(page):
         form = (left.T * Matrix(jury.bezoutian(f, g)) * right)[0]
         page.same("the form", form * (x - y), at[x][0] * at[y][1] - at[y][0] * at[x][1])
         (F, G), there = at[x], form.subs(y, x)
-        proof = page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
+        page.same("the diagonal", there, F.diff(x) * G - F * G.diff(x))
         if m == 2:
-            name = r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}"
-            page.show(
-                "At $x=y$ the form is a Wronskian", name, F.diff(x) * G - F * G.diff(x), proof
+            page.step(
+                "At $x=y$ the form is a Wronskian",
+                there,
+                F.diff(x) * G - F * G.diff(x),
+                name=r"\lim_{y\to x}\frac{F(x)G(y)-F(y)G(x)}{x-y}",
             )
 
 
@@ -124,18 +126,20 @@ def half_planes(page):
         rising = symbols(f"a_0:{n + 1}")
         mapped = expand(sum(c * (1 + s) ** i * (1 - s) ** (n - i) for i, c in enumerate(rising)))
         kept = [mapped.coeff(s, k) for k in sorted({0, *range(n, -1, -2)})]
-        proof = page.same("half planes", jury.half_planes(rising), kept)
+        made = jury.half_planes(rising)
+        page.same("half planes", made, kept)
         half = polynomials(rising)[n % 2].subs(x, 2 * (1 + s**2) / (1 - s**2))
         part = (mapped + (-1) ** n * mapped.subs(s, -s)) / 2
         page.same("parity", part, (1 - s**2) ** (n // 2) * half * (s if n % 2 else S.Half))
     page.say("Let $c_k$ be the coefficients of $(1-s)^np$, so that the sign of $p$ is kept:")
-    for k, at, c in zip(
+    for k, at, plane, c in zip(
         (0, 1, 3),
         ("first half plane belongs to $z=1$", "second lies between", "last belongs to $z=-1$"),
+        made,
         kept,
         strict=True,
     ):
-        page.show(f"For degree 3 the {at}", symbols(f"c_{k}"), c, proof)
+        page.step(f"For degree 3 the {at}", plane, c, name=symbols(f"c_{k}"))
 
 
 def inners(page):
@@ -144,14 +148,14 @@ def inners(page):
         falling = [S.One, *symbols(f"a_0:{n}")[::-1]]
         minors = jury.criterion(falling).expressions[-(n // 2) :]
         matrices = [jury.inner(falling, order) for order in range(1 + n % 2, n, 2)]
-        proof = page.same("Jury's inners", minors, [m.det() for m in matrices])
-    page.show(
-        "For degree 4 Jury's matrix is a difference",
-        "X-Y",
-        matrices[-1],
-        proof,
-        because="the minors are its determinant and that of its inner, without the first and last "
-        "row and column; his others, $|X+Y|$, are not needed",
+        page.same("Jury's inners", minors, [m.det() for m in matrices])
+    page.step(
+        "For degree 4 the last minor is a determinant of Jury's",
+        minors[-1],
+        matrices[-1].det(),
+        name="|X-Y|",
+        because=f"with $X-Y={latex(matrices[-1])}$; the other minor is that of its inner, without "
+        "the first and last row and column, and his others, $|X+Y|$, are not needed",
     )
 
 

@@ -7,14 +7,18 @@ any of them idle, and how large do they become?
 
 from itertools import combinations
 
-from sympy import Mul, Rational, S, symbols
+from sympy import Mul, Rational, S, symbols, sympify
 
-from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.jury_inequalities import decided_by_jury, jury_decides
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.stability import by_inequalities, collected
 from symhaptic.model import jury, plant
 from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, e, n_0, n_1, z
-from symhaptic.proof.sign import number
+from symhaptic.notation.proposition import And, Exists, negated
+from symhaptic.proof.theorems.kernel import conjoined, witnessed
+from symhaptic.proof.theorems.tactics import fact
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
 HEAVY = Sampled(Rational(17, 100), Rational(4, 100), Rational(101, 100), Rational(1, 100))
@@ -25,23 +29,39 @@ HEAD = ["$d$", "inequalities", "half planes", "terms", "degree in $\\alpha$", "i
 
 def derive(page):
     page.say("Without delay, $n=3$, there are three half planes and one minor, for any device:")
-    page.result(
-        "Without delay a wall is stable if and only if",
-        (
+    found = page.lemma(
+        "Without delay four inequalities say which walls are stable",
+        collected(
+            by_inequalities(0),
             1 - a + e + (n_1 + n_0) * alpha > 0,
             3 - a - e + (n_1 - n_0) * alpha + 2 * (n_1 + n_0) * beta > 0,
             1 + a + e - (n_1 - n_0) * (alpha + 2 * beta) > 0,
-            1 - e + (n_1 - n_0 + a * n_0) * beta
-            - n_0 * (n_1 + n_0) * beta**2 - n_0 * alpha * (1 + n_1 * beta) > 0,
+            1
+            - e
+            + (n_1 - n_0 + a * n_0) * beta
+            - n_0 * (n_1 + n_0) * beta**2
+            - n_0 * alpha * (1 + n_1 * beta)
+            > 0,
         ),
-        equal_to=jury.inequalities(0),
-    )  # fmt: skip
-    page.lemma(
-        "Without delay four inequalities say which walls are stable",
-        by_inequalities(0),
-        because="for the numbers of any device; so it is with each whole delay",
+        because="for the numbers of any device; a theorem of this kind holds for each whole delay",
+        boxed=True,
     )
-    none_is_idle(page)
+    none_is_idle(page, found.conclusion.of[1])
+    page.say(
+        "The function \\texttt{jury} and the command \\texttt{symhaptic jury} give the "
+        "inequalities for every whole delay, with the device's numbers as symbols or in numbers."
+    )
+    page.state(
+        "jury-inequalities",
+        "a wall is stable if and only if all inequalities of \\texttt{jury} hold, for $d=0$, 1 "
+        "and 2 and the numbers of any device",
+        claim=decided_by_jury(),
+    )
+    page.settle(
+        "jury-inequalities",
+        jury_decides(),
+        note="for longer delays they are made in the same way and compared with roots in tests",
+    )
     page.say("With delay there are $d+4$ inequalities, and they grow:")
     page.table(
         "The inequalities in $\\alpha$, $\\beta$ and the device's four numbers: how many, how many "
@@ -63,34 +83,65 @@ def derive(page):
     )
 
 
-def none_is_idle(page):
+def none_is_idle(page, four):
     """Four walls, each of which violates one inequality and no other."""
-    walls = ((FREE, -1, 1), (FREE, 25, -4), (HEAVY, 1, 8), (FREE, 5, 1))
-    for violated, (device, stiffness, damping) in enumerate(walls):
-        found = jury.criterion(jury.coefficients(0, device)).expressions
-        for i, expr in enumerate(found):
-            value = expr.subs({alpha: stiffness, beta: damping})
-            number(-value if i == violated else value)
-    page.say(
-        "None of the four can be left out. The first, second and last are each violated alone by a "
-        "free mass ($n_1=n_0=\\tfrac12$, $a=2$, $e=1$), with the walls $(\\alpha,\\beta)=(-1,1)$, "
-        "$(25,-4)$ and $(5,1)$. The third is violated alone by the wall $(1,8)$ at $n_1=0.17$, "
-        "$n_0=0.04$, $a=1.01$, $e=0.01$, which are about the numbers of a device with "
-        "$\\delta=4.6$."
-    )
+    free = "a free mass, $n_1=n_0=\\tfrac12$, $a=2$, $e=1$, and the wall "
+    for place, (which, device, wall, because) in enumerate(
+        (
+            ("first", FREE, (-1, 1), free + "$(\\alpha,\\beta)=(-1,1)$"),
+            ("second", FREE, (25, -4), free + "$(\\alpha,\\beta)=(25,-4)$"),
+            (
+                "third",
+                HEAVY,
+                (1, 8),
+                "$n_1=0.17$, $n_0=0.04$, $a=1.01$, $e=0.01$, about the numbers of a device with "
+                "$\\delta=4.6$, and the wall $(1,8)$",
+            ),
+            ("fourth", FREE, (5, 1), free + "$(\\alpha,\\beta)=(5,1)$"),
+        )
+    ):
+        page.lemma(
+            f"The {which} of the inequalities without delay can fail alone",
+            fails_alone(four.parts, place, (device.n1, device.n0, device.a, device.e, *wall)),
+            because=because,
+        )
+    page.say("So none of the four can be left out.")
+
+
+def fails_alone(inequalities, place, numbers):
+    """There are numbers and a wall at which only one inequality fails."""
+    values = dict(zip((*NUMBERS, alpha, beta), map(sympify, numbers), strict=True))
+    claims = [negated(p) if i == place else p for i, p in enumerate(inequalities)]
+    found = conjoined(*(fact(p.at(values)) for p in claims))
+    return witnessed(found, Exists(tuple(values), And(tuple(claims))), values)
 
 
 def pairs(page):
     """The last minor is the product of 1 - r_i r_k."""
-    for n in (2, 4, 5, 3):
+    for n in (2, 4, 5):
         roots = symbols(f"r_1:{n + 1}")
         product = Mul(*(1 - one * two for one, two in combinations(roots, 2)))
         falling = Mul(*(z - r for r in roots)).as_poly(z).all_coeffs()
-        proof = page.same("pairs", jury.criterion(falling).expressions[-1], product)
-    a_0, a_1, a_2 = symbols("a_0:3")
-    minor = 1 - a_1 + a_0 * a_2 - a_0**2
-    page.same("last minor", jury.criterion([S.One, a_2, a_1, a_0]).expressions[-1], minor)
-    page.show("For degree 3 the last minor is a product over the roots", minor, product, proof)
+        page.same("pairs", jury.criterion(falling).expressions[-1], product)
+    one, two, three = symbols("r_1:4")
+    by_roots = (-one * two * three, one * two + one * three + two * three, -one - two - three)
+    rising = symbols("a_0:3")
+    made = ((z - one) * (z - two) * (z - three)).expand()
+    for power, (name, value) in enumerate(zip(rising, by_roots, strict=True)):
+        page.step(
+            f"The roots of a cubic give the coefficient of power {power}",
+            made.coeff(z, power),
+            value,
+            name=name,
+        )
+    last, middle, first = rising
+    page.step(
+        "For degree 3 the last minor is a product over the roots",
+        jury.criterion([S.One, first, middle, last]).expressions[-1],
+        1 - middle + last * first - last**2,
+        (1 - one * two) * (1 - one * three) * (1 - two * three),
+        name=r"\Delta_2",
+    )
 
 
 def row(delay):

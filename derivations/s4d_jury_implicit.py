@@ -5,17 +5,20 @@ device, and find that it is quadratic in $\alpha$. For longer delays we show tha
 as the boundary whose every point is explicit.
 """
 
-from sympy import Rational, S, sqrt
+from sympy import Eq, Ne, Rational, S, sqrt
 
 from symhaptic.book.figures.passivity import free_mass_inequalities
-from symhaptic.model import boundary, jury, plant
-from symhaptic.model.parts import Parts
+from symhaptic.book.lemmas.stability import collected, free_by_inequalities
+from symhaptic.model import boundary, jury
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1
-from symhaptic.proof.sign import assume, combined, quotient
+from symhaptic.notation.proposition import Relation, both
+from symhaptic.proof.theorems.familiar import ordered, square
+from symhaptic.proof.theorems.kernel import absurd, anything, assume, by_cases, conjoined, part
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import chained, closed, either_way, over, positive
 
-FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
-RISE = n_1 + n_0
+RISE, PLANE = n_1 + n_0, 4 - alpha - 4 * beta
 
 
 def derive(page):
@@ -29,15 +32,13 @@ def derive(page):
         name=r"\Delta_3",
         because="for every device",
     )
-    page.say("Without a spring, $a=1+e$ and $\\delta(n_1+n_0)=1-e$, it is quadratic in $\\alpha$:")
-    damped = {a: 1 + e, e: 1 - delta * RISE}
+    page.say("Without a spring it is quadratic in $\\alpha$:")
+    page.define("Without a spring the device has a pole at 1", a, 1 + e)
+    page.define("Without a spring the other pole is given by the damping", e, 1 - delta * RISE)
     linear = n_0**2 * n_1 * beta**2 + (1 - e) * n_0**2 * beta + (1 + e) * n_0 + n_1
     constant = RISE * (beta + delta) * (1 - (n_1 + e * n_0) * beta - n_0**2 * beta**2)
     implicit = constant - linear * alpha - n_0**2 * alpha**2
-    proof = page.same(
-        "quadratic", minor.subs(a, damped[a]).subs(e, damped[e]), implicit.subs(e, damped[e])
-    )
-    page.show("The condition is implicit", r"\Delta_3", implicit, proof, boxed=True)
+    page.step("The condition is implicit", minor, implicit, name=r"\Delta_3", boxed=True)
     root = (sqrt(linear**2 + 4 * n_0**2 * constant) - linear) / (2 * n_0**2)
     page.same("a root", implicit.subs(alpha, root), S.Zero)
     page.say(
@@ -50,24 +51,61 @@ def derive(page):
 
 def free_mass(page):
     minor = 2 * beta * (4 - 4 * beta - beta**2) - (beta**2 + 12) * alpha - 2 * alpha**2
-    plane = 4 - alpha - 4 * beta
-    page.result(
-        "A wall of a free mass, one period late, is stable if and only if",
-        (alpha > 0, plane > 0, 2 + beta > 0, minor > 0),
-        equal_to=jury.inequalities(1, FREE),
+    four = collected(free_by_inequalities(1), alpha > 0, PLANE > 0, 2 + beta > 0, minor > 0)
+    page.lemma(
+        "Four inequalities say which walls of a free mass are stable with one period of delay", four
+    )
+    page.lemma(
+        "Three inequalities say which walls of a free mass are stable with one period of delay",
+        chained(four, three_are_enough(minor, *four.conclusion.of[1].parts)),
+        because="for $-2<\\beta\\le0$ the minor is negative, as "
+        "$4-4\\beta-\\beta^2=4-\\beta(4+\\beta)$ is positive; for $\\beta>0$ the second half plane "
+        "follows from the minor",
+        boxed=True,
     )
     page.say(
-        "For $-2<\\beta\\le0$ the last one cannot hold, as $4-4\\beta-\\beta^2=4-\\beta(4+\\beta)$ "
-        "is positive. So $\\beta>0$, and then the second is idle:"
+        "So $\\alpha$ lies between 0 and the larger root of a quadratic. Its roots have different "
+        "signs if $4-4\\beta-\\beta^2>0$, that is for $0<\\beta<2\\sqrt2-2$:"
     )
-    push, brake, last = assume(alpha), assume(beta), assume(minor)
-    rest = combined(
-        8 * beta * (1 - beta), [last], [2, *[brake] * 3], [12, push], [push, brake, brake],
+    middle = beta**2 + 12
+    width = sqrt(middle**2 + 16 * beta * (4 - 4 * beta - beta**2))
+    explicit, other = (width - middle) / 4, (-width - middle) / 4
+    page.lemma(
+        "The minor of a free mass vanishes at this stiffness with one period of delay",
+        combined(Eq(minor, 0), [assume(Eq(alpha, explicit)), 2 * (other - alpha)]),
+        because="the stable walls lie below",
+        boxed=True,
+    )
+
+
+def three_are_enough(minor, *four):
+    """Of the four inequalities the second and third are said by beta > 0."""
+    positive_minor = Relation(S.Zero, "<", minor)
+    before, after = both(four), both([alpha > 0, beta > 0, positive_minor])
+    push, _, low, last = (part(assume(before), p) for p in four)
+    wanted, weak = Relation(S.Zero, "<", beta), assume(beta <= 0)
+    denial = combined(
+        Relation(minor, "<", S.Zero),
+        *([8, weak], [2, weak, weak, low], [4, weak, weak]),
+        *([push, square(beta)], [12, push], [2, push, push]),
+    )
+    braked = by_cases(ordered(S.Zero, beta), assume(wanted), anything(absurd(last, denial), wanted))
+    there = conjoined(push, braked, last)
+    push, brake, last = (part(assume(after), p) for p in after.parts)
+    low = positive(2 + beta > 0, [2], [brake])
+    back = conjoined(push, half_plane(push, brake, last), low, last)
+    return either_way(there, back, before, after)
+
+
+def half_plane(push, brake, last):
+    """0 < PLANE: 8 beta (1 - beta) is not negative where the minor is positive."""
+    rest = positive(
+        8 * beta * (1 - beta) > 0, [last], [2, *[brake] * 3], [12, push], [push, brake, brake],
         [2, push, push],
     )  # fmt: skip
-    room = quotient(1 - beta, rest, combined(8 * beta, [8, brake]))
-    plane = combined(
-        plane,
+    room = over(1 - beta > 0, rest, positive(8 * beta > 0, [8, brake]))
+    found = positive(
+        PLANE > 0,
         [Rational(1, 12), last],
         [Rational(10, 3), room],
         [Rational(2, 3), room, room],
@@ -75,18 +113,7 @@ def free_mass(page):
         [Rational(1, 12), push, brake, brake],
         [Rational(1, 6), push, push],
     )
-    page.positive(
-        "The second half plane follows from the minor", plane, r"\alpha>0,\ \beta>0,\ \Delta_3>0"
-    )
-    page.say(
-        "What is left, $\\alpha>0$ and $\\Delta_3>0$, lies between 0 and the larger root of a "
-        "quadratic in $\\alpha$ whose roots have different signs if $4-4\\beta-\\beta^2>0$, that "
-        "is for $0<\\beta<2\\sqrt2-2$:"
-    )
-    square = beta**2 + 12
-    explicit = (sqrt(square**2 + 16 * beta * (4 - 4 * beta - beta**2)) - square) / 4
-    proof = page.same("a root", minor.subs(alpha, explicit), S.Zero)
-    page.show("The stable walls lie below", alpha, explicit, proof, boxed=True)
+    return closed(found, positive(Ne(8 * beta, 0), [8, brake]))
 
 
 def two_roads(page):
@@ -100,14 +127,13 @@ def two_roads(page):
     for delay in range(3):
         minor = jury.criterion(jury.coefficients(delay)).expressions[-1]
         wall = {alpha: stiffness.subs(d, delay), beta: damping.subs(d, delay)}
-        proof = page.same(f"delay {delay}", minor.subs(wall, simultaneous=True), S.Zero)
-    page.show(
-        "Both roads lead to one curve",
-        r"\Delta_{d+2}\bigl(\alpha(\theta),\beta(\theta)\bigr)",
-        S.Zero,
-        proof,
-        because="$\\alpha+\\beta(1-1/z)=-z^dA/N$ on the circle",
-    )
+        page.step(
+            f"For $d={delay}$ the last minor vanishes on the explicit boundary",
+            minor.subs(wall, simultaneous=True),
+            S.Zero,
+            name=rf"\Delta_{delay + 2}\bigl(\alpha(\theta),\beta(\theta)\bigr)",
+            because="$\\alpha+\\beta(1-1/z)=-z^dA/N$ on the circle",
+        )
     page.figure(
         "jury",
         "Free mass, two periods late: where each inequality turns false (lines), where all hold "

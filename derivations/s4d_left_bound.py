@@ -4,41 +4,41 @@ A wall that pulls harder than the arm's spring holds cannot be stable. We ask wh
 only limit on the left: does the stable region always reach the line $\alpha=-\gamma$?
 """
 
-from sympy import I, diff, exp, sin
+from sympy import Eq, I, diff, exp, sin
 
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.model import loop, plant
 from symhaptic.model.parts import FULL, Parts
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, t, v, x, z
+from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, phi, r, t, v, x, z
+from symhaptic.proof.theorems.familiar import device_static
+from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.leaves import combined
 
 
 def derive(page):
-    given = {gamma: (delta**2 - c**2) / 4}
     device = plant.sampled(plant.normalised(FULL), split=c)
     alone = plant.sampled(plant.normalised(Parts(stiffness=False)))
     total = device.n1 + device.n0
-    page.show(
+    at_one = Eq(loop.named().subs(z, 1), (n_1 + n_0) * (alpha + gamma))
+    page.lemma(
         "At $z=1$ the polynomial is a multiple of $\\alpha+\\gamma$",
-        "p_1(1)",
-        (n_1 + n_0) * (alpha + gamma),
-        page.same(
-            "at z = 1",
-            loop.characteristic(split=c).subs(z, 1).xreplace(given),
-            (total * (alpha + gamma)).xreplace(given),
-        ),
+        combined(at_one, [device_static(assume(DEVICE)), 1]),
         because="a monic real polynomial with all roots inside the unit circle is positive there",
     )
+    page.define("The poles of the arm differ by $c$", gamma, (delta**2 - c**2) / 4)
     page.step(
         "An overdamped device has a positive sum",
-        (total * gamma).xreplace(given),
+        total * gamma,
         (1 - exp(-(delta - c) / 2)) * (1 - exp(-(delta + c) / 2)),
-        name=r"\gamma(n_1+n_0)",
+        name=r"\gamma(n_1+n_0)\big|_{c\ge0}",
         because="both factors are positive for $0\\le c<\\delta$, that is $\\gamma>0$",
     )
+    swinging = (total * gamma).subs(gamma, (delta**2 - c**2) / 4).subs(c, 2 * I * phi)
     page.step(
         "A swinging device has a positive sum",
-        (total * gamma).xreplace(given).subs(c, 2 * I * phi),
+        swinging,
         (1 - exp(-delta / 2)) ** 2 + 4 * exp(-delta / 2) * sin(phi / 2) ** 2,
-        name=r"\gamma(n_1+n_0)",
+        name=r"\gamma(n_1+n_0)\big|_{c=2j\varphi}",
         because="with $c=2j\\varphi$; zero only for $\\delta=0$ and whole swings, "
         "$\\varphi=2\\pi,4\\pi,\\ldots$, where $p_1(1)=0$ for every wall and none is stable",
     )
@@ -46,38 +46,35 @@ def derive(page):
         "Without a spring the sum is positive",
         alone.n1 + alone.n0,
         (1 - exp(-delta)) / delta,
-        name="n_1+n_0",
+        name=r"(n_1+n_0)\big|_{\gamma=0}",
         because="positive too, and 1 for $\\delta\\to0$",
     )
     page.say(
         "So $\\alpha>-\\gamma$ is necessary for every delay and every damping. Is it also where "
         "the region ends? Without delay, look at the wall $\\alpha=-\\gamma$, $\\beta=0$:"
     )
-    speed = plant.normalised(FULL).transition(t, c)
-    kept = speed[1, 1].subs(t, 1)
+    kept = plant.normalised(FULL).transition(t, c)[1, 1].subs(t, 1)
     at_line = loop.characteristic(FULL, split=c).subs({d: 0, alpha: -gamma, beta: 0})
-    page.show(
+    page.define("A period without a wall leaves this of a unit speed", r, kept)
+    page.step(
         "For $d=0$ the roots are 0, 1 and a speed",
-        "p_1(z)",
-        z * (z - 1) * (z - x),
-        page.same("roots", at_line.xreplace(given), (z * (z - 1) * (z - kept)).xreplace(given)),
-        because="$x$ is the speed that is left after one period of a unit speed, without a wall",
+        at_line,
+        z * (z - 1) * (z - r),
+        name="p_1(z)",
     )
-    place, velocity = speed[0, 1].xreplace(given), speed[1, 1].xreplace(given)
-    page.show(
+    page.step(
         "The energy of that motion falls",
-        r"\tfrac{d}{dt}(v^2+\gamma x^2)",
+        2 * v * (-delta * v - gamma * x) + 2 * gamma * x * v,
         -2 * delta * v**2,
-        page.same(
-            "energy", diff(velocity**2 + given[gamma] * place**2, t), -2 * delta * velocity**2
-        ),
-        because="so the speed left is less than 1, but for $\\delta=0$ and whole half swings",
+        name=r"\tfrac{d}{dt}(v^2+\gamma x^2)",
+        because="by Newton's law, so the speed left is less than 1, but for $\\delta=0$ and whole "
+        "half swings",
     )
-    page.show(
+    page.step(
         "At the root 1 the slope is positive",
-        r"p_1'(1)",
-        1 - x,
-        page.same("slope", diff(at_line, z).subs(z, 1).xreplace(given), (1 - kept).xreplace(given)),
+        diff(at_line, z).subs(z, 1),
+        1 - r,
+        name=r"p_1'(1)",
         because="positive, as is $\\partial p_1/\\partial\\alpha=n_1+n_0$: the root moves inside "
         "as $\\alpha$ grows",
     )

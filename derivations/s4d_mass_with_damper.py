@@ -4,12 +4,15 @@ Without spring and delay, $\gamma=0$ and $d=0$, the loop is a cubic and its stab
 take the largest stiffness from it in closed form, and a bound of the damping.
 """
 
-from sympy import Rational, S, exp, sqrt, symbols
+from sympy import Rational, S, sqrt, symbols
 
+from symhaptic.book.lemmas.damped_mass import signs
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
+from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, delta, s, x, z
-from symhaptic.proof import sign
+from symhaptic.notation import alpha, beta, delta, gamma, s, w, z
+from symhaptic.proof.theorems.kernel import conjoined, placed
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL, APART = N_1 + N_0, N_1 - N_0
@@ -30,73 +33,46 @@ def derive(page):
         because="all roots are inside if and only if $b_0,b_1,b_2,b_3>0$, the coefficients of "
         "$1,s,s^2,s^3$, and $b_1b_2>b_0b_3$, by Routh's criterion",
     )
-    arm(page)
+    page.lemma(
+        "A damped mass has $0<n_0\\le n_1$",
+        conjoined(*signs()),
+        because="a blow moves it forward for all of the period",
+    )
     stiffness(page)
     damping(page, polynomial)
 
 
-def arm(page):
-    """n_1 > n_0 > 0 for a damped mass."""
-    device = plant.sampled(plant.normalised(Parts(stiffness=False)))
-    up, fades = sign.Interval(delta, S.Zero), sign.exponential(-delta)
-    rise = sign.combined(delta * exp(-delta), [up.above, fades])
-    over = sign.integrated(1 - (1 + delta) * exp(-delta), up, rise)
-    more = sign.integrated(delta - 2 + (2 + delta) * exp(-delta), up, over)
-    square = sign.combined(delta**2, [up.above, up.above])
-    page.positive(
-        "For a damped mass $n_0$ is positive",
-        sign.quotient(device.n0, over, square),
-        r"\delta>0",
-        name="n_0",
-    )
-    apart = sign.quotient(device.n1 - device.n0, more, square)
-    page.positive("For a damped mass $n_1$ is the larger", apart, r"\delta>0", name="n_1-n_0")
-
-
 def stiffness(page):
     """The largest stable alpha."""
-    late = sign.assume(-beta - 1 / N_1, strict=False)
-    n1, n0, e, stiff, wide, b2 = (sign.assume(f) for f in (N_1, N_0, E, alpha, APART, B_2))
-    total = sign.combined(TOTAL, [n1], [n0])
-    stuck = sign.combined(
-        N_1 * (B_0 * B_3 - B_1 * B_2) / 2,
-        [stiff, wide, wide, late, n1],
-        [stiff, total, n1, e],
-        [stiff, total, n0],
-        [b2, total, late, n1],
-        [b2, n0],
-        [b2, e, n1],
+    root = sqrt(N_0 * (N_0 + E * N_1))
+    largest = (TOTAL - w) ** 2 / (N_0 * N_1**2)
+    page.define("The stiffness below is given by a root of the arm's numbers", w, root)
+    page.step(
+        "The minor is a margin less a square",
+        (B_1 * B_2 - B_0 * B_3) / 8,
+        N_0 * (1 + N_1 * beta) * (largest - alpha)
+        - TOTAL * (N_0 * (1 + N_1 * beta) - w) ** 2 / (N_0 * N_1**2),
+        name=r"\tfrac18(b_1b_2-b_0b_3)",
+        because="a stable wall has $1+n_1\\beta>0$",
     )
-    page.positive(
-        "No wall with $1+n_1\\beta\\le0$ is stable",
-        stuck,
-        r"1+n_1\beta\le0,\ \alpha>0,\ b_2>0",
-        name=r"\tfrac12n_1(b_0b_3-b_1b_2)",
+    page.lemma(
+        "Without a spring, $\\delta\\le0.1$, no stable wall reaches this stiffness",
+        of_masses(none_stiffer()),
+        because="for either root $w$; the positive one bounds more",
     )
-    best = sqrt(N_0 * (N_0 + E * N_1))
-    largest = boundary.largest_undelayed(ARM)
-    page.show(
-        "For the others, with $x=1+n_1\\beta>0$, the minor is a margin less a square",
-        r"\tfrac18(b_1b_2-b_0b_3)",
-        N_0 * x * (largest - alpha) - TOTAL * (N_0 * x - best) ** 2 / (N_0 * N_1**2),
-        page.same(
-            "margin",
-            (B_1 * B_2 - B_0 * B_3) / 8,
-            (N_0 * x * (largest - alpha) - TOTAL * (N_0 * x - best) ** 2 / (N_0 * N_1**2)).subs(
-                x, 1 + N_1 * beta
-            ),
-        ),
-        because="positive for no larger $\\alpha$ than",
+    page.lemma(
+        "Without a spring, $\\delta\\le0.1$, a smaller stiffness is stable with one damping",
+        of_masses(all_softer()),
     )
-    free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
         "The largest stiffness has a closed form",
+        boundary.largest_undelayed(ARM),
         largest,
-        (TOTAL - best) ** 2 / (N_0 * N_1**2),
         name=r"\alpha_{\max}",
         boxed=True,
-        because="approached at $n_0x=\\sqrt{n_0(n_0+en_1)}$ as long as $b_1,b_2,b_3>0$ there",
+        because="approached, and not reached, at $n_0(1+n_1\\beta)=w$",
     )
+    free = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
     page.step(
         "Without damping the largest stiffness is that of a free mass",
         boundary.largest_undelayed(free),
@@ -116,7 +92,7 @@ def damping(page, polynomial):
     )
     device = plant.sampled(plant.normalised(Parts(stiffness=False)))
     page.limit(
-        "For small damping $1/n_0$ exceeds 2 by a share of",
+        "For small damping $1/n_0$ exceeds 2 by $\\frac43\\delta$",
         (1 / device.n0 - 2) / delta,
         delta,
         S.Zero,
@@ -124,3 +100,8 @@ def damping(page, polynomial):
         name=r"\tfrac1\delta\bigl(\tfrac1{n_0}-2\bigr)",
         because="so in units $B<2m/T+\\frac43b+\\ldots$",
     )
+
+
+def of_masses(theorem):
+    """A theorem of arms with the spring gamma = 0."""
+    return numbers_known(placed(theorem, {gamma: S.Zero}))

@@ -23,19 +23,20 @@ def derive(page):
     page.say(
         "Write $p_1=f+g$ with the plant's part $f=z^{d+1}A$ and the wall's part $g=NW$, where "
         "$A=z^2-az+e$, $N=n_1z+n_0$ and $W=(\\alpha+\\beta)z-\\beta$. A root on the circle needs "
-        "$|f|=|g|$. With $y=2-z-1/z=4\\sin^2(\\theta/2)$, from 0 at $z=1$ to 4 at $z=-1$:"
+        "$|f|=|g|$. Let $y=4\\sin^2(\\theta/2)$, which goes from 0 at $z=1$ to 4 at $z=-1$:"
     )
     sizes = [
         ("A", bottom, (1 - a + e) ** 2 + ((1 - e) ** 2 - (1 - a + e) * (1 + e)) * y + e * y**2),
         ("N", top, (n_1 + n_0) ** 2 - n_1 * n_0 * y),
         ("W", wall, alpha**2 + (alpha + beta) * beta * y),
     ]
+    page.define("The chord from $z$ to 1 has this square", y, 2 - z - 1 / z)
     for name, factor, form in sizes:
-        page.show(
+        page.step(
             f"On the circle $|{name}|^2$ is a polynomial in $y$",
-            f"|{name}|^2",
+            factor * factor.subs(z, 1 / z),
             form,
-            page.same(name, factor * factor.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
+            name=f"|{name}(z)|^2",
         )
     page.say(
         "So $|f|^2-|g|^2$ is a polynomial of degree two in $y$, and the delay is not in it: there "
@@ -111,12 +112,13 @@ def derive(page):
     m_2, m_1, m_0 = symbols("m_2 m_1 m_0")
     late, whole = m_2 * z**2 + m_1 * z + m_0, m_2 + m_1 + m_0
     form = whole**2 + ((m_2 - m_0) ** 2 - whole * (m_2 + m_0)) * y + m_2 * m_0 * y**2
-    page.show(
+    page.step(
         "A delay with a fraction has a numerator of degree two",
-        "|m_2z^2+m_1z+m_0|^2",
+        late * late.subs(z, 1 / z),
         form,
-        page.same("late", late * late.subs(z, 1 / z), form.subs(y, 2 - z - 1 / z)),
-        because="the surplus then has degree three, and the rest is the same",
+        name="|M(z)|^2",
+        because="with $M=m_2z^2+m_1z+m_0$; the surplus then has degree three, and the rest is the "
+        "same",
     )
     _equally_large(page)
 

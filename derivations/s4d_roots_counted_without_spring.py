@@ -16,15 +16,16 @@ from symhaptic.proof.theorems.tactics import example
 def derive(page):
     page.say(
         "Without a spring the plant has a pole at 1, so that $a=1+e$, and $A=(z-1)(z-e)$ vanishes "
-        "there. With $y=2-z-1/z$ and the sizes of \\chapter{s4d_roots_counted}:"
+        "there. With the sizes of \\chapter{s4d_roots_counted}:"
     )
+    page.define("The chord from $z$ to 1 has this square", y, 2 - z - 1 / z)
     bottom, top = z**2 - a * z + e, (n_1 * z + n_0) * ((alpha + beta) * z - beta)
     sizes = [(x * x.subs(z, 1 / z)).subs(a, 1 + e) for x in (bottom, top)]
-    page.show(
+    page.step(
         "What the plant has over the wall is a quadratic",
-        "F(y)",
+        sizes[0] - sizes[1],
         surplus(),
-        page.same("surplus", sizes[0] - sizes[1], surplus().subs(y, 2 - z - 1 / z)),
+        name="F(y)",
     )
     lead = -((alpha * (n_1 + n_0)) ** 2)
     page.step("At $z=1$ the wall leads", surplus(S.Zero), lead, name="F(0)")

@@ -5,7 +5,7 @@ a root can cross the circle ignore the delay, as shown before; we ask at which o
 and when the first one does.
 """
 
-from sympy import I, Rational, pi, symbols
+from sympy import I, Rational, S, pi, symbols
 
 from symhaptic.book.figures.stability import delay_margins
 from symhaptic.book.lemmas.crossing import (
@@ -14,10 +14,9 @@ from symhaptic.book.lemmas.crossing import (
     one_angle,
     speed_outwards,
 )
-from symhaptic.model import loop
-from symhaptic.model.parts import Parts
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model.passivity import real_part
-from symhaptic.notation import alpha, beta, d, theta, u, w
+from symhaptic.notation import alpha, beta, d, delta, gamma, theta, u, w
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
 
@@ -63,15 +62,21 @@ def derive(page):
         "whole delays the next whole number is the first unstable one. A free mass with "
         "$\\alpha=0.01$, $\\beta=0.05$ has $\\theta_1=0.1077$ and the margin $3.969$:"
     )
-    free = loop.characteristic(Parts(False, False)).subs(
-        {alpha: Rational(1, 100), beta: Rational(1, 20)}
+    free = {alpha: Rational(1, 100), beta: Rational(1, 20), gamma: S.Zero, delta: S.Zero}
+    page.lemma(
+        "With three periods of delay the wall $\\alpha=0.01$, $\\beta=0.05$ of a free mass is "
+        "stable",
+        stable_at({**free, d: S(3)}),
     )
-    page.inside("After three periods of delay the roots lie inside", free.subs(d, 3))
-    page.outside("After four periods a root lies outside", free.subs(d, 4))
+    page.lemma(
+        "With four periods of delay the wall $\\alpha=0.01$, $\\beta=0.05$ of a free mass is not "
+        "stable",
+        unstable_at({**free, d: S(4)}),
+    )
     page.say(
         "Behind a fraction of a period the plant has one coefficient more and the surplus degree "
         "three. For each fraction the whole periods are told from the phase as above; the margin "
-        "is the least over all fractions. This is what the figure shows."
+        "is the least over all fractions, as plotted below."
     )
     page.figure(
         "delay_margin",

@@ -1,41 +1,42 @@
-r"""What has to be kept for the limits to scale with the period and the mass?
+r"""Does the same device bear four times the stiffness at twice the rate?
 
 A loop in SI units is one in those of Table I, so that walls scale where $bT/m$ and $kT^2/m$ stay
-the same. We show this for all that some damping or some stiffness can make stable, and by a wall
-each that neither of the two can be left out.
+the same. With one damper and one spring they do not, unless there is neither. One wall each inside
+(23) shows that neither can be kept.
 """
 
-from sympy import Rational, S, pi
+from sympy import Rational, S
 
 from symhaptic.book.lemmas.passive_is_stable import LOOP
 from symhaptic.book.lemmas.scaling import (
     KEPT,
+    NOTHING,
     RATE,
     at_twice_the_rate,
     for_another_mass_and_rate,
+    free_mass,
     never,
+    none_as_damped,
+    none_as_stiff,
 )
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.notation import B, K, T, alpha, b, beta, d, k, m
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.stability import DAMPER, HEAVY, SOON, SPRING, STIFFER, STRONGER
+from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
-    assume,
-    weakened,
-    witnessed,
-)
+from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened, witnessed
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
-BEFORE = Rational(1, 50)
-"""delta within (23); with half the period or twice the mass but the same damper it is 1/100."""
+DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)
+"""delta and gamma within (23); at half the period they are 1/100 and 1/4000."""
 
 STIFF = {alpha: Rational(713, 1000), beta: Rational(33, 40)}
+"""Stable with the damper, and with none of half as much per mass."""
+LIMIT = {alpha: Rational(686, 1000), beta: Rational(8283, 10000)}
+"""Stable with a quarter of the spring, and with none of it."""
 BRAKED = {alpha: Rational(1, 1000), beta: Rational(101, 50)}
-LITTLE = {alpha: Rational(1, 10), beta: S.One}
-"""A wall that is stable beside a free mass; a spring that swings once per period hides from it."""
+HELD = {alpha: -Rational(95, 100000), beta: Rational(200006, 100000)}
+"""The same for the damping: stable with the damper, and with the spring."""
 
 
 def derive(page):
@@ -47,24 +48,25 @@ def stiffness(page):
     """Four times the stiffness at half the period, beside some damping."""
     claim = CLAIMED["s4d-quadratic-in-period"](())
     symbols, given, _ = taken_apart(claim)
-    same = page.lemma(
+    kept = page.lemma(
         "With $bT/m$ and $kT^2/m$ kept, half the period allows four times the stiffness",
         at_twice_the_rate(),
     )
-    loop_ = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero, DAMPER: S.Zero, SPRING: S.Zero}
-    kept = loop_ | {K: STIFF[alpha], b: BEFORE, DAMPER: BEFORE, STIFFER: 4 * STIFF[alpha]}
-    swung = loop_ | {K: LITTLE[alpha], SPRING: 16 * pi**2, STIFFER: 4 * LITTLE[alpha]}
+    loop = {T: S.One, m: S.One, b: S.Zero, k: S.Zero, d: S.Zero}
+    damped = loop | {b: DAMPED, K: STIFF[alpha], STIFFER: 4 * STIFF[alpha]}
+    sprung = loop | {k: SPRUNG, K: LIMIT[alpha], STIFFER: 4 * LIMIT[alpha]}
     page.settle(
         "s4d-quadratic-in-period",
-        for_all(symbols, [*given, *RATE], weakened(same, *given)),
-        example=example(kept | {DAMPER: 2 * BEFORE}, [*given, *RATE]),
+        for_all(symbols, [*given, *NOTHING], weakened(free_mass(kept, RATE), *given)),
+        example=example(loop | {K: S.One, STIFFER: S(4)}, [*given, *NOTHING]),
         unless=[
-            lost(claim, kept, RATE, 0, B, STIFF[beta]),
-            lost(claim, swung, RATE, 1, B, LITTLE[beta]),
+            one_sided(claim, damped, 0, 0, B, STIFF[beta], never),
+            one_sided(claim, sprung, 1, 1, B, 2 * LIMIT[beta], none_as_stiff),
         ],
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\alpha=0.713$ can be stable, at "
-        r"$\tfrac1{100}$ it cannot",
-        note="both are kept for $b=k=0$; with the same damper less than four times, for this arm",
+        r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
+        note="exact, too, where $bT/m$ and $kT^2/m$ are kept; with this damper less than 3.93 "
+        "times",
     )
 
 
@@ -72,35 +74,33 @@ def bound(page):
     """Damping in proportion to mass and rate, beside some stiffness."""
     claim = CLAIMED["s4d-damping-bound"](())
     symbols, given, _ = taken_apart(claim)
-    same = page.lemma(
+    kept = page.lemma(
         "With $bT/m$ and $kT^2/m$ kept, $BT/m$ has the same bound for every period and mass",
         for_another_mass_and_rate(),
     )
-    loop_ = dict.fromkeys((b, k, d, DAMPER, SPRING), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One}
-    kept = loop_ | {B: BRAKED[beta], b: BEFORE, SOON: Rational(1, 2), DAMPER: BEFORE}
-    kept[STRONGER] = 2 * BRAKED[beta]
-    swung = loop_ | {B: LITTLE[beta], SOON: S.One, SPRING: 4 * pi**2, STRONGER: LITTLE[beta]}
+    loop = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One, HEAVY: S.One, SOON: S.Half}
+    damped = loop | {b: DAMPED, B: BRAKED[beta], STRONGER: 2 * BRAKED[beta]}
+    sprung = loop | {k: SPRUNG, B: HELD[beta], STRONGER: 2 * HELD[beta]}
     page.settle(
         "s4d-damping-bound",
-        for_all(symbols, [*given, *KEPT], weakened(same, *given)),
-        example=example(kept | {DAMPER: 2 * BEFORE}, [*given, *KEPT]),
+        for_all(symbols, [*given, *NOTHING], weakened(free_mass(kept, KEPT), *given)),
+        example=example(loop | {B: S.One, STRONGER: S(2)}, [*given, *NOTHING]),
         unless=[
-            lost(claim, kept, KEPT, 0, K, BRAKED[alpha]),
-            lost(claim, swung, KEPT, 1, K, LITTLE[alpha]),
+            one_sided(claim, damped, 0, 0, K, BRAKED[alpha], never),
+            one_sided(claim, sprung, 1, 0, K, HELD[alpha], none_as_damped),
         ],
         shows=r"$d=0$, $k=0$: at $\delta=\tfrac1{50}$ the wall $\beta=2.02$ can be stable, at "
-        r"$\tfrac1{100}$ it cannot",
-        note=r"both are kept for $b=k=0$; for small $b$ the bound without delay is "
-        r"$2m/T+\tfrac43b$",
+        r"$\tfrac1{100}$, for the same damper at half the period, it cannot",
+        note=r"exact, too, where $bT/m$ and $kT^2/m$ are kept; for small $b$ the bound without "
+        r"delay is $2m/T+\tfrac43b$",
     )
 
 
-def lost(claim, values, kept, order, free, value):
-    """A loop that is stable for a value of ``free``, and for none after the change."""
+def one_sided(claim, values, order, side, free, value, denied):
+    """Of the loop before and after, side 0 and 1, one is stable for a value, the other for none."""
     same = taken_apart(claim)[2].at(values)
-    before, after = same.parts
-    wall = dict(zip(LOOP, before.body.at({free: value}).terms, strict=True))
-    some = witnessed(stable_at(wall), before, {free: value})
-    none = never(free, after.body)
-    differ = absurd(applied(assume(same), some), none, same)
-    return counterexample(claim, values, differ, holds=[kept[1 - order]], but=kept[order])
+    stable, lost = same.parts[side], same.parts[1 - side]
+    wall = dict(zip(LOOP, stable.body.at({free: value}).terms, strict=True))
+    there = witnessed(stable_at(wall), stable, {free: value})
+    differ = absurd(applied(assume(same), there), denied(free, lost.body), same)
+    return counterexample(claim, values, differ, holds=[NOTHING[1 - order]], but=NOTHING[order])

@@ -49,14 +49,14 @@ def derive(page):
         "For the largest spring and damper of (23), $\\gamma=0.001$ and $\\delta=0.02$, and the "
         "stiffness $\\alpha=0.05$:"
     )
-    numbers = loop.numbers()
     for delay, low, high in ((0, "1.9", "2.1"), (1, "0.7", "0.9")):
-        for text, side in ((low, page.inside), (high, page.outside)):
+        for text, shown, word in ((low, stable_at, "stable"), (high, unstable_at, "not stable")):
             wall = {**ARM, d: S(delay), beta: Rational(text)}
-            side(f"$d={delay}$, $\\beta={text}$", polynomial, wall, numbers)
+            where = f"For $d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
+            page.lemma(f"{where} the wall $(0.05,{text})$ is {word}", shown(wall))
     page.say(
-        "With a delay less damping is too much. By the first line no virtual stiffness can make up "
-        "for it."
+        "With a delay less damping is too much. By the first theorem no virtual stiffness can make "
+        "up for it."
     )
     given = [gamma >= 0, delta >= 0, d >= 0]
     page.settle(

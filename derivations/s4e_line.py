@@ -35,12 +35,13 @@ def derive(page):
     )
     short = 6 * (1 - 2 * nu) * s_2 + 6 * (d + 1) ** 2 * s_1 + gamma * d * (d + 1) * (4 * d + 5)
     on = (lies + s_1 - delta - gamma / 2) / theta**2
-    flatter = page.limits(on, theta, S.Zero, -short / 12)
-    page.show(
+    page.limit(
         "From there on the boundary is flatter than the line",
-        r"\lim_{\theta\to0}\frac{\Delta+g}{\theta^2}",
+        on,
+        theta,
+        S.Zero,
         -short / 12,
-        flatter,
+        name=r"\frac{\Delta+g}{\theta^2}",
         because="negative, as $\\nu\\le\\frac12$, $s_2>0$ and $s_1\\ge\\delta+\\frac12\\gamma$, "
         "and zero for $\\gamma=\\delta=0$ only: up to (30) every other boundary is flatter "
         "than the line",
@@ -63,9 +64,13 @@ def derive(page):
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
     above = (lies.subs(scaled, simultaneous=True) / h**4).subs({s_2: 1, MU: delta / 12})
-    distance = page.limits(above, h, S.Zero, apart)
-    page.show(
-        "The surplus over the line is of the next order", r"\lim_{h\to0}\Delta/h^4", apart, distance
+    page.limit(
+        "The surplus over the line is of the next order",
+        above,
+        h,
+        S.Zero,
+        apart,
+        name=r"\Delta/h^4",
     )
     crossing = flat * delta / rise
     page.step(
@@ -85,13 +90,14 @@ def derive(page):
         because="just behind it: 17\\,\\% at $d=0$, 4\\,\\% at $d=1$",
     )
     law = (d + 1) * (2 * d + 3) / 6 * (theta**2 - crossing)
-    page.show(
+    page.step(
         "In short periods the error (26) is proportional to the way from the crossing",
-        r"\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
-        r"\frac{(d+1)(2d+3)}6\,(\alpha-\alpha_\times)",
-        page.same("error", apart / ((d + HALF) * across), law),
-        because="2\\,\\% is reached $\\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side, "
-        "for $\\alpha\\ge0$ where $\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
+        apart / ((d + HALF) * across),
+        law,
+        name=r"\lim_{h\to0}\frac{1}{h^2}\,\frac{\alpha_{\text{lin}}-\alpha}{\alpha}",
+        because="with $\\theta^2$ for $\\alpha/h^2$; 2\\,\\% is reached "
+        "$\\frac{0.12}{(d+1)(2d+3)}$ from the crossing on either side, for $\\alpha\\ge0$ where "
+        "$\\delta\\ge\\frac{0.12(2d+1)}{6(d+1)^2+1}$",
         boxed=True,
     )
 

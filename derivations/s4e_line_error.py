@@ -4,7 +4,7 @@ The paper compares the boundary's $\alpha$ with the $\alpha_{\text{lin}}$ of the
 $\beta$, in units of $\alpha+\gamma$. We write this error down for the whole boundary.
 """
 
-from sympy import Abs, Rational, cos, sin
+from sympy import Abs, Rational, cos, sin, symbols
 
 from symhaptic.model import boundary, lag, linear, plant
 from symhaptic.model.parts import Parts
@@ -15,6 +15,7 @@ from symhaptic.notation import (
     d,
     delta,
     gamma,
+    kappa,
     nu,
     s_1,
     s_2,
@@ -24,6 +25,7 @@ from symhaptic.notation import (
 HALF = Rational(1, 2)
 Y = linear.CHORD
 GAP = linear.GAP
+G, MU, SIGMA = symbols("g mu sigma")
 
 
 def derive(page):
@@ -48,10 +50,7 @@ def derive(page):
     page.say(
         "Put $\\alpha$ and $\\beta$ of the explicit boundary in: this is the error as a function "
         "of $\\theta$, for every real $d$ on the principal sheet. For whole $d$ it is a quotient "
-        "of polynomials in $y=4\\sin^2\\frac\\theta2$. With the gap "
-        " $g=s_1-\\delta-\\frac12\\gamma$ "
-        "and $\\kappa=\\nu\\bigl(s_2+(1-\\nu)s_1\\bigr)$, $\\mu=\\frac12-\\nu$, "
-        "$|M|^2=1-\\nu(1-\\nu)y$:"
+        "of polynomials in $y=4\\sin^2\\frac\\theta2$, with $|M|^2=1-\\nu(1-\\nu)y$:"
     )
     polynomials(page)
     free_mass(page)
@@ -59,46 +58,34 @@ def derive(page):
 
 def polynomials(page):
     """The two polynomials for d = 0 and d = 1."""
-    kappa, mu, size = nu * (s_2 + (1 - nu) * s_1), HALF - nu, linear.arc(0).size
-    low = s_1 / 2 + mu * s_2
+    page.define("The gap lies between the start of the boundary and the line", G, GAP)
+    page.define("The share of the numerator lies below one half", MU, HALF - nu)
+    page.define("One number of the arm is a product", kappa, nu * (s_2 + (1 - nu) * s_1))
+    page.define("Another number of the arm is a sum", SIGMA, s_1 + s_2 + nu * (1 - nu) * gamma)
+    size = 1 - nu * (1 - nu) * Y
     rows = [
-        (0, (s_1 + s_2) * Y - kappa * Y**2, -low * Y + kappa * Y**2 / 2),
+        (0, (s_1 + s_2) * Y - kappa * Y**2, -(s_1 / 2 + MU * s_2) * Y + kappa * Y**2 / 2),
         (
             1,
-            (gamma + 2 * s_1 + s_2) * Y
-            - (s_1 + s_2 + 2 * kappa + nu * (1 - nu) * gamma) * Y**2
-            + kappa * Y**3,
-            -(2 * s_1 + 3 * gamma / 2 + mu * s_2) * Y
-            + ((s_1 + s_2 + nu * (1 - nu) * gamma) * 3 / 2 + 2 * kappa) * Y**2
-            - kappa * Y**3 * 3 / 2,
+            (gamma + 2 * s_1 + s_2) * Y - (SIGMA + 2 * kappa) * Y**2 + kappa * Y**3,
+            -(2 * s_1 + 3 * gamma / 2 + MU * s_2) * Y
+            + (3 * SIGMA / 2 + 2 * kappa) * Y**2
+            - 3 * kappa * Y**3 / 2,
         ),
     ]
-    shown = [
-        (
-            r"(s_1+s_2)y-\kappa y^2",
-            r"-g|M|^2-\bigl(\tfrac12s_1+\mu s_2\bigr)y+\tfrac12\kappa y^2",
-        ),
-        (
-            r"(\gamma+2s_1+s_2)y-(\sigma+2\kappa)y^2+\kappa y^3",
-            r"-g|M|^2-\bigl(2s_1+\tfrac32\gamma+\mu s_2\bigr)y"
-            r"+\bigl(\tfrac32\sigma+2\kappa\bigr)y^2-\tfrac32\kappa y^3",
-        ),
-    ]
-    for (delay, right, above), (first, second) in zip(rows, shown, strict=True):
+    for delay, right, above in rows:
         arc = linear.arc(delay)
-        because = "with $\\sigma=s_1+s_2+\\nu(1-\\nu)\\gamma$" if delay else ""
-        page.show(
+        page.step(
             f"For $d={delay}$ the denominator is a polynomial in $y$",
-            r"|M|^2(\alpha+\gamma)",
-            first,
-            page.same("right", arc.right, right),
-            because=because,
+            arc.right,
+            right,
+            name=r"|M|^2(\alpha+\gamma)",
         )
-        page.show(
+        page.step(
             f"For $d={delay}$ the surplus is a polynomial in $y$",
-            r"|M|^2\Delta",
-            second,
-            page.same("above", arc.above, above - GAP * size),
+            arc.above,
+            above - G * size,
+            name=r"|M|^2\Delta",
             because="so that $\\varepsilon=\\Delta/((d+\\frac12)(\\alpha+\\gamma))$",
         )
 

@@ -34,7 +34,7 @@ def derive(page):
         "Without damping there is no gap, $y$ is a factor that is divided out, and the line is "
         "met at the origin. With damping the error grows beyond all bounds towards the start; the "
         "marks of $-2\\,\\%$ and $-5\\,\\%$ with $\\alpha<0$ lie next to the corner at "
-        "$\\alpha=-0.001$, where nobody would see them."
+        "$\\alpha=-0.001$, too near to it to be seen."
     )
     for delay in DELAYS:
         rows = [
@@ -51,7 +51,7 @@ def derive(page):
     page.figure(
         "fig10",
         "Fig. 10 of the paper: exact boundaries (solid) and lines of (25) (dashed) for "
-        "$\\gamma=0.001$, with errors of 0, 2 and 5\\,\\%; marks with $\\alpha<0$ are left out.",
+        "$\\gamma=0.001$, with errors of 0, 2 and 5\\,\\%, without marks at $\\alpha<0$.",
         draw,
         panels=(2, 1),
         height=1.1,
@@ -68,8 +68,7 @@ def derive(page):
     page.settle(
         "fig10",
         drawn(),
-        note="the figure leaves out the marks of $-2$ and $-5\\,\\%$ next to the corner, of all "
-        "$\\delta>0$; for $d=1$ it is not claimed that all walls inside a curve are stable",
+        note="errors of $-2$ and $-5\\,\\%$ also occur next to the corner, for all $\\delta>0$",
     )
 
 

@@ -23,22 +23,22 @@ HALF = Rational(1, 2)
 
 
 def derive(page):
-    kept = (b + B - K * t_e).subs(t_e, lag.DELAY)
     low = b + B - K * T * (d + HALF)
-    lowest = page.limits(passivity.margin(), theta, S.Zero, low)
-    page.show(
+    page.limit(
         "At low frequencies (9) is what passivity asks for",
-        r"\lim_{\theta\to0}F",
+        passivity.margin(),
+        theta,
+        S.Zero,
         low,
-        lowest,
+        name="F",
         because="positive in (9), zero on the straight part of the boundary",
     )
-    same = page.same("one expression", kept.subs(t_d, d * T), low)
-    page.show(
+    page.define("The delay has $d$ periods", t_d, d * T)
+    page.define("The held force adds half a period to it", t_e, lag.DELAY)
+    page.step(
         "With $t_d=dT$ (24) has the margin of low frequencies",
-        "b+B-Kt_e",
+        b + B - K * t_e,
         low,
-        same,
         because="the same: a lag and low frequencies see the effective delay $t_e$ only",
     )
     claim = CLAIMED["s4e-same-as-passive"](())
@@ -62,12 +62,11 @@ def derive(page):
         name="K_{(24)}-K_{(9)}",
     )
     scaled = {K: alpha * m / T**2, B: beta * m / T, b: delta * m / T}
-    plane = page.same("in Table I", (low * T / m).subs(scaled), linear.surplus())
-    page.show(
+    page.step(
         "In the parameters of Table I that margin is the surplus over (25)",
-        r"\tfrac TmF|_{\theta\to0}",
+        (low * T / m).subs(scaled),
         linear.surplus(),
-        plane,
+        name=r"\tfrac TmF|_{\theta\to0}",
         because="with $\\delta=b_DT/m$; by \\chapter{s3c_linear_part_condition} the low "
         "frequencies are the strictest for whole $d$, $\\alpha\\ge0$ and "
         "$-\\delta\\le\\beta\\le\\frac d{2d+3}\\delta$",

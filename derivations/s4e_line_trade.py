@@ -8,7 +8,8 @@ the other.
 from sympy import Rational, S, diff, symbols
 
 from symhaptic.book.lemmas.linear_trade import at_point, exchanged
-from symhaptic.model import boundary, linear, loop
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
+from symhaptic.model import boundary, linear
 from symhaptic.model.passivity import on_circle
 from symhaptic.notation import alpha, beta, d, delta, gamma, h, nu, s_1, s_2, theta, x, z
 from symhaptic.paper.propositions import CLAIMED
@@ -34,15 +35,16 @@ def derive(page):
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
     apart = theta**2 * (rise * theta**2 - flat * delta) / 12
     lies = linear.surplus(stiffness, damping).subs(scaled, simultaneous=True)
-    law = page.limits(lies / h**4, h, S.Zero, apart)
     bound = (d + HALF) * alpha - delta + alpha * (rise * alpha - flat * delta) / 12
-    page.show(
-        "For short periods the boundary is this parabola, to second order",
-        beta,
-        r"(d+\tfrac12)\alpha-\delta+\tfrac1{12}\alpha\bigl((d+1)(2d+1)(2d+3)\,\alpha"
-        r"-(6(d+1)^2+1)\,\delta\bigr)",
-        law,
-        because="the limit of the surplus over the line that was found with the tangent",
+    page.limit(
+        "For short periods the boundary is a parabola, to second order",
+        lies / h**4,
+        h,
+        S.Zero,
+        apart,
+        name=r"\Delta/h^4",
+        because="where $\\theta^2$ stands for $\\alpha$ and $\\Delta$ is the surplus over the line "
+        "as for the tangent: the parabola is $\\beta=(d+\\frac12)\\alpha-\\delta+\\Delta$",
     )
     page.step(
         "A unit of physical damping saves more than one of virtual damping",
@@ -60,20 +62,15 @@ def derive(page):
         "virtual damping alone it is not:"
     )
     wall = {alpha: Rational(1, 100), gamma: Rational(1, 1000), d: S.One}
-    device = loop.numbers()
     physical = {**wall, beta: -Rational(1, 200), delta: Rational(1, 50)}
     virtual = {**wall, beta: Rational(3, 200), delta: S.Zero}
-    page.inside(
+    page.lemma(
         "With physical damping, $\\delta=0.02$ and $\\beta=-0.005$, the loop is stable",
-        loop.named(),
-        physical,
-        device,
+        stable_at(physical),
     )
-    page.outside(
-        "With virtual damping for it, $\\delta=0$ and $\\beta=0.015$, it is not",
-        loop.named(),
-        virtual,
-        device,
+    page.lemma(
+        "With virtual damping in its place, $\\delta=0$ and $\\beta=0.015$, the loop is not stable",
+        unstable_at(virtual),
     )
     settle(page, physical, virtual)
 

@@ -7,7 +7,8 @@ ask whether there is one crossing only, for every spring and damping of the rang
 from sympy import Rational, S
 
 from symhaptic.book.lemmas.line_crossing import one_crossing, room
-from symhaptic.model import jury, linear, loop
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
+from symhaptic.model import jury, linear
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1, x
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
@@ -77,10 +78,10 @@ def witnesses(page):
     """One wall of the line above and one below the crossing, for each delay."""
     arm = {gamma: Rational(1, 1000), delta: Rational(1, 50)}
     for delay, low, high in ((0, Rational(4, 100), Rational(6, 100)), (1, S(1) / 100, S(2) / 100)):
-        for kind, stiffness in ((page.inside, low), (page.outside, high)):
+        sides = (stable_at, "stable", low), (unstable_at, "not stable", high)
+        for shown, word, stiffness in sides:
             damping = linear.on_the_line(stiffness, delay).subs(arm)
             at = {alpha: stiffness, beta: damping, d: S(delay), **arm}
-            where = f"$d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
-            side = "lies below" if kind == page.inside else "lies above"
-            title = f"{where}: the wall $({float(stiffness):g},{float(damping):g})$ {side}"
-            kind(title, loop.named(), at, loop.numbers())
+            where = f"For $d={delay}$, $\\gamma=0.001$, $\\delta=0.02$"
+            wall = f"the wall $({float(stiffness):g},{float(damping):g})$"
+            page.lemma(f"{where} {wall} of the line is {word}", shown(at))

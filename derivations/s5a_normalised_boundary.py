@@ -38,7 +38,7 @@ def derive(page):
         "One frequency gives one line",
         line,
         delta - passivity.dirichlet_form(omega_hat).subs({K: alpha, B: beta, T: 1}),
-        name=r"\tfrac{T}{m}F",
+        name=r"\tfrac{T}{m}(b-b_{\min})",
     )
     page.say(
         "As in physical units, the curve is the boundary for $0<\\hat\\omega\\le\\pi/(d+1)$ and "

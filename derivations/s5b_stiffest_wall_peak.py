@@ -65,5 +65,6 @@ def derive(page):
         r"all passive ones; and $\eta$ falls again, without a spring from more than 0.9999 at "
         r"$d=122$ to less than 0.91 at $d=1000$",
         note="of whole delays; read as one in print, which 0.9998 is, it is reached; up to there "
-        "$\\eta$ grows between the delays of Fig. 12",
+        "$\\eta$ grows between the delays of Fig. 12. With one $\\delta$ for passivity and "
+        "stability; for a held device $\\eta\\le b_D/(b_D+b_H)$ (\\texttt{one-delta})",
     )

@@ -26,9 +26,10 @@ from symhaptic.proof.theorems.kernel import (
     conjoined,
     discharged,
     placed,
+    substituted,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.leaves import combined, identity, number
 from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
 
 
@@ -66,13 +67,13 @@ def derive(page):
         "The Nyquist frequency is $\\omega T=\\pi$. Both sides being positive, "
         "$\\omega T\\le\\pi$ is the same as their squares:"
     )
-    page.result(
-        "A device swings below the Nyquist frequency for these springs",
-        gamma - delta**2 / 4 <= pi**2,
-        equal_to=turns**2 <= pi**2,
-        paper="30",
+    page.lemma(
+        "A device swings below the Nyquist frequency for the springs of (30)",
+        up_to_nyquist(),
+        boxed=True,
     )
     _up_to_nyquist(page, turns)
+    _undamped(page)
 
 
 def _frequency(page, frequency):
@@ -138,4 +139,24 @@ def _up_to_nyquist(page, turns):
         for_all(symbols, given, found),
         turns**2 <= pi**2,
         example=example(point, given),
+    )
+
+
+def _undamped(page):
+    """Without damping (30) is an equation for gamma = pi^2."""
+    symbols, given, then = taken_apart(CLAIMED["s5c-nyquist-spring"](()))
+    reached, spring = then.of
+    law, period = assume(given[-1]), positive(Ne(T, 0), T > 0)
+    root = combined(Eq(sqrt(gamma), pi), [assume(reached), 1], [law, -T])
+    stiff = combined(spring, [root, sqrt(gamma) + pi])
+    place = Relation(sqrt(delta), "=", pi)
+    root = combined(Eq(pi**2, gamma), [assume(spring), -1])
+    root = substituted(place, delta, identity(sqrt(pi**2), pi), root)
+    fast = combined(reached, [root, 1], [law, T])
+    same = closed(either_way(stiff, fast, reached, spring), period)
+    page.settle(
+        "s5c-nyquist-spring",
+        for_all(symbols, given, weakened(same, *given)),
+        example=example({T: S.One, omega: S.One, gamma: S.One}, given),
+        note="with damping it is $\\gamma=\\pi^2+\\frac14\\delta^2$",
     )

@@ -3,7 +3,7 @@ r"""Is the limit of the spring ten thousand times the stiffness of an arm?
 Against the arms of Table II the limit is a large factor, but which one?
 """
 
-from sympy import Eq, I, Rational, S, pi
+from sympy import Eq, I, Ne, Rational, S, pi
 
 from symhaptic.book.lemmas.arm_ranges import (
     SHARE,
@@ -15,7 +15,7 @@ from symhaptic.book.lemmas.arm_ranges import (
 )
 from symhaptic.book.lemmas.swing import spring_of_nyquist
 from symhaptic.model import plant
-from symhaptic.notation import T, b, delta, gamma, k, k_H, m
+from symhaptic.notation import T, b, delta, gamma, k, k_H, m, x
 from symhaptic.notation.proposition import negated
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.familiar import square
@@ -38,6 +38,7 @@ from symhaptic.proof.theorems.tactics import (
     for_all,
     one,
     over,
+    positive,
 )
 
 DEVICE = {m: Rational(1, 10), T: Rational(1, 1000)}
@@ -59,19 +60,30 @@ def arms(page):
         "(23) ends at $\\gamma=0.001$:"
     )
     symbols, given, near = taken_apart(CLAIMED["s5c-human-10000"](()))
-    low, high = near.of
-    limit = assume(given[-1])
-    lower = combined(low, [above(pi**2, Rational(19, 2))], [square(delta), S.One / 4], [limit, -1])
+    limit, largest = map(assume, given[-2:])
+    lower = combined(
+        gamma >= 9500 * x,
+        [above(pi**2, Rational(19, 2))],
+        [square(delta), S.One / 4],
+        [limit, -1],
+        [largest, 9500],
+    )
     upper = combined(
-        high,
+        gamma < 10000 * x,
         [above(10 - Rational(1, 10000), pi**2)],
         [S.One / 4, weak()],
         [limit, S.One],
+        [largest, -10000],
     )
+    size = combined(x > 0, [above(S.One / 1000, S.Zero)], [largest, -1])
+    lower = over((gamma - 9500 * x) / x >= 0, positive(gamma - 9500 * x >= 0, [lower]), size)
+    upper = over((10000 * x - gamma) / x > 0, positive(10000 * x - gamma > 0, [upper]), size)
+    found = conjoined(combined(near.of[0], [lower]), combined(near.of[1], [upper]))
+    found = closed(found, positive(Ne(x, 0), [size]))
     page.settle(
         "s5c-human-10000",
-        for_all(symbols, given, weakened(conjoined(lower, upper), *given)),
-        example=example({gamma: pi**2, delta: S.Zero}, given),
+        for_all(symbols, given, weakened(found, *given)),
+        example=example({gamma: pi**2, delta: S.Zero, x: Rational(1, 1000)}, given),
         enclosed=True,
         value=1000 * pi**2,
         note=r"$T=1$ ms. (23) was extended: the $710\,\mathrm{s}^{-2}$ of (21) give "
@@ -93,7 +105,12 @@ def human(page):
         ("For the device alone it is 1740 times as stiff as that arm", DEVICE[m]),
     ):
         limit = spring_of(mass).subs(T, HOGAN[T]) / HOGAN[k_H]
-        page.step(title, limit, mass * 10**6 * pi**2 / 568, name=r"\frac{\pi^2m}{T^2k_H}")
+        page.step(
+            title,
+            limit,
+            mass * 10**6 * pi**2 / 568,
+            name=r"\frac{\pi^2m}{T^2k_H}\Big|_{T=1\,\mathrm{ms}}",
+        )
     claim = CLAIMED["s6-human-10000"](())
     symbols, given, about = taken_apart(claim)
     alike = Eq(k_H * T**2 / m, Rational(1, 1000))

@@ -29,7 +29,7 @@ from symhaptic.proof.theorems.kernel import (
     discharged,
     weakened,
 )
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.leaves import combined, on_box
 from symhaptic.proof.theorems.tactics import (
     closed,
     example,
@@ -66,11 +66,10 @@ def example_(page, spring):
         "which is $986\\,960.44\\ldots$ N/m without damping. It rounds to 987 000 N/m as long "
         "as $2.5\\,b^2<540$ (in SI units), $b\\le14.6$ Ns/m; (23) has $b\\le0.02m/T=2$ Ns/m:"
     )
-    page.positive(
-        "The stiffness rounds to the printed number",
-        box.positive(987500 - device, {b: (0, Rational(146, 10))}),
-        r"0\le b\le14.6\ \mathrm{Ns/m}",
-        name="987\\,500-k",
+    page.lemma(
+        "For $0\\le b\\le14.6$ Ns/m the stiffness of Example 5.1 stays below 987\\,500 N/m",
+        on_box(box.positive(987500 - device, {b: (0, Rational(146, 10))})),
+        because="so it rounds to the printed number",
     )
     symbols, given, then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
     _, rounds = then.of
@@ -89,12 +88,11 @@ def example_(page, spring):
 
 def marginal(page, spring):
     """The share of the damping, and that it does not change the printed number."""
-    share = b**2 / (4 * m) / (pi**2 * m / T**2)
+    page.define("Table I has this number for the damper", delta, b * T / m)
     page.step(
         "The damping has a share that only $\\delta$ decides",
-        share.subs(b, delta * m / T),
+        b**2 / (4 * m) / (pi**2 * m / T**2),
         delta**2 / (4 * pi**2),
-        name=r"\frac{b^2/(4m)}{\pi^2m/T^2}",
         because="of the stiffness without damping, for every device",
     )
     symbols, given, then = taken_apart(CLAIMED["s5c-marginal-b"](()))

@@ -6,13 +6,13 @@ what this leaves to the wall.
 
 from sympy import S, pi
 
-from symhaptic.book.lemmas.mirror import inside, mirrored_pole
+from symhaptic.book.lemmas.mirror import inside, mirrored_pole, split, triangle
 from symhaptic.model import loop
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, l, z
 from symhaptic.notation.proposition import Relation, whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.comparison import q
+from symhaptic.paper.propositions.comparison import kept_at_minus_one, q
 from symhaptic.proof.theorems.familiar import held_by_a_pole
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import conjoined, weakened
@@ -38,15 +38,30 @@ def derive(page):
         because="for a delay of $\\ell/q$ periods $w=e^{j\\pi/q}$ is a zero of the polynomial in "
         "$w$, and $w^q=-1$",
     )
+    page.lemma(
+        "For whole delays $-1$ is a zero of the device that the sampled motion does not show",
+        split(),
+        because="the polynomial is $z+1$ times another one, which is zero at $-1$ only for "
+        "$\\alpha+2\\beta=0$",
+    )
+    page.say(
+        "The loop is limit stable where the other zeros lie inside and $-1$ is a simple one. "
+        "Without delay the other factor is of second order:"
+    )
+    page.lemma(
+        "For $d=0$ the other zeros lie inside just for a triangle of walls",
+        triangle(),
+        boxed=True,
+    )
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
-    symbols, given, _ = taken_apart(CLAIMED["s5c-undamped-limit"](()))
+    symbols, given, _ = taken_apart(kept_at_minus_one())
     held = held_by_a_pole(pole, number(Relation(S.One, "<=", S.One)))
+    kept = for_all(symbols, given, weakened(conjoined(pole, held), *given))
     page.settle(
         "s5c-undamped-limit",
-        for_all(symbols, given, weakened(conjoined(pole, held), *given)),
-        example=example({s: once[s] for s in symbols}, given, fact(whole(S.One))),
-        note="no wall is asymptotically stable there; a second root at $-1$ or one outside makes "
-        "it unstable",
+        conjoined(kept, split(), triangle()),
+        note="the pole for every delay of $\\ell/q$ periods, the factor for whole delays, the "
+        "region for $d=0$; for other delays no region is shown",
     )
     damped = page.lemma(
         "With damping a pole lies at $-e^{-\\delta/2}$, and no wall moves it",

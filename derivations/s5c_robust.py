@@ -30,8 +30,13 @@ def derive(page):
         z**2 - 2 * z * cos(Omega) + 1,
         name="A",
     )
-    equal = page.same("equal", device.n1.subs(swing), device.n0.subs(swing))
-    page.show("Its numerator is symmetric", n_1, n_0, equal)
+    for which, name, number in (("first", n_1, device.n1), ("second", n_0, device.n0)):
+        page.step(
+            f"Without damping the {which} number of the numerator has one cosine",
+            number.subs(swing),
+            (1 - cos(Omega)) / Omega**2,
+            name=name,
+        )
     wall = (alpha + beta) * z - beta
     whole = z ** (d + 1) * (z**2 - 2 * z * cos(Omega) + 1) + n_0 * (z + 1) * wall
     page.same(

@@ -5,10 +5,16 @@ was said of whole delays can be asked again: the polynomial, its roots at 1 and 
 boundary as an explicit curve.
 """
 
-from sympy import I, Rational, S, cos, exp, sin, symbols
+from sympy import Eq, I, Rational, S, cos, exp, sin, symbols
 
 from symhaptic.book.lemmas.late_boundary import boundary_is_explicit, late_boundary
-from symhaptic.book.lemmas.late_loop import GIVEN, late_polynomial, polynomial_of_a_late_loop
+from symhaptic.book.lemmas.late_loop import (
+    GIVEN,
+    late_polynomial,
+    numbers_of_a_late_device,
+    polynomial_of_a_late_loop,
+)
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.model import fractional, loop, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.passivity import on_circle, real_part
@@ -29,6 +35,9 @@ from symhaptic.notation import (
     theta,
     z,
 )
+from symhaptic.proof.theorems.familiar import device_static
+from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import example
 
 EXAMPLE = dict.fromkeys((alpha, beta, gamma, delta, epsilon), Rational(1, 2)) | {l: S.One}
@@ -53,13 +62,8 @@ def derive(page):
     made = fractional.characteristic(FULL, split=c)
     page.same("made of the plant", polynomial.subs(numbers), made)
     whole = loop.characteristic(FULL, split=c)
-    for end, expected, title, name in (
-        (0, z * whole.subs(d, l), "Without a fraction there is one root more, at 0", r"z\;p_1"),
-        (1, whole.subs(d, l + 1), "At a full period it is that of the next whole delay", "p_1"),
-    ):
-        same = page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
-        delay = r"\ell" if end == 0 else r"\ell+1"
-        page.show(title, rf"p_1\big|_{{\varepsilon={end}}}", rf"{name}\big|_{{d={delay}}}", same)
+    for end, expected in ((0, z * whole.subs(d, l)), (1, whole.subs(d, l + 1))):
+        page.same("ends", made.subs(epsilon, end).xreplace(given), expected.xreplace(given))
     found = page.lemma(
         "A loop is stable behind a fractional delay if all zeros of this polynomial lie inside",
         polynomial_of_a_late_loop(),
@@ -97,16 +101,13 @@ def derive(page):
         r"\ \alpha=\Re Q-\beta(1-\cos\theta)}",
         because="for every plant, every whole $\\ell$ and every $\\varepsilon$",
     )
-    at_one = polynomial.subs(z, 1).subs(numbers).xreplace(given)
-    total = (device.device.n1 + device.device.n0).xreplace(given)
-    left = page.same("the left bound", at_one, total * (alpha + given[gamma]))
-    page.show(
-        "There is a root at 1 on the left bound only", "p_1(1)", (n_1 + n_0) * (alpha + gamma), left
+    at_one = Eq(polynomial.subs(z, 1), (n_1 + n_0) * (alpha + gamma))
+    total = numbers_of_a_late_device()[0]
+    page.lemma(
+        "There is a root at 1 on the left bound only",
+        combined(at_one, [device_static(assume(DEVICE)), 1], [total, alpha]),
     )
-    page.say(
-        "As before, $\\alpha>-\\gamma$ is necessary, for every plant and every delay. There may be "
-        "a root at $-1$, too:"
-    )
+    page.say("As before, $\\alpha>-\\gamma$ is necessary. There may be a root at $-1$, too:")
     page.step(
         "For even $\\ell$ a root at $-1$ is another line",
         polynomial.subs(l, 0).subs(z, -1),
@@ -145,13 +146,13 @@ def derive(page):
             4 * m_2 * m_0 * x**2 + 2 * m_1 * (m_2 + m_0) * x + m_1**2 + (m_2 - m_0) ** 2,
         ),
         (
-            "The size of the wall is linear in $\\cos\\theta$",
+            "The size of the wall $W=(\\alpha+\\beta)z-\\beta$ is linear in $\\cos\\theta$",
             push,
             alpha**2 + 2 * beta * (alpha + beta) * (1 - x),
         ),
     ):
         value = on_circle(factor)
-        name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, r"|(\alpha+\beta)z-\beta|^2")
+        name = {bottom: "|A|^2", top: "|M|^2"}.get(factor, "|W|^2")
         page.step(title, value * value.xreplace({I: -I}), square, name=name)
     page.say(
         "So the angles of all possible crossings are the roots of one cubic in $\\cos\\theta$, a "
@@ -160,11 +161,13 @@ def derive(page):
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))
     numbers = {m_2: free.m2, m_1: free.m1, m_0: free.m0, a: free.device.a, e: free.device.e}
     shift = exp(-I * (l + epsilon + S.Half) * theta)
-    page.show(
+    page.limit(
         "Of a free mass the boundary leaves the origin as (25) has it",
-        "Q",
-        r"\theta^2e^{j(\ell+\varepsilon+1/2)\theta}\,(1+O(\theta^2))",
-        page.limits((turned.subs(numbers) * shift / theta**2 - 1) / theta, theta, S.Zero, S.Zero),
+        (turned.subs(numbers) * shift / theta**2 - 1) / theta,
+        theta,
+        S.Zero,
+        S.Zero,
+        name=r"\frac1\theta\Bigl(\frac{Q}{\theta^2}\,e^{-j(\ell+\varepsilon+1/2)\theta}-1\Bigr)",
         because="so the boundary leaves the origin with $\\beta/\\alpha=d+\\frac12$: there the "
         "linear condition (25) is right for fractional delays too",
     )

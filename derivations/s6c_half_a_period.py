@@ -74,14 +74,14 @@ def derive(page):
     wall = (alpha + beta) * z - beta
     theirs = z ** (l + S.Half) * z * poles + free.device.numerator * wall
     late = (sqrt(z) - 1) ** 4 / 8
-    differ = page.same("the term", *map(on_circle, (sqrt(z) * theirs, polynomial - late * wall)))
-    page.show(
+    page.step(
         "What is read is the true polynomial and a term",
-        r"\zeta\,p_p(\zeta)",
-        r"p_1(\zeta^2)-\tfrac18(\zeta-1)^4\bigl((\alpha+\beta)\zeta^2-\beta\bigr)",
-        differ,
-        because="take the share $q$ of this term, from 0 to 1; without it no root of a stable "
-        "loop has $|\\zeta|\\ge1$",
+        on_circle(sqrt(z) * theirs - polynomial),
+        on_circle(-late * wall),
+        name=r"\zeta\,p_p(\zeta)-p_1(\zeta^2)\big|_{\zeta=e^{j\theta/2}}",
+        because="that is $-\\tfrac18(\\zeta-1)^4\\bigl((\\alpha+\\beta)\\zeta^2-\\beta\\bigr)$; "
+        "take the share $q$ of this term, from 0 to 1; without it no root of a stable loop has "
+        "$|\\zeta|\\ge1$",
     )
     page.step(
         "On the circle the term makes the wall a little weaker",

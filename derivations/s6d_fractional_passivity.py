@@ -5,7 +5,7 @@ the period counts. Which inequality forbids that energy is extracted, and what b
 whole delays?
 """
 
-from sympy import I, Rational, S, cos, cot, sin, sqrt
+from sympy import I, Rational, S, cos, cot, sin, sqrt, symbols
 
 from symhaptic.book.lemmas.late_passivity import (
     GIVEN,
@@ -13,10 +13,29 @@ from symhaptic.book.lemmas.late_passivity import (
     passive_at_every_angle,
 )
 from symhaptic.model import fractional, passivity, wall
-from symhaptic.notation import B, K, T, b, d, epsilon, l, p_k, phi, q_k, r, theta, u, w, x, z
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    b,
+    d,
+    epsilon,
+    function,
+    l,
+    p_k,
+    phi,
+    q_k,
+    r,
+    theta,
+    u,
+    w,
+    x,
+    z,
+)
 from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
+N, NEED = symbols("n"), function("b_0")
 KERNEL = K * T / (2 * sin(theta / 2))
 
 
@@ -44,8 +63,7 @@ def derive(page):
         "The sample is taken between two whole delays",
         1 / (z - 1) + rest,
         rest * z / (z - 1) + epsilon / (z - 1),
-        because="between the delays $\\ell$ and $\\ell+1$, with the weights $1-\\varepsilon$ and "
-        "$\\varepsilon$",
+        because="of $\\ell$ and $\\ell+1$ periods, weighted by $1-\\varepsilon$ and $\\varepsilon$",
     )
     form = fractional.energy_form()
     straight = page.step(
@@ -53,15 +71,20 @@ def derive(page):
         b - T * form[0, 0],
         KERNEL * (rest * sin((l + HALF) * theta) + epsilon * sin((l + 3 * HALF) * theta))
         - B * (rest * cos((l + 1) * theta) + epsilon * cos((l + 2) * theta)),
-        name="n",
+        name=N,
         because="what the wall takes from such a motion, times $T$ and with its sign reversed",
     )
-    need = passivity.dirichlet_form()
-    page.show(
+    page.step(
+        "With a whole delay $d$ a wall needs this damping at an angle",
+        b - passivity.margin(),
+        passivity.dirichlet_form(),
+        name=NEED(d),
+    )
+    page.step(
         "What it needs lies between the needs of two whole delays",
-        "n",
-        r"(1-\varepsilon)\,\text{need}\big|_{d=\ell}+\varepsilon\,\text{need}\big|_{d=\ell+1}",
-        page.same("n", straight, rest * need.subs(d, l) + epsilon * need.subs(d, l + 1)),
+        straight,
+        rest * NEED(l) + epsilon * NEED(l + 1),
+        name=N,
     )
     force = passivity.on_circle(wall.transfer() * z ** (-l - 1))
     square = page.step(
@@ -69,16 +92,15 @@ def derive(page):
         T**2 * force * force.xreplace({I: -I}),
         fractional.stiffness_squared(),
         name="T^2|H|^2",
-        because="on the unit circle the delay only turns it, so that the square of the modulus "
-        "does not contain it",
+        because="on the unit circle the delay only turns it",
     )
     det = form[0, 0] * form[1, 1] - form[0, 1] * form[1, 0]
     margin = b * (b - straight) - epsilon * rest * square / 4
-    page.show(
+    page.step(
         "The form in $p$ and $q$ is positive with its determinant",
-        r"\varepsilon(1-\varepsilon)T^2\det",
-        r"b(b-n)-\tfrac14\varepsilon(1-\varepsilon)T^2|H|^2",
-        page.same("determinant", det * T**2 * epsilon * rest, margin),
+        det * T**2 * epsilon * rest,
+        b * (b - N) - epsilon * rest * square / 4,
+        name=r"\varepsilon(1-\varepsilon)T^2\det",
         because="as its corner $b/(T\\varepsilon(1-\\varepsilon))$ is positive; the second term is "
         "what a deviation $q$ gains at best",
         boxed=True,
@@ -99,10 +121,9 @@ def derive(page):
         "$T|H|=2br\\sin\\psi$, and $n=br\\varrho\\cos\\varphi$ with some phase $\\varphi$; below, "
         "$x$ stands for $\\varrho$."
     )
-    wall_ = {K: 2 * b * u / T, B: b * (w - u)}
     page.step(
         "In $u$ and $w$ the size of the wall falls with the angle",
-        square.subs(wall_) / (2 * b * sin(theta / 2)) ** 2,
+        square.subs({K: 2 * b * u / T, B: b * (w - u)}) / (2 * b * sin(theta / 2)) ** 2,
         w**2 + u**2 * cot(theta / 2) ** 2,
         name=r"\Bigl(\frac{T|H|}{2b\sin\psi}\Bigr)^2",
     )
@@ -115,22 +136,16 @@ def derive(page):
         because="never negative, and zero in phase, $\\varphi=0$: beyond the first angle where "
         "that happens no angle asks for more",
     )
-    ends = [
-        page.same("ends", fractional.margin().subs(epsilon, end), b * (b - need.subs(d, whole)))
-        for end, whole in ((0, l), (1, l + 1))
-    ]
-    page.show(
-        "Without a fraction it is the condition of the delay $\\ell$",
-        r"b(b-n)",
-        r"b\,\bigl(b-\text{need}\big|_{d=\ell}\bigr)",
-        ends[0],
-    )
-    page.show(
-        "At a full period it is the condition of the delay $\\ell+1$",
-        r"b(b-n)",
-        r"b\,\bigl(b-\text{need}\big|_{d=\ell+1}\bigr)",
-        ends[1],
-    )
+    for title, end, delay in (
+        ("Without a fraction it is the condition of the delay $\\ell$", 0, l),
+        ("At a full period it is the condition of the delay $\\ell+1$", 1, l + 1),
+    ):
+        page.step(
+            title,
+            fractional.margin().subs(epsilon, end),
+            b * (b - NEED(delay)),
+            name=rf"b(b-n)\big|_{{\varepsilon={end}}}",
+        )
     page.say(
         "As for whole delays a motion that comes back to where it began decides, and $K\\ge0$ "
         "stands for the others: what a spring has stored can be fetched by a slow way back, which "
@@ -151,6 +166,7 @@ def derive(page):
         r"+ \varepsilon \sin((\ell+\tfrac{3}{2})\theta)) "
         r"\br \geq \frac{\varepsilon(1-\varepsilon)}{4} (K^2T^2 + 4B(KT+B) \sin^2(\theta/2))",
         claim=condition_at_every_angle(),
+        condition=True,
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
     page.settle(

@@ -43,7 +43,8 @@ def derive(page):
     page.say(
         "Let a root lie at $z=e^{j\\theta}$, and follow the motion that belongs to it, in units of "
         "mass and period. The force $F$ of a sample has pushed from $\\varepsilon$ on, and $F/z$ "
-        "before."
+        "before. The state turns by $z$ in every period, and its samples are those of the device, "
+        "$x_0/F=M(z)/(zA(z))$."
     )
     device = plant.normalised(Parts())
     given = {gamma: (delta**2 - c**2) / 4}
@@ -56,13 +57,7 @@ def derive(page):
     page.same("the state turns by z", again, (z * start).xreplace(given))
     late = fractional.late(device, split=c)
     place = late.numerator / (z * late.device.denominator)
-    page.show(
-        "In the steady state the samples are those of the device",
-        r"\frac{x_0}{F}",
-        r"\frac{M(z)}{zA(z)}",
-        page.same("the sampled device", start[0], place.xreplace(given)),
-        because="a state that turns by $z$ in every period, and the sampled device again",
-    )
+    page.same("the sampled device", start[0], place.xreplace(given))
     page.step(
         "All work is burnt",
         v * (F - delta * v - gamma * x) + gamma * x * v,

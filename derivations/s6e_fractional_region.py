@@ -43,6 +43,7 @@ def derive(page):
         r"b + B \geq KT(\ell+\varepsilon+\tfrac{1}{2}) "
         r"+ \frac{\varepsilon(1-\varepsilon)K^2T^2}{4b}",
         claim=low_frequencies(),
+        condition=True,
     )
     page.settle(
         "fractional-low-frequencies",

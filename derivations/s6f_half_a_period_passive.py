@@ -14,7 +14,7 @@ from symhaptic.book.lemmas.half_late_passive import (
     stiffest_half_late,
 )
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, x
+from symhaptic.notation import B, K, T, b, epsilon, l, theta, y
 from symhaptic.proof.enclosed import root
 from symhaptic.proof.theorems.tactics import example
 
@@ -22,24 +22,25 @@ HALF = {epsilon: Rational(1, 2), l: 0, b: 1, T: 1}
 
 
 def derive(page):
-    value = 1 - K * x + B * (4 * x**2 - 3 * x) - K**2 / 16 - B * (K + B) * (1 - x) / 4
-    page.show(
+    value = 1 - K * y + B * (4 * y**2 - 3 * y) - K**2 / 16 - B * (K + B) * (1 - y) / 4
+    page.define("The angle enters by a square", y, cos(theta / 2) ** 2)
+    page.step(
         "The exact condition is a quadratic",
-        "f(x)",
+        fractional.margin().subs(HALF),
         value,
-        page.same("in x", fractional.margin().subs(HALF), value.subs(x, cos(theta / 2) ** 2)),
+        name="f(y)",
         because="the condition of \\chapter{s6d_fractional_passivity} with $b=T=1$; the wall is "
         "passive if and only if $K\\ge0$ and this is not negative for all "
-        "$x=\\cos^2\\frac\\theta2$ between 0 and 1. Let $f_2$, $f_1$, $f_0$ be its coefficients",
+        "$y=\\cos^2\\frac\\theta2$ between 0 and 1. Let $f_2$, $f_1$, $f_0$ be its coefficients",
     )
     page.step(
         "At low frequencies it bounds the lower part",
-        value.subs({x: 1, K: 4 * sqrt(5 + B) - 8}),
+        value.subs({y: 1, K: 4 * sqrt(5 + B) - 8}),
         S.Zero,
         name=r"f(1)\big|_{K=4\sqrt{5+B}-8}",
         because="the lower part of the boundary, where the paper has $K=1+B$",
     )
-    bend, fall, rest = (expand(value).coeff(x, n) for n in (2, 1, 0))
+    bend, fall, rest = (expand(value).coeff(y, n) for n in (2, 1, 0))
     double = page.step(
         "Its discriminant bounds the upper part",
         16 * (fall**2 - 4 * bend * rest),
@@ -72,8 +73,8 @@ def derive(page):
         stiffest_half_late(),
         because="of the first wall $f_2=4B>0$ and $f_1^2-4f_0f_2<0$ by the formula of the third "
         "step, so that $f$ is a sum of squares. Of a wall with $K\\ge1.17587$ it is negative at "
-        "$\\tan\\frac\\theta2=0.5283$, $x=0.781799$: for the best $B$ it is "
-        "$1-Kx-\\frac1{16}K^2+(4x^2-3x-\\frac14K(1-x))^2/(1-x)$, which falls with $K$ and is "
+        "$\\tan\\frac\\theta2=0.5283$, $y=0.781799$: for the best $B$ it is "
+        "$1-Ky-\\frac1{16}K^2+(4y^2-3y-\\frac14K(1-y))^2/(1-y)$, which falls with $K$ and is "
         "$-8.8\\cdot10^{-7}$ at the first",
         boxed=True,
     )

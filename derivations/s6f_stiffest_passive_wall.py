@@ -5,14 +5,14 @@ need the whole damping of the device at an angle lie on a circle, and a passive 
 stiffer than the stiffest of these.
 """
 
-from sympy import Rational, S, cos, sin
+from sympy import Rational, S, cos, sin, symbols
 
 from symhaptic.book.lemmas.late_passivity import GIVEN
 from symhaptic.book.lemmas.late_stiffness import ALONG, SHARE, UP, bounded, bounded_at_every_angle
 from symhaptic.forms import stiffest_passive
 from symhaptic.forms.entire import written_out
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
+from symhaptic.notation import B, K, T, b, epsilon, kappa, l, theta
 from symhaptic.proof.theorems.tactics import example
 
 HALF = theta / 2
@@ -31,18 +31,17 @@ def derive(page):
         4 * SHARE * sin(HALF) ** 2,
         name="1-S^2-C^2",
     )
-    across = SHARE * K * T * sin(HALF) * cos(HALF) + b * UP
-    along = SHARE * (K * T + 2 * B) * sin(HALF) ** 2 - b * ALONG
-    page.show(
+    sine, cosine = symbols("S C")
+    page.define("The fraction enters by a product", kappa, SHARE)
+    page.define("The mean of two sines is this", sine, UP)
+    page.define("The mean of two cosines is this", cosine, ALONG)
+    across = kappa * K * T * sin(HALF) * cos(HALF) + b * sine
+    along = kappa * (K * T + 2 * B) * sin(HALF) ** 2 - b * cosine
+    page.step(
         "The walls that need the whole damping at an angle lie on a circle",
-        r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
-        r"b^2-\bigl(\kappa KT\sin\psi\cos\psi+bS\bigr)^2"
-        r"-\bigl(\kappa(KT+2B)\sin^2\psi-bC\bigr)^2",
-        page.same(
-            "circle",
-            4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
-            b**2 - across**2 - along**2,
-        ),
+        4 * SHARE * sin(HALF) ** 2 * fractional.margin(),
+        b**2 - across**2 - along**2,
+        name=r"4\kappa\sin^2\psi\,\Bigl(b(b-n)-\tfrac\kappa4T^2|H|^2\Bigr)",
         because="of $KT\\cos\\psi$ and $(KT+2B)\\sin\\psi$, with the radius "
         "$b/(\\kappa\\sin\\psi)$; a passive wall lies in the circles of all angles",
     )
@@ -59,6 +58,7 @@ def derive(page):
         r"\varepsilon(1-\varepsilon) KT \sin\theta \leq 2b (1 - (1-\varepsilon) "
         r"\sin((\ell+1)\theta) - \varepsilon \sin((\ell+2)\theta))",
         claim=bounded(),
+        condition=True,
     )
     point = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: Rational(1, 2)}
     allowed = SHARE * K * T * sin(theta) <= 2 * b * (1 - UP)

@@ -1,10 +1,10 @@
-r"""Which polynomial do the paper's curves for $d=\tfrac14$ and $d=\tfrac12$ belong to?
+r"""Which polynomial do the paper's curves for $d=1/4$ and $d=1/2$ belong to?
 
 With $d=r/q$ the paper turns $z^{-d}$ into a polynomial by substituting $z=\zeta^q$. Read to the
 letter, all its roots have to lie inside the unit circle, and that no wall of the figures can do.
 """
 
-from sympy import Rational, S
+from sympy import Eq, Rational, S
 
 from symhaptic.book.lemmas.letter import (
     GIVEN,
@@ -15,10 +15,12 @@ from symhaptic.book.lemmas.letter import (
     q,
     within_the_spring,
 )
+from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.stability import stable_at
-from symhaptic.model import plant
-from symhaptic.model.parts import FULL
-from symhaptic.notation import alpha, beta, c, d, delta, gamma, n_0, n_1, z
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1
+from symhaptic.proof.theorems.familiar import device_static
+from symhaptic.proof.theorems.kernel import assume
+from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
@@ -32,28 +34,23 @@ def derive(page):
         "paper. Then $r$ is odd, and at $\\zeta=-1$ is $z=1$ while $z^d=-1$: a sheet with "
         "the wall reversed."
     )
-    given = {gamma: (delta**2 - c**2) / 4}
-    device = plant.sampled(plant.normalised(FULL), split=c)
-    total = device.n1 + device.n0
-    bottom = device.denominator.subs(z, 1)
+    static, total = device_static(assume(DEVICE)), n_1 + n_0
     for power, wall, title, because in (
         (
             1,
             gamma + alpha,
-            "At $\\zeta=1$ the wall adds to the spring",
+            "At $\\zeta=1$ the polynomial has the wall added to the spring",
             "positive if all roots are inside",
         ),
         (
             -1,
             alpha - gamma,
-            "At $\\zeta=-1$ it is taken from it",
+            "At $\\zeta=-1$ the polynomial has the spring taken from the wall, for even $q$",
             "negative if so, since the degree $3q+r$ is odd",
         ),
     ):
-        value = power * bottom + total * alpha
-        proof = page.same(title, value.xreplace(given), (total * wall).xreplace(given))
-        name = rf"p_1\big|_{{\zeta={power}}}"
-        page.show(title, name, (n_1 + n_0) * wall, proof, because)
+        value = Eq(power * (1 - a + e) + total * alpha, total * wall)
+        page.lemma(title, combined(value, [static, power]), because=because)
     settle_literal(page)
     settle_figures(page)
 
@@ -81,8 +78,8 @@ def settle_figures(page):
         "In Fig. 11 $\\gamma=0.001$, $\\delta=0.02$, and the text says that the passive regions "
         "lie inside the stable ones. By (11) they reach to $\\alpha=0.023$ for $d=\\frac12$, 23 "
         "times as far as the stable walls of this reading could, and for $d=\\frac14$ farther "
-        "still. Fig. 13 shades walls that are stable for all $\\gamma\\ge0$; to the letter there "
-        "is none at $\\gamma=0$."
+        "still. Sec. V-C speaks of walls that are stable for all $\\gamma\\ge0$; to the letter "
+        "there is none at $\\gamma=0$."
     )
     page.state(
         "fractional-figures",

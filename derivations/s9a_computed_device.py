@@ -8,7 +8,7 @@ number that was derived.
 
 from sympy import S, symbols
 
-from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.stable_device import (
     CONDITIONS,
     DERIVED,
@@ -40,13 +40,13 @@ OWN = (
     (NumeratorGap, "A function is what both ways are apart, over the damping"),
 )
 NUMBERS = (
-    (0, n_1, "", PlantN1, "The way under the force is computed by the first of them"),
-    (1, n_0, "", PlantN0, "The way that is left is computed by the second"),
-    (2, a, "", PlantTrace, "The sum of the poles is computed by the third"),
-    (4, "1-a+e", r"\gamma\,", NumeratorAtOne, "At $z=1$ the denominator has the spring in it"),
-    (5, "1+a+e", "", DenominatorAtMinusOne, "At $z=-1$ the denominator is a product"),
-    (7, "n_1+n_0", "", NumeratorAtOne, "At $z=1$ the numerator is a product over the spring"),
-    (8, "n_1-n_0", r"\delta\,", NumeratorGap, "At $z=-1$ the numerator has the damper in it"),
+    (0, n_1, S.One, PlantN1, "The way under the force is computed by the first of them"),
+    (1, n_0, S.One, PlantN0, "The way that is left is computed by the second"),
+    (2, a, S.One, PlantTrace, "The sum of the poles is computed by the third"),
+    (4, "1-a+e", gamma, NumeratorAtOne, "At $z=1$ the denominator has the spring in it"),
+    (5, "1+a+e", S.One, DenominatorAtMinusOne, "At $z=-1$ the denominator is a product"),
+    (7, "n_1+n_0", S.One, NumeratorAtOne, "At $z=1$ the numerator is a product over the spring"),
+    (8, "n_1-n_0", delta, NumeratorGap, "At $z=-1$ the numerator has the damper in it"),
 )
 """Their places among the numbers of a device, and how they are computed."""
 GIVEN = {gamma: SPRING}
@@ -59,18 +59,19 @@ def derive(page):
         "is even in $c$, so that it does not matter which root is meant, and no pole is left in "
         "any of them: where the formula divides by zero, the function has its limit."
     )
-    for function, title in OWN:
-        page.define(title, name(function), in_poles(function(gamma, delta)))
+    page.define("The spring by the difference of the poles", gamma, SPRING)
+    for own, title in OWN:
+        page.define(title, upright(own(gamma, delta)), in_poles(own(gamma, delta)))
     exact = plant.sampled(plant.normalised(FULL), split=c)
     device = {n_1: exact.n1, n_0: exact.n0, a: exact.a, e: exact.e}
     page.say(
         "The derived numbers are $n_1$, $n_0$, $a$ and $e$ of the transition matrix, which "
         "\\chapter{s4b_normalisation} finds for (14):"
     )
-    for place, left, factor, function, title in NUMBERS:
-        ours = computed()[place].xreplace(GIVEN)
-        same = page.same(title, ours, DERIVED.numbers[place].xreplace(device).xreplace(GIVEN))
-        page.show(title, left, factor + name(function), same)
+    for place, left, factor, own, title in NUMBERS:
+        derived = DERIVED.numbers[place].xreplace(device)
+        page.same(title, computed()[place].xreplace(GIVEN), derived.xreplace(GIVEN))
+        page.step(title, derived, factor * upright(own(gamma, delta)), name=left)
     page.say(
         "Digits are kept by the functions, and not by these formulas. Where $\\gamma$ and "
         "$\\delta$ are near $10^{-6}$, the numerator of PlantN1 is a difference of numbers next "
@@ -80,15 +81,15 @@ def derive(page):
         "and $1-e$ is computed as $\\delta$ times the function that follows."
     )
     loss, free = Decay.definition(delta), Creep.definition(delta)
-    page.define("A function is the loss of speed over the damping", name(Decay), loss)
-    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=name(Decay))
+    page.define("A function is the loss of speed over the damping", upright(Decay(delta)), loss)
+    page.limit("Without a damper it is 1", loss, delta, S.Zero, S.One, name=upright(Decay(delta)))
     page.limit(
         "Without a spring the way under a force is that of a mass with a damper",
         computed()[0].xreplace(GIVEN),
         c,
         delta,
         free,
-        name=name(PlantN1),
+        name=upright(PlantN1(gamma, delta)),
         because="so that $\\gamma$ tends to 0",
     )
     page.limit("Of a free mass this way is one half", free, delta, S.Zero, S.Half)
@@ -99,7 +100,7 @@ def derive(page):
         c,
         S.Zero,
         critical,
-        name=name(PlantN1),
+        name=upright(PlantN1(gamma, delta)),
     )
     settle(
         page,
@@ -142,9 +143,3 @@ def _conditions(page):
         "the computed inequalities are those of the derived device: $n_1$, $n_0$, $1-a+e$ and "
         "$1-e$ are the derived ones",
     )
-
-
-def name(function):
-    """A function upright, with its arguments."""
-    arguments = r"\delta" if function is Decay else r"\gamma,\delta"
-    return rf"\mathrm{{{function.__name__}}}({arguments})"

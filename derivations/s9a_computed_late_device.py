@@ -10,7 +10,7 @@ from symhaptic.book.lemmas.stable_device import ALL, LATE, SPRING, in_parts
 from symhaptic.forms import fractional_delay
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
-from symhaptic.notation import c, gamma, m_0, m_2
+from symhaptic.notation import c, gamma
 
 GIVEN = {gamma: SPRING}
 UNDEFINED = "wherever nothing in either is divided by zero"
@@ -20,54 +20,45 @@ def derive(page):
     page.say(
         "Behind a fraction $\\varepsilon$ of a period the device is pushed by the force before, "
         "for $\\varepsilon$, and by the new one for the rest. Each part of the period is a period "
-        "as long, with $\\gamma$ and $\\delta$ in its units, so that the same functions serve:"
+        "as long, with $\\gamma$ and $\\delta$ in its units, so that the same functions serve: "
+        "$m_2$ is $(1-\\varepsilon)^2$ times PlantN1 of $\\gamma(1-\\varepsilon)^2$ and "
+        "$\\delta(1-\\varepsilon)$, and $m_0$ is $\\varepsilon^2e^{-\\delta(1-\\varepsilon)}$ "
+        "times PlantN0 of $\\gamma\\varepsilon^2$ and $\\delta\\varepsilon$: the force before "
+        "leaves a way that is damped in the rest of the period. The third number is "
+        "$m_1=n_1+n_0-m_2-m_0$."
     )
     late = fractional.late(plant.normalised(FULL), split=c)
     first, last = (in_parts(x).xreplace(GIVEN) for x in fractional_delay.ends(FULL))
-    rest = r"\bigl(\gamma(1-\varepsilon)^2,\delta(1-\varepsilon)\bigr)"
-    page.show(
-        "The new force moves the device as in a period of that length",
-        m_2,
-        rf"(1-\varepsilon)^2\,\mathrm{{PlantN1}}{rest}",
-        page.same("m_2", first, late.m2.xreplace(GIVEN)),
-    )
-    page.show(
-        "The force before leaves a way that is damped in the rest of the period",
-        m_0,
-        r"\varepsilon^2e^{-\delta(1-\varepsilon)}\,"
-        r"\mathrm{PlantN0}(\gamma\varepsilon^2,\delta\varepsilon)",
-        page.same("m_0", last, late.m0.xreplace(GIVEN)),
-        because="and $m_1=n_1+n_0-m_2-m_0$",
-    )
+    page.same("m_2", first, late.m2.xreplace(GIVEN))
+    page.same("m_0", last, late.m0.xreplace(GIVEN))
     page.say(
         "At $z=-1$ the numerator $M$ is $m_2-m_1+m_0$, and of three large numbers little may be "
         "left. It is computed from what each part of the period does, with $x$, $y$, $g$ and $k$ "
         "for the way under a force, the way that is left, their difference and the way by an "
         "impulse, with 1 of the rest of the period and with 2 of its beginning, and with the "
-        "loss $L_1=1-e^{-\\delta(1-\\varepsilon)}$ of speed in the rest:"
+        "loss $L_1=1-e^{-\\delta(1-\\varepsilon)}$ of speed in the rest: it is "
+        "$g_1-g_2+y_1(\\delta k_2+\\gamma x_2)-L_1y_2+\\gamma x_1x_2-2k_1k_2$. Where $M$ nearly "
+        "vanishes at $-1$, each of these terms is small."
     )
-    gap = LATE.block.written_out()[3]
-    page.show(
-        "At $z=-1$ the numerator is made of the two parts of the period",
-        "m_2-m_1+m_0",
-        r"g_1-g_2+y_1(\delta k_2+\gamma x_2)-L_1y_2+\gamma x_1x_2-2k_1k_2",
-        page.same("gap", gap.left, gap.right),
-        because="where $M$ nearly vanishes at $-1$, each of these terms is small",
+    gap, across = (LATE.block.written_out()[place] for place in (3, 5))
+    page.same("gap", gap.left, gap.right)
+    page.say(
+        "A lightly damped device that turns nearly an odd number of half turns in a period is the "
+        "exception: there these terms are much larger than their sum. Let $c$ be the difference "
+        "of the poles, $h=\\delta/2$ and $u=\\frac12-\\varepsilon$. Then every term of another sum "
+        "vanishes with the damping or with $\\cosh(c/4)$, which is the cosine of half the angle "
+        "that an undamped device turns in a period:"
     )
+    turned = LATE.block.written_out()[6]
+    page.same("gap near half turns", turned.left, turned.right)
     page.say(
         "The boundary asks for the difference of $m_2$ and $m_0$, too. Where the device swings "
         "nearly whole turns in a period both are alike, and what little is left decides about slow "
-        "motions. With $k$ for the way by an impulse in the whole period, and $L=1-e$, it is a sum "
-        "of terms that are small there:"
+        "motions. With $k$ for the way by an impulse in the whole period, and $L=1-e$, "
+        "$2(m_2-m_0)$ is computed as $k(2k_1+\\delta x_1)+(1-a+e+L)x_1-2n_0$. All its terms are "
+        "small there: without damping $k$, $1-a+e$, $n_0$ and $L$ are zero."
     )
-    across = LATE.block.written_out()[5]
-    page.show(
-        "The difference of $m_2$ and $m_0$ is made of what vanishes with whole turns",
-        "2(m_2-m_0)",
-        r"k(2k_1+\delta x_1)+(1-a+e+L)x_1-2n_0",
-        page.same("across", across.left, across.right),
-        because="without damping $k$, $1-a+e$, $n_0$ and $L$ are zero there",
-    )
+    page.same("across", across.left, across.right)
     settle(
         page,
         "discretize_fractional",

@@ -21,21 +21,16 @@ UNDEFINED = "wherever nothing in either is divided by zero"
 def derive(page):
     page.say(
         "The stiffest stable wall is searched for where $\\alpha$ no longer rises on the boundary. "
-        "With $t=\\tan(\\theta/2)$ its slope hangs on $Q$ and on how $Q$ turns:"
+        "There $\\alpha=\\Re Q-t\\,\\Im Q$ with $t=\\tan(\\theta/2)$, so that its slope hangs on "
+        "$Q$ and on how $Q$ turns: with $Q'$ for the derivative by the angle it is "
+        "$\\Re Q'-t\\,\\Im Q'-(1+t^2)\\,\\Im Q/2$."
     )
     names, slope = stable_slope.derived(n_1 * z + n_0, d, 0)
     meaning = dict(names)
     for _ in range(2):
         slope = slope.xreplace(meaning)
     derived = boundary.wall(DEVICE)[0].diff(theta)
-    page.show(
-        "The derived stiffness has this slope",
-        r"\frac{d\alpha}{d\theta}",
-        r"\Re Q'-t\,\Im Q'-\tfrac12(1+t^2)\,\Im Q",
-        page.same("slope", derived, slope.xreplace({t: tan(theta / 2)})),
-        because="since $\\alpha=\\Re Q-\\Im Q\\tan(\\theta/2)$, and $Q'$ is the derivative by the "
-        "angle",
-    )
+    page.same("slope", derived, slope.xreplace({t: tan(theta / 2)}))
     page.say(
         "What the search asks for is the sign of a sum of products, which is the slope times a "
         "positive number: of $A$ and of $M$ only their values at 1 and $-1$, $A_1$, $A_2$, "
@@ -45,7 +40,7 @@ def derive(page):
         "any, the slope is a polynomial in $t^2$, and its coefficients need no sines. That its "
         "first zero is the farthest point of the stable region is another matter: it is compared "
         "with whole regions, and proved for some devices only, in "
-        "\\chapter{s5b_stiffest_wall_bound}."
+        "\\chapter{s5b_stiffest_wall}."
     )
     c, tangent, bottom = cos(theta / 2), tan(theta / 2), on_circle(z**2 - a * z + e)
     page.step(

@@ -7,10 +7,10 @@ products with the delay are not rounded.
 
 from sympy import S, cos, sin
 
-from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.stable_need import MARGIN, NEEDS, straight
 from symhaptic.forms import required_damping
-from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, written_out
+from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread
 from symhaptic.model import fractional, passivity
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, l, psi, theta
 
@@ -30,22 +30,22 @@ FIRST = {
 
 def derive(page):
     page.say("Five functions are computed, one of an angle, and four of a delay and an angle:")
-    page.define("A function is a sine over its angle", r"\mathrm{Sinc}(\psi)", Sinc.definition(psi))
-    for function, title in TURNED:
-        page.define(title, name(function), function.definition(d, theta))
+    page.define("A function is a sine over its angle", upright(Sinc(psi)), Sinc.definition(psi))
+    for of, title in TURNED:
+        page.define(title, upright(of(d, theta)), of.definition(d, theta))
     page.say(
         "Where they are divided by the angle they are not divided by zero: at the angle 0 each has "
         "its limit. The numerators of the last two are differences of sines that agree up to the "
         "third power of the angle; at $\\theta=10^{-5}$ not one of sixteen digits would be left."
     )
-    for function, first in FIRST.items():
+    for of, first in FIRST.items():
         page.limit(
-            f"At the angle 0 the function {function.__name__} has a value",
-            function.definition(d, theta),
+            f"At the angle 0 the function {of.__name__} has a value",
+            of.definition(d, theta),
             theta,
             S.Zero,
             first,
-            name=name(function),
+            name=upright(of(d, theta)),
         )
     _at_an_angle(page)
     _at_the_worst(page)
@@ -53,23 +53,41 @@ def derive(page):
 
 def _at_an_angle(page):
     page.say(
-        "What is left at one angle is (5). The sine in it, of $(d+\\frac12)\\theta$, is that of "
-        "$2d+1$ halves of the angle, whose product is not rounded:"
+        "For a whole delay (5) gives the margin at one angle. The sine in it, of "
+        "$(d+\\frac12)\\theta$, is computed as that of $2d+1$ half angles, whose product is not "
+        "rounded:"
     )
     margin = passivity.margin().xreplace(UNITS)
-    sine = SinNext(2 * d, theta / 2) / (2 * sin(theta / 2))
-    page.show(
-        "What is left at an angle has two functions",
-        r"\delta-\delta_\mathrm{min}",
-        r"\delta-\frac{\alpha\,\mathrm{SinNext}(2d,\theta/2)}{2\sin(\theta/2)}"
-        r"+\beta\,\mathrm{CosNext}(d,\theta)",
-        page.same("margin", delta - alpha * written_out(sine) + beta * turned(), margin),
+    page.step(
+        "The margin at an angle has two functions",
+        margin,
+        delta
+        - alpha * upright(SinNext(2 * d, theta / 2)) / (2 * sin(theta / 2))
+        + beta * upright(CosNext(d, theta)),
+        name=r"\delta-\delta_\mathrm{min}",
+    )
+    page.say(
+        "For a delay of $\\ell+\\varepsilon$ periods the need $n$ of a straight motion is the mean "
+        "over the whole delays $\\ell$ and $\\ell+1$. One sine and one cosine of "
+        "$(\\ell+1)\\theta$ are enough for it:"
+    )
+    page.step(
+        "The need of a straight motion has one sine and one cosine",
+        fractional.required_straight().xreplace(UNITS),
+        upright(required_damping.straight_at()),
+        name="n",
+    )
+    page.say(
+        "All motions need the positive solution $b$ of "
+        "$b^2-bn-\\tfrac14\\varepsilon(1-\\varepsilon)s=0$, where $s$ is the square of the wall's "
+        "size. The margin is $\\delta-b$."
     )
     settle(
         page,
         "passivity_margin_at",
         (MARGIN,),
-        "the computed margin at an angle is the derived one, (5), for every angle",
+        "the computed margin at an angle is the derived one: (5) for whole delays, and the margin "
+        "of the worst motion for delays with a fraction",
     )
 
 
@@ -81,19 +99,17 @@ def _at_the_worst(page):
         "next to 0, too:"
     )
     whole = straight(l)
-    page.show(
+    page.step(
         "The need of a straight motion has no pole at the angle 0",
-        "n",
-        r"\alpha\,(2\ell+1)\,\frac{\mathrm{Sinc}((2\ell+1)\psi)}{2\,\mathrm{Sinc}(\psi)}"
-        r"-\beta\,\mathrm{CosNext}(\ell,2\psi)",
-        page.same("need", written_out(required_damping.straight(l)), whole),
+        whole,
+        upright(required_damping.straight(l)),
+        name="n",
     )
-    page.show(
+    page.step(
         "Its slope has the angle as a factor",
-        r"\frac{dn}{d\psi}",
-        r"\psi\left(4(\ell+1)^2\bigl(\beta+\tfrac\alpha2\bigr)\mathrm{Sinc}(2(\ell+1)\psi)"
-        r"-\frac{2\alpha\,\mathrm{Chord}(\ell,2\psi)}{\mathrm{Sinc}^2(\psi)}\right)",
-        page.same("slope", written_out(psi * required_damping.steepness(l)), whole.diff(psi)),
+        whole.diff(psi),
+        upright(psi * required_damping.steepness(l)),
+        name=r"\frac{dn}{d\psi}",
     )
     page.say(
         "Behind $\\ell+\\varepsilon$ periods $n$ is the mean over the two whole delays beside, and "
@@ -116,13 +132,3 @@ def _at_the_worst(page):
         "the derived ones, for whole delays and for those with a fraction; the worst angle is "
         "searched for by these",
     )
-
-
-def turned():
-    """cos((d + 1) theta), as a function that is written out."""
-    return written_out(CosNext(d, theta))
-
-
-def name(function):
-    """A function upright, of a delay and an angle."""
-    return rf"\mathrm{{{function.__name__}}}(d,\theta)"

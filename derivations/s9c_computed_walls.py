@@ -4,13 +4,13 @@ The envelope of the passive walls, the stiffest of them and the linear condition
 denominators vanish with the angle. They are computed as quotients of functions that do not.
 """
 
-from sympy import Rational, S, cos, sin
+from sympy import Rational, S, sin, tan
 
-from symhaptic.book.lemmas.computed import settle
+from symhaptic.book.lemmas.computed import settle, upright
 from symhaptic.book.lemmas.stable_walls import LATE_STIFFEST, LINEAR, STIFFEST, TOUCHED, WORST
-from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread, written_out
+from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, theta
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, psi, theta
 
 UNITS = {K: alpha, B: beta, T: S.One, b: delta}
 UNDEFINED = "wherever nothing in either is divided by zero"
@@ -24,24 +24,22 @@ def derive(page):
         "divided by it they are Spread, Chord and a product:"
     )
     push = (d + 1) * Sinc(theta / 2) ** 2 * SinNext(d, theta) / theta
-    for title, left, computed, exact, shown in (
-        (
-            "Its stiffness is a quotient without a pole at 0",
-            alpha,
-            2 * delta * push / Spread(d, theta),
-            stiffness,
-            r"\frac{2\delta\,(d+1)\,\mathrm{Sinc}^2(\theta/2)\,\mathrm{SinNext}(d,\theta)}"
-            r"{\theta\,\mathrm{Spread}(d,\theta)}",
-        ),
-        (
-            "Its damping is a quotient without a pole at 0",
-            beta,
-            delta * (Chord(d, theta) - push) / Spread(d, theta),
-            damping,
-            r"\frac{\delta\,\mathrm{Chord}(d,\theta)}{\mathrm{Spread}(d,\theta)}-\frac\alpha2",
-        ),
-    ):
-        page.show(title, left, shown, page.same(title, written_out(computed), exact))
+    quotients = 2 * delta * push / Spread(d, theta), delta * Chord(d, theta) / Spread(d, theta)
+    for of in Sinc(psi), SinNext(d, theta), Spread(d, theta), Chord(d, theta):
+        title = f"The function {type(of).__name__} has the closed form"
+        page.define(title, upright(of), of.definition(*of.args))
+    page.step(
+        "Its stiffness is a quotient without a pole at 0",
+        stiffness,
+        upright(quotients[0]),
+        name=alpha,
+    )
+    page.step(
+        "Its damping is a quotient without a pole at 0",
+        damping,
+        upright(quotients[1]) - alpha / 2,
+        name=beta,
+    )
     settle(
         page,
         "passivity_boundary",
@@ -53,16 +51,11 @@ def derive(page):
         "The stiffest of these walls has $\\theta=\\pi/(2(d+1))$, where $\\cos(d+1)\\theta$ "
         "vanishes. Its stiffness is a tangent, and its damping is a difference that stays large:"
     )
-    share = 1 / (d + 1)
-    page.show(
+    page.step(
         "The damping of the stiffest passive wall has one function",
-        beta,
-        r"\delta\left(\frac{1}{(d+1)\sin\theta}-\tan\tfrac\theta2\right)",
-        page.same(
-            "stiffest",
-            delta * (share / sin(WORST) - (1 - cos(WORST)) / sin(WORST)),
-            damping.subs(theta, WORST),
-        ),
+        damping.subs(theta, WORST),
+        delta / ((d + 1) * sin(WORST)) - delta * tan(WORST / 2),
+        name=r"\beta|_{\theta=\pi/(2(d+1))}",
     )
     page.say(
         "Behind a fraction of a period it is the wall of \\chapter{s6f_stiffest_passive_wall} with "

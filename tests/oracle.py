@@ -173,6 +173,31 @@ def certified(alpha, beta, gamma, delta, delay):
     return outside
 
 
+def all_inside(alpha, beta, gamma, delta, delay):
+    """Whether all roots lie inside the unit circle, by the Schur-Cohn recursion in balls.
+
+    None where a root is on the circle, or nearer than balls of 6000 bits tell.
+    """
+    bits = 320
+    while bits < 6000:
+        with flint.ctx.workprec(bits):
+            found = _schur_cohn(coefficients(alpha, beta, gamma, delta, delay).coeffs())
+        if found is not None:
+            return found
+        bits *= 3
+    return None
+
+
+def _schur_cohn(p):
+    """The same of balls of coefficients, lowest power first; None where they are too wide."""
+    while len(p) > 1:
+        share = p[0] / p[-1]
+        if not abs(share) < 1:
+            return False if abs(share) >= 1 else None
+        p = [x - share * y for x, y in zip(p[1:], p[-2::-1], strict=True)]
+    return True
+
+
 # -- with mpmath ----------------------------------------------------------------------------
 
 
@@ -209,6 +234,25 @@ def wall(theta, gamma, delta, delay, digits=60):
         rows = mpmath.matrix([[1, 1 - mpmath.cos(theta)], [0, mpmath.sin(theta)]])
         found = mpmath.lu_solve(rows, mpmath.matrix([wanted.real, wanted.imag]))
         return found[0], found[1]
+
+
+def late_wall(theta, gamma, delta, delay, digits=60):
+    """(alpha, beta) with a root at exp(j theta) for any delay, exact for fractions.
+
+    The held force of ``delay`` periods ago acts for the rest of a period, the one before it first.
+    """
+    with mpmath.workdps(digits):
+        theta, gamma, delta, delay = map(mpmath.mpf, (theta, gamma, delta, delay))
+        z, steps = mpmath.expj(theta), mpmath.floor(delay)
+        free, _ = _held_mp(gamma, delta, 1)
+        after, newer = _held_mp(gamma, delta, 1 - (delay - steps))
+        _, older = _held_mp(gamma, delta, delay - steps)
+        push = (newer + after * older / z) * mpmath.expj(-steps * theta)
+        # displacement per force: (1, 0) (z - F)^-1 push
+        top = (z - free[1, 1]) * push[0] + free[0, 1] * push[1]
+        needed = -(z**2 - (free[0, 0] + free[1, 1]) * z + mpmath.exp(-delta)) / top
+        beta = needed.imag / mpmath.sin(theta)
+        return needed.real - beta * (1 - mpmath.cos(theta)), beta
 
 
 def residual(alpha, beta, theta, gamma, delta, delay, digits=50, sheet="exact"):

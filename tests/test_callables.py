@@ -3,6 +3,7 @@
 import importlib.util
 import multiprocessing
 import pickle
+import re
 import warnings
 from inspect import signature
 
@@ -10,6 +11,7 @@ import mpmath
 import numpy as np
 import oracle
 import pytest
+from command import symhaptic as command
 
 import symhaptic
 from symhaptic import Scene, lambdify
@@ -256,3 +258,70 @@ def test_slopes_of_faint_walls_are_those_of_larger_ones(beta, delay):
             warnings.simplefilter("error")
             _, *slopes = function(size, size * beta, 0.0, delay)
         assert np.allclose(slopes, [by_alpha, by_beta, size * by_d], rtol=1e-13, atol=0)
+
+
+# -- formulas in SI units, by number --------------------------------------------------------
+
+PERIOD, DAMPER, MASS = mpmath.mpf("0.001"), mpmath.mpf(2), mpmath.mpf("0.1")
+"""A device of 0.1 kg and 2 Ns/m, sampled at 1 kHz."""
+
+
+def test_7_by_number_is_the_boundary_in_units_of_table_1():
+    """(7) typed anew in SI units, at omega = 700 rad/s and one period of delay."""
+    rate, d = mpmath.mpf(700), 1
+    turn = rate * PERIOD
+    bottom = mpmath.sin(2 * (d + 1) * turn) - 2 * (1 + d) * mpmath.sin(turn)
+    sines = [mpmath.sin((d + n) * turn) for n in (2, 1, 0)]
+    stiffness = 2 * DAMPER * (d + 1) / PERIOD * (sines[0] - 2 * sines[1] + sines[2]) / bottom
+    damping = 2 * DAMPER * (d * sines[1] - (1 + d) * sines[2]) / bottom
+    alpha, beta = lambdify("eq7")(float(turn), float(DAMPER * PERIOD / MASS), d)
+    assert alpha * MASS / PERIOD**2 == pytest.approx(float(stiffness), rel=1e-13)
+    assert beta * MASS / PERIOD == pytest.approx(float(damping), rel=1e-13)
+
+
+def test_12_by_number_is_the_sampled_device():
+    """The answer to a held force that turns by z = 2, from the exponential of the motion."""
+    spring = mpmath.mpf(50)
+    rows = [[0, 1, 0], [-spring / MASS, -DAMPER / MASS, 1 / MASS], [0, 0, 0]]
+    step = mpmath.expm(mpmath.matrix(rows) * PERIOD)
+    moved = mpmath.lu_solve(2 * mpmath.eye(2) - step[:2, :2], step[:2, 2])[0]
+    gamma, delta = spring * PERIOD**2 / MASS, DAMPER * PERIOD / MASS
+    n1, n0, a, e = lambdify("eq12")(float(gamma), float(delta))
+    found = float(PERIOD**2 / MASS) * (2 * n1 + n0) / (4 - 2 * a + e)
+    assert found == pytest.approx(float(moved), rel=1e-12)
+
+
+def test_24_by_number_is_the_limit_of_the_stiffness():
+    """(b + B)/(t_d + T/2), in N/m, for B = 5 Ns/m and a delay of 1.5 ms."""
+    for id in ("eq24", "eq9"):
+        alpha = lambdify(id)(5 * 0.001 / 0.1, 2 * 0.001 / 0.1, 1.5)
+        assert alpha * 0.1 / 0.001**2 == pytest.approx((2 + 5) / 0.002, rel=1e-14)
+
+
+def test_31_by_number_is_in_si_units():
+    """Example 5.1: 987 000 N/m."""
+    assert lambdify("eq31")(T=1e-3, b=0.0, m=0.1) == pytest.approx(np.pi**2 * 1e5, rel=1e-15)
+    assert lambdify("eq31")(1e-3, 2.0, 0.1) == pytest.approx(np.pi**2 * 1e5 + 10, rel=1e-15)
+    assert pickle.loads(pickle.dumps(lambdify("eq31")))(1e-3, 0.0, 0.1) > 986_000
+
+
+@pytest.mark.parametrize(
+    ("id", "words"),
+    [
+        ("eq4", "a condition on any H(z); 'eq5'"),
+        ("eq6", "lambdify('eq6', form='derived')"),
+        ("eq28", "lambdify('eq28', form='derived')"),
+    ],
+)
+def test_a_formula_without_a_stable_form_says_what_to_do(id, words):
+    with pytest.raises(ValueError, match=re.escape(words)) as wrong:
+        lambdify(id)
+    assert "did you mean" not in str(wrong.value)
+    run = command("export", id, "--list")
+    assert run.returncode == 2
+    assert words in run.stderr
+
+
+@pytest.mark.parametrize("id", ["eq7", "eq12", "eq24"])
+def test_these_are_exported_by_number(id):
+    assert command("export", id, "--list").returncode == 0

@@ -12,8 +12,8 @@ from flint import arb, ctx
 from sympy import Rational, S, pi, symbols, tan
 
 from symhaptic.book.chapters import BadChapter
-from symhaptic.bounds.walls import largest, most, over, passive
-from symhaptic.proof.roots import NoSuchRoot, zero
+from symhaptic.bounds.walls import over, passive, undelayed
+from symhaptic.proof.roots import zero
 from symhaptic.proof.verdict import Kind
 
 RNG = np.random.default_rng(17)
@@ -49,37 +49,29 @@ def tip(gamma, delta, delay, near):
         return curve(mpmath.findroot(slope, mpmath.mpf(near)), g, dl, delay)
 
 
-# gamma, delta, delay and about where the maximum is: (d+1) theta
-TIPS = [
-    (S.Zero, DAMPED, 0, 1.154),
-    (STIFF, DAMPED, 0, 1.154),
-    (S.Zero, DAMPED, 1, 1.109),
-    (STIFF, DAMPED, 1, 1.110),
-    (STIFF, DAMPED, 40, 1.575),
-    (S.Zero, DAMPED, 122, 1.570),
-    (S.Zero, DAMPED, 1000, 1.936),
-]
-
-
-@pytest.mark.parametrize(("gamma", "delta", "delay", "near"), TIPS)
-def test_most_is_the_maximum_that_mpmath_finds(gamma, delta, delay, near):
-    value = most(gamma, delta, delay).ball
+@pytest.mark.parametrize("gamma", [S.Zero, STIFF])
+def test_undelayed_is_the_maximum_that_mpmath_finds(gamma):
+    value = undelayed(gamma, DAMPED).ball
     with mpmath.workdps(60), ctx.workprec(256):
-        there = arb(mpmath.nstr(tip(gamma, delta, delay, near / (delay + 1)), 45))
+        there = arb(mpmath.nstr(tip(gamma, DAMPED, 0, 1.154), 45))
         # 1e-30: mpmath's numerical derivative at the tip, squared by the parabola
         assert abs(value - there) < arb("1e-30")
         assert value.rad() < arb("1e-30")
+
+
+NEAR = {0: 1.154, 1: 1.11, 2: 1.10, 5: 1.12, 12: 1.2}
+"""About where the maximum is, (d+1) theta, by the delay."""
 
 
 def stable_somewhere(alpha, gamma, delta, delay, dampings):
     return bool((oracle.radius(alpha, dampings, gamma, delta, delay) < 1).any())
 
 
-@pytest.mark.parametrize("delay", [0, 1, 2, 5, 12])
+@pytest.mark.parametrize("delay", NEAR)
 @pytest.mark.parametrize("gamma", [S.Zero, STIFF])
 def test_no_damping_makes_a_stiffer_wall_stable(gamma, delay):
     """By eigenvalues on a grid of damping: stable just below the largest alpha, never above."""
-    high = float(most(gamma, DAMPED, delay).ball)
+    high = float(tip(gamma, DAMPED, delay, NEAR[delay] / (delay + 1)))
     dampings = np.linspace(-0.1, 2.3, 6001) / (delay + 1)
     for factor, expected in ((0.9999, True), (1.0001, False), (1.3, False), (3.0, False)):
         found = stable_somewhere(high * factor, float(gamma), 0.02, delay, dampings)
@@ -110,12 +102,6 @@ def test_the_walls_between():
         assert 0.04 * np.tan(np.pi / (4 * (delay + 1))) < 0.00063
 
 
-def test_a_maximum_is_not_found_where_there_is_none():
-    for near in (0.3, 2.5):
-        with pytest.raises((NoSuchRoot, ValueError)):
-            largest(S.Zero, DAMPED, 1, near)
-
-
 def test_a_zero_in_a_ball_of_a_parameter():
     """cos(c x) for c within 1/1000 of 1: the zero is within 1/500 of pi/2."""
     x, c = symbols("x c")
@@ -135,10 +121,8 @@ def test_over_keeps_the_digits():
 CONSTANTS = {
     # statement: chapter and its number to 12 digits, from the mpmath maxima above
     "s5b-eta-d0": ("s5b_stiffest_undelayed", "17.8171701158"),
-    "s5b-eta-d1": ("s5b_stiffest_wall_numbers", "9.31468674923"),
     "s5c-human-10000": ("s5c_nyquist_arms", "9869.60440108"),
     "eq31": ("s5c_nyquist_numbers", "986960.440108"),
-    "s6-stable-22": ("s6_delay_one_period", "0.216547833112"),
 }
 
 
@@ -146,7 +130,7 @@ CONSTANTS = {
 def test_constant(id):
     name, digits = CONSTANTS[id]
     verdict = settled(name)[id].verdict
-    assert verdict.claimed is Kind.ENCLOSED
+    assert verdict.kind is Kind.ENCLOSED
     assert verdict.value.startswith(digits)
     assert float(verdict.radius) < 1e-20
 
@@ -169,13 +153,13 @@ def test_no_tighter_digit_is_accepted(id):
             others = list(one.settlement.quoted)
             others[i] = changed
             verdict = replace(one.settlement, quoted=tuple(others)).decide(one.statement.printed)
-            assert verdict.claimed is Kind.REFUTED, changed
+            assert verdict.kind is Kind.REFUTED, changed
     assert count >= len(one.settlement.quoted)
 
 
 def test_eta_falls_after_its_peak():
     verdict = settled("s5b_stiffest_wall_peak")["s5b-eta-grows"].verdict
-    assert verdict.claimed is Kind.REFUTED
+    assert verdict.kind is Kind.REFUTED
     assert verdict.counterexample == {"gamma": "1/1000"}
     with mpmath.workdps(40):
         far = mpmath.findroot(lambda x: mpmath.sin(x) + x * mpmath.cos(x), 2)
@@ -222,25 +206,14 @@ def test_without_delay_walls_can_be_turned_down():
 
 MUTANTS = [
     # a number, a sign or a factor of what the chapter proves
-    ("s5b_stiffest_undelayed", "Rational(356, 10)", "Rational(357, 10)"),
-    ("s5b_stiffest_undelayed", "4 - RISE * (alpha + gamma)", "4 - RISE * (alpha - gamma)"),
-    ("s5b_stiffest_undelayed", "RISE**2 * s_1 - 4 * n_0", "RISE**2 * s_1 - 3 * n_0"),
-    ("s5b_stiffest_wall", "n_0 * (n_0 + n_1 * cos(theta))", "n_0 * (n_0 - n_1 * cos(theta))"),
+    ("s5b_stiffest_undelayed", "* (1 - n_0 * beta) *", "* (1 + n_0 * beta) *"),
+    ("s5b_stiffest_undelayed", "(1 + n_1 * beta) - w)", "(1 + n_1 * beta) + w)"),
+    ("s5b_stiffest_wall", "(u * y - v * x),", "(u * y + v * x),"),
     ("s5b_stiffest_wall", "(alpha + 2 * beta) * sin", "(alpha + beta) * sin"),
-    ("s5b_stiffest_wall_bound", "(n_1 - n_0 + a * n_0) * beta", "(n_1 + n_0 + a * n_0) * beta"),
-    ("s5b_stiffest_wall_bound", "cos(pi / 98)", "cos(pi / 104)"),
-    ("s5b_stiffest_wall_numbers", "Rational(1074, 10000)", "Rational(1000, 10000)"),
-    (
-        "s5b_stiffest_wall_numbers",
-        "FOR_EVER = Rational(59, 10**5)",
-        "FOR_EVER = Rational(61, 10**5)",
-    ),
-    ("s5b_stiffest_wall_peak_free", "phi: 2})", "phi: 3})"),
-    ("s5b_stiffest_wall_peak_free", "ETA[122] - ETA[n]", "ETA[123] - ETA[n]"),
+    ("s5b_stiffest_wall_numbers", "2 * delta * tan(", "delta * tan("),
+    ("s5b_stiffest_wall_numbers", "delta: DAMPED}, taken", "delta: 2 * DAMPED}, taken"),
     ("s5b_stiffest_wall_peak", "point = {gamma: STIFF}", "point = {gamma: 2 * STIFF}"),
     ("s5b_soft_contacts_undelayed", "alpha: S.Zero}", "alpha: S(3)}"),
-    ("s5b_soft_contacts_undelayed", "SLOPES[1] - 2 * SLOPES[2]", "SLOPES[1] - SLOPES[2] / 2"),
-    ("s5b_weaker_damping", "curve - delta * rise", "delta * rise - curve"),
     ("s5b_weaker_damping", "HEAVIER: Rational(1, 50)", "HEAVIER: Rational(1, 100)"),
     ("s5c_nyquist_numbers", "spring = pi**2 * m / T**2", "spring = 2 * pi**2 * m / T**2"),
     ("s5c_nyquist_numbers", "Rational(102, 10**7)", "Rational(101, 10**7)"),
@@ -252,9 +225,13 @@ MUTANTS = [
     ("s5b_soft_contacts", "d: S.Zero, y: S.Zero}", "d: S.Zero, y: S.Half}"),
     ("s5c_nyquist_region", "LEFT = exp(-delta / 2)", "LEFT = exp(-delta)"),
     ("s5c_nyquist_region", "2 / force, most", "2 / force, -most"),
-    ("s6_delay_one_period", "* MOST - curve", "* -MOST + curve"),
-    ("s6_marginal", "11 * FIRST, {}", "12 * FIRST, {}"),
-    ("s6_marginal", "- 16 * FIRST, {}", "- 17 * FIRST, {}"),
+    (
+        "s6_delay_one_period",
+        "one_period(),\n        example",
+        "far_higher.left_by_one_period(),\n        example",
+    ),
+    ("s6_marginal", "alpha: Rational(1, 2000)", "alpha: Rational(1, 200)"),
+    ("s6_marginal", "alpha: Rational(1, 5000)", "alpha: Rational(1, 500)"),
     ("s6_gains", "t_d / d),\n        2 * d", "t_d / d),\n        d"),
     ("s6_gains", "b: 2 * b", "b: b"),
 ]

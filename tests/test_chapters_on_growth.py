@@ -1,20 +1,15 @@
 """What enlarges the stable region, seen by companion eigenvalues."""
 
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from scipy.signal import cont2discrete
-from sympy import Rational, S, cos, sin
+from sympy import Rational, S
 
-from symhaptic.book.chapters import folder, run
-from symhaptic.book.page import Page
-from symhaptic.book.record import FalseStep
-from symhaptic.model import loop
-from symhaptic.notation import alpha, beta, d, delta, gamma, x, z
-from symhaptic.proof.seal import KEY
-from symhaptic.proof.verdict import Unfounded
+from symhaptic.book.lemmas.stability import stable_at, unstable_at
+from symhaptic.notation import alpha, beta, d, delta, gamma
+from symhaptic.proof.theorems.kernel import NotShown
 
 RNG = np.random.default_rng(41)
 
@@ -72,38 +67,12 @@ def test_the_lower_corner_sinks_by_the_stiffness(delay):
 
 
 def test_a_root_on_the_wrong_side_is_not_shown():
-    """Mutants of the counterexamples: the sides exchanged."""
-    page = Page("test")
+    """Mutants of the counterexample: the dampings exchanged."""
     point = {alpha: S(-4), beta: Rational(59, 10), gamma: S(5), d: S.Zero}
-    with pytest.raises(FalseStep):
-        page.outside("stable", loop.named(), {**point, delta: Rational(6, 5)}, loop.numbers())
-    with pytest.raises(FalseStep):
-        page.inside("unstable", loop.named(), {**point, delta: Rational(3, 2)}, loop.numbers())
-
-
-def test_a_witness_at_another_point_does_not_count():
-    page = Page("test")
-    evidence = page.same("something", cos(x) ** 2, 1 - sin(x) ** 2)
-    witness = page.outside("z - 2", z - 2)
-    with pytest.raises(Unfounded, match="another point"):
-        page.settle(
-            "s4d-delay-shrinks",
-            evidence,
-            corrected=("1",),
-            misprint=False,
-            unless={alpha: S.One},
-            truth=replace(witness, at={alpha: S(2)}, key=KEY),
-            shows="nothing",
-        )
-
-
-def test_the_pull_changes_its_sign_where_a_sign_is_changed(tmp_path):
-    """A mutant of the chapter on damping: the derivative's sign turned."""
-    path = folder() / "s4d_parts_damping.py"
-    text = path.read_text(encoding="utf-8")
-    wrong = text.replace("dash(bottom) * top - bottom", "dash(bottom) * top + bottom")
-    assert wrong != text
-    copy = tmp_path / "mutant.py"
-    copy.write_text(wrong, encoding="utf-8")
-    with pytest.raises(ValueError, match=r"false|not positive|undecided"):
-        run(copy)
+    light, heavy = ({**point, delta: Rational(n, 10)} for n in (12, 15))
+    assert stable_at(light)
+    assert unstable_at(heavy)
+    with pytest.raises(NotShown):
+        stable_at(heavy)
+    with pytest.raises(NotShown):
+        unstable_at(light)

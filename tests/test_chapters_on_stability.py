@@ -42,7 +42,7 @@ def test_passive_walls_are_stable_for_every_spring(d):
 
 @pytest.mark.parametrize("d", [0, 1, 3, 7])
 def test_each_point_of_the_explicit_boundary_has_a_root_on_the_circle(d):
-    """s4d-explicit-only-undelayed: Q = -z^d A/N solved by hand for random plants."""
+    """explicit-boundary: Q = -z^d A/N solved by hand for random plants."""
     for _ in range(100):
         gamma, delta, theta = RNG.uniform(0, 9), RNG.uniform(0, 2), RNG.uniform(0.05, 3.1)
         top, bottom, _ = cont2discrete(([1.0], [1.0, delta, gamma]), 1.0, method="zoh")

@@ -20,7 +20,6 @@ from oracle import certified
 from scipy.integrate import solve_ivp
 from scipy.optimize import linprog
 
-import symhaptic.paper.outline as outline
 import symhaptic.paper.tables as tables
 from symhaptic.book.chapters import BadChapter, folder, run
 from symhaptic.book.figures.passivity import STYLE, WIDTH
@@ -113,17 +112,14 @@ def test_the_damping_of_the_whole_is_a_mean():
         assert whole < b_d / m_d + b_h / m_h
 
 
-def test_bounds_say_nothing_strict_of_what_is_not_there():
-    """(20): without a spring, and without any damper, both sides of a bound are zero."""
+def test_bounds_say_nothing_strict_of_a_spring_that_is_not_there():
+    """(20) assumes positive masses and dampers; without a spring both sides are zero."""
     printed = chapter("s4c_arm_and_device").page.settled["eq20"].statement.printed
     bounds = [line.rhs for line in printed]
-    nothing = {
-        s: int(s.name in ("T", "m_D", "m_H")) for bound in bounds for s in bound.free_symbols
-    }
-    assert [bound.subs(nothing) for bound in bounds] == [0, 0]  # as gamma and delta are
-    condition = verdict("s4c_arm_and_device", "eq20").condition
-    assert "k_H>0" in condition
-    assert "b_D+b_H>0" in condition
+    limp = {s: int(s.name != "k_H") for bound in bounds for s in bound.free_symbols}
+    assert bounds[0].subs(limp) == 0  # as gamma is
+    assert bounds[1].subs(limp) > 1  # delta is T (1 + 1)/(1 + 1)
+    assert verdict("s4c_arm_and_device", "eq20").condition == "k_H>0"
 
 
 def test_the_largest_ratios():
@@ -152,7 +148,7 @@ def test_the_ranges_are_thirty_per_cent_rounded_up():
         wider = limit * Decimal("1.3")
         assert wider.quantize(Decimal("0.001"), ROUND_CEILING) == printed
         assert float(printed / limit) == pytest.approx(factor, abs=5e-6)
-    assert verdict("s4c_arm_ranges", "s4c-extension-30").claimed == Kind.REFUTED
+    assert verdict("s4c_arm_ranges", "s4c-extension-30").kind == Kind.REFUTED
     assert math.sqrt(0.001 / 710) * 1000 == pytest.approx(1.1867817, abs=5e-8)
 
 
@@ -171,7 +167,7 @@ DIGITS = [
 @pytest.mark.parametrize(("name", "id", "kind", "old", "new"), DIGITS)
 def test_a_changed_digit_of_the_print_loses_its_verdict(name, id, kind, old, new):
     settled = chapter(name).page.settled[id]
-    assert settled.verdict.claimed == kind
+    assert settled.verdict.kind == kind
     lines = [line.replace(old, new) for line in settled.statement.latex]
     changed = tuple(part for line in lines for part in read(line))
     assert changed != settled.statement.printed
@@ -330,76 +326,24 @@ def test_no_stable_wall_has_more_virtual_damping_than_the_product_of_roots_allow
 
 # -- slips ----------------------------------------------------------------------------------
 
-SLIPS = {
-    "s7a_slips_in_words": [
-        "s1-conclusion",
-        "s5b-ratio-panels",
-        "s5b-captions-alike",
-        "s4d-bound-of-b",
-        "s4c-et-al",
-    ],
-    "s7b_slips_in_relations": [
-        "s2c-positive-delay",
-        "s5c-interval",
-        "s5c-nyquist-spring",
-    ],
-}
+SLIPS = ["s1-conclusion", "s5b-ratio-panels", "s5b-captions-alike", "s4d-bound-of-b", "s4c-et-al"]
 
 
-@pytest.mark.parametrize(("name", "id"), [(n, i) for n, ids in SLIPS.items() for i in ids])
-def test_each_slip_is_a_misprint_with_its_correction(name, id):
-    found = verdict(name, id)
-    assert found.kind == Kind.MISPRINT
-    assert found.proposition
-    assert found.corrected_latex
-    assert found.counterexample is not None
+@pytest.mark.parametrize("id", SLIPS)
+def test_a_slip_says_what_is_meant_and_claims_nothing(id):
+    found = verdict("s7a_slips_in_words", id)
+    assert found.kind == Kind.SLIP
+    assert found.corrected
+    assert found.shows
+    assert found.proposition is None
+    assert not found
 
 
-def moved_conclusion(monkeypatch):
-    one = list(outline.SECTIONS)
-    one.insert(3, one.pop())  # then Section IV would be the conclusion
-    monkeypatch.setattr(outline, "SECTIONS", tuple(one))
-
-
-def other_panel(monkeypatch):
-    first, *rest = outline.FIGURE_12
-    monkeypatch.setattr(outline, "FIGURE_12", (replace(first, quantity="ratio"), *rest))
-
-
-def named_delays(monkeypatch):
-    *rest, last = outline.FIGURE_12
-    monkeypatch.setattr(outline, "FIGURE_12", (*rest, replace(last, delays_named=True)))
-
-
-def one_author(monkeypatch):
-    patched(monkeypatch, 8, writers=3)
-
-
-def right_sentence(id, wrong, right):
-    """A sentence of the paper without its slip."""
-
-    def change(monkeypatch):
-        assert wrong in outline.SENTENCES[id]
-        sentence = outline.SENTENCES[id].replace(wrong, right)
-        monkeypatch.setitem(outline.SENTENCES, id, sentence)
-
-    return change
-
-
-SENTENCES = [
-    right_sentence("s1-conclusion", "Section IV", "Section VI"),
-    right_sentence("s5b-ratio-panels", "12(a)", "12(b)"),
-    right_sentence("s4d-bound-of-b", "virtual stiffness", "virtual damping"),
-]
-LISTS = [moved_conclusion, other_panel, named_delays, one_author]
-
-
-@pytest.mark.parametrize("change", [*LISTS, *SENTENCES])
-def test_a_slip_that_is_none_cannot_be_settled(monkeypatch, change):
-    """With the lists or sentences changed so that the print were right, the chapter stops."""
-    change(monkeypatch)
-    with pytest.raises(BadChapter):
-        run(folder() / "s7a_slips_in_words.py")
+def test_what_no_author_would_call_an_error_is_none():
+    """A delay may be zero by the print itself, and (30) has the spring of the Nyquist frequency."""
+    assert verdict("s2c_delay", "s2c-positive-delay").kind == Kind.PROVED
+    assert verdict("s5c_nyquist", "s5c-nyquist-spring").kind == Kind.PROVED
+    assert verdict("s7b_slips_in_relations", "s5c-interval").kind == Kind.MISPRINT
 
 
 def test_the_interval_is_attained():

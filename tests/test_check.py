@@ -154,11 +154,15 @@ def test_a_library_that_ends_the_program(tmp_path):
         subprocess.run(build, cwd=tmp_path, check=True)
     way = "check", "--points", 500, "--formula"
     for formula, name, said in (
-        ("linear_limit", "f.so:leaves", r"called with .*, [1-9][\d.]* it ends the program \(0\)"),
-        ("linear_limit", "f.so:fails", r"called with .* it ends the program \(-6\)"),
-        ("linear_limit", "f.so:last", r"at last it ends the program \(3\)"),
-        ("linear_limit", "g.so:f", r"when it is loaded it ends the program \(0\)"),
-        ("eq11", "f.so:two", r"called with .* it ends the program \(0\)"),
+        (
+            "linear_limit",
+            "f.so:leaves",
+            r"ends the program \(0\) when called with .*, [1-9][\d.]*\b",
+        ),
+        ("linear_limit", "f.so:fails", r"ends the program \(-6\) when called with .*"),
+        ("linear_limit", "f.so:last", r"ends the program \(3\) at last"),
+        ("linear_limit", "g.so:f", r"ends the program \(0\) when it is loaded"),
+        ("eq11", "f.so:two", r"ends the program \(0\) when called with .*"),
     ):
         done = symhaptic(*way, formula, "--library", name, cwd=tmp_path)
         assert done.returncode == 2, done.stdout
@@ -180,7 +184,7 @@ def test_a_command(tmp_path):
     for line in ("true", "", " ", "python3 'f.py"):
         done = symhaptic(*way, line, cwd=tmp_path)
         assert done.returncode == 2
-        assert done.stderr.startswith(f"symhaptic: error: --command: {line!r} ")
+        assert done.stderr.startswith(f"symhaptic: error: --command {line.strip()}: ")
         assert len(done.stderr.splitlines()) == 1
 
 
@@ -197,7 +201,7 @@ def test_what_is_checked_is_not_written_over(tmp_path, way):
             "check", "--formula", "linear_limit", "--points", 5, *way, "-o", name, cwd=tmp_path
         )
         assert done.returncode == 2
-        said = f"symhaptic: error: -o {name}: is what is read here; another file is allowed\n"
+        said = f"symhaptic: error: -o {name}: this file is read here; give another one\n"
         assert done.stderr == said
         assert (tmp_path / "f.py").read_text() == text
 
@@ -220,22 +224,25 @@ def two(b, T):
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("mine:none", "--python: 'mine:none' is not found (module 'mine' has no attribute 'none')"),
+        (
+            "mine:none",
+            "--python mine:none: module 'mine' has no attribute 'none' (expected MODULE:NAME)",
+        ),
         (
             "./mine.py:right",
-            "--python: './mine.py:right' is not allowed; MODULE:NAME is, such as m",
+            "--python ./mine.py:right: no module and name; give MODULE:NAME, such as mine:right",
         ),
         (
             "mine.py:right",
-            "--python: 'mine.py:right' is not allowed; MODULE:NAME is, such as mine:",
+            "--python mine.py:right: no module and name; give MODULE:NAME, such as mine:right",
         ),
-        (":right", "--python: ':right' is not allowed; MODULE:NAME is"),
-        ("broken:f", "--python: 'broken' fails (SyntaxError: "),
-        ("ending:f", "--python: 'ending' ends the program (3)"),
-        ("mine:nothing", "it gives None; numbers are allowed"),
-        ("mine:unknown", "it fails (NameError: name 'nowhere' is not defined)"),
-        ("mine:one_of_two", "it fails (KeyError: "),
-        ("mine:two", "it fails (TypeError: two() takes 2 positional arguments but 3 were given)"),
+        (":right", "--python :right: no module and name; give MODULE:NAME"),
+        ("broken:f", "--python broken:f: SyntaxError: "),
+        ("ending:f", "--python ending:f: ends the program (3) when it is imported"),
+        ("mine:nothing", "gives None and no numbers when called with"),
+        ("mine:unknown", "NameError: name 'nowhere' is not defined when called with"),
+        ("mine:one_of_two", "KeyError: "),
+        ("mine:two", "TypeError: two() takes 2 positional arguments but 3 were given when called"),
     ],
 )
 def test_a_function_that_cannot_be_used_is_one_line(mine, name, said):
@@ -273,20 +280,25 @@ def test_the_plugin_passes_and_fails_a_test():
         Agreement("eq99")
 
 
-def test_where_nothing_is_told_nothing_agrees():
-    """Before: any number agreed with a margin that no wall there has."""
-    unstable = {"alpha": (1, 1), "beta": (0, 0), "delta": (0, 0)}
-    with pytest.raises(ValueError, match="no value that is told at any of 20 points"):
-        Agreement("delay_margin").agrees(lambda *wall: 42.0, over=unstable, points=20)
-    with pytest.raises(ValueError, match="no value that is told"):
+def test_where_there_is_no_exact_value_nothing_agrees():
+    with pytest.raises(ValueError, match="no exact value at any of 20 points"):
         Agreement("eq28").agrees(lambda k, b, m: 1.0, over={"k": (0, 0), "b": (1, 1)}, points=20)
+
+
+def test_the_delay_margin_of_a_wall_that_is_not_stable_is_0():
+    """A free undamped mass at a wall without damping: 1 - a + e + alpha n1 has roots beyond 1."""
+    unstable = {"alpha": (1, 1), "beta": (0, 0), "delta": (0, 0)}
+    Agreement("delay_margin").agrees(lambda *wall: 0.0, over=unstable, points=20)
+    with pytest.raises(pytest.fail.Exception, match="exact 0"):
+        Agreement("delay_margin").agrees(lambda *wall: 42.0, over=unstable, points=20)
 
 
 def test_a_narrow_range_of_whole_numbers_has_whole_ends():
     """Before: half a period was held against no delay, and a right function was wrong."""
-    Agreement("is_stable").agrees(is_stable, over={"d": (0.5, 2.5)}, points=200)
+    Agreement("eq11").agrees(right, over={"d": (0.5, 2.5)}, points=200)
     with pytest.raises(ValueError, match=r"d: no whole number lies between 0\.2 and 0\.8"):
-        Agreement("is_stable").agrees(is_stable, over={"d": (0.2, 0.8)}, points=200)
+        Agreement("eq11").agrees(right, over={"d": (0.2, 0.8)}, points=200)
+    Agreement("is_stable").agrees(is_stable, over={"d": (0.2, 0.8)}, points=200)
 
 
 def test_truths_and_counts_are_not_told_to_be_of_single_precision():
@@ -304,10 +316,10 @@ def test_a_range_in_whole_numbers_is_told_as_any_other():
     """Before: an AttributeError where the worst point was an end that is an int."""
     with pytest.raises(pytest.fail.Exception, match="0x"):
         Agreement("eq6").agrees(lambda K, B, T: K - K / 3, over={"B": (-7, -7)}, points=20)
-    with pytest.raises(ValueError, match=r"10000.* it gives"):
+    with pytest.raises(ValueError, match=r"gives 10{400} and no numbers when called with 10000"):
         Agreement("eq6").agrees(lambda K, B, T: 10**400, over={"K": (10000, 10000)}, points=2)
     for nothing in ({"points": 0}, {"over": {"B": (0, math.inf)}}):
-        with pytest.raises(ValueError, match="is not allowed"):
+        with pytest.raises(ValueError, match="give"):
             Agreement("eq6").agrees(lambda K, B, T: 0.0, **nothing)
 
 
@@ -319,7 +331,7 @@ def test_a_list_that_is_used_again_has_each_of_its_numbers():
         kept[0] /= T
         return kept
 
-    assert compared(CHECKED["eq11"], callers.called(wall, 2), 8, 200).agrees
+    assert compared(CHECKED["eq11"], callers.called(wall), 8, 200).agrees
 
 
 @pytest.mark.parametrize("name", CHECKED)
@@ -327,7 +339,7 @@ def test_the_package_agrees_with_every_formula(name):
     """Its own numbers are off by less than is allowed of others."""
     one = CHECKED[name]
     if one.near is None:
-        pytest.skip("it is the package's own margin that balls confirm")
+        pytest.skip("it takes long: test_delay_margin")
 
     def call(some):
         with np.errstate(all="ignore"):
@@ -343,6 +355,7 @@ def test_every_function_of_walls_can_be_checked():
     functions = {name for name in symhaptic_names if name[0].islower()}
     others = {"enclose", "enclose_maximum", "formula", "grid_boundary", "lambdify", "prove"}
     others |= {"recheck", "robust_region", "show_config", "stable_region", "sweep"}
+    others |= {"max_delay"}  # what delay_margin gives without a delay
     assert functions - others <= set(CHECKED)
 
 
@@ -350,7 +363,7 @@ def test_delay_margin():
     from symhaptic import delay_margin
 
     one = replace(CHECKED["delay_margin"], balls=4)
-    right = callers.called(delay_margin, 1)
+    right = callers.called(delay_margin)
     assert compared(one, right, 8, 12).agrees
     late = compared(one, lambda some: [(1.0,)] * len(some), 8, 12)
     assert not late.agrees
@@ -362,7 +375,7 @@ def test_a_wrong_formula_is_shown_where_it_is_plainest(mine):
         "import math\ndef f(b, T, d):\n    return 2*b/T*math.tan(math.pi/(4*(d*d + 1)))\n"
     )
     done = symhaptic("check", "--formula", "eq11", "--python", "other:f", cwd=mine)
-    assert "b = 0x1.0000000000000p+0 (1), T = 0x1.0624dd2f1a9fcp-10 (0.001), " in done.stdout
+    assert "b = 0x1.0000000000000p+0 (1), T = 0x1.0000000000000p+0 (1), " in done.stdout
     assert "d = 0x1.0000000000000p+1 (2)" in done.stdout  # at d = 1 d*d is d
     assert done.stdout.endswith("  differs\n")
 
@@ -376,7 +389,7 @@ def test_junit_and_json(mine):
     found = json.loads(checked(mine, "eq11", "right", "--format", "json").stdout)
     assert found["agrees"]
     assert found["worst_ulp"] < 8
-    assert found["balls"] == 2000
+    assert found["exact_values"] > 900
 
 
 def test_an_annotation_is_whole_whatever_the_command_is_called(tmp_path):
@@ -397,14 +410,14 @@ def test_a_table_of_errors(mine):
     for row in rows[::100]:
         b, _, d = (float.fromhex(v) for v in row[:3])
         assert float(row[-1]) < 8
-        assert abs(float(row[4]) - float.fromhex(row[6])) <= 8 * math.ulp(b)
+        assert abs(float(row[4]) - float.fromhex(row[6])) <= 8 * math.ulp(b * (d + 1))
         assert d.is_integer()
 
 
 def test_a_python_function_takes_little():
     """Of 100 000 points; the machine may be busy, and half of it is the function's own."""
-    found = compared(CHECKED["eq11"], callers.called(right, 2), 8, 100_000)
-    assert (found.points, found.agrees) == (100_000, True)
+    found = compared(CHECKED["eq11"], callers.called(right), 8, 100_000)
+    assert (found.called, found.agrees) == (100_000, True)
 
 
 def right(b, T, d):
@@ -414,14 +427,14 @@ def right(b, T, d):
 
 
 def test_a_table_of_exact_values():
-    """Without delay (11) is K = 2b/T tan(pi/4) = 2b/T, so 100000 for b = 50, T = 0.001."""
+    """Without delay (11) is K = 2b/T tan(pi/4) = 2b/T, so 2000 for b = 1, T = 0.001."""
     done = symhaptic("check", "--formula", "eq11", "--format", "table", "--points", 200)
     head, *rows = [line.split(",") for line in done.stdout.splitlines()]
     assert head == ["b", "T", "d", "K", "B"]
     assert len(rows) == 200
-    wanted = [(50.0).hex(), (0.001).hex(), (0.0).hex()]
-    (found,) = [row for row in rows if row[:3] == wanted]
-    assert abs(float(found[3]) - 100000) < 1e-9
+    wanted = [(1.0).hex(), (0.001).hex(), (0.0).hex()]
+    found = next(row for row in rows if row[:3] == wanted)
+    assert abs(float(found[3]) - 2000) < 1e-9
 
 
 def test_what_counts_in_coarse_units_is_said():
@@ -429,7 +442,7 @@ def test_what_counts_in_coarse_units_is_said():
     checked = CHECKED["max_stable_stiffness"]
 
     def told_of(change):
-        mine = callers.called(lambda *plant: change(*checked.near(*plant)), 3)
+        mine = callers.called(lambda *plant: change(*checked.near(*plant)))
         return told.text(told.Report(compared(checked, mine, 8, 20), "mine", 0.0))
 
     coarse = f"in beta and theta a unit is {math.ulp(1e8):.2g}, half of the digits"
@@ -446,11 +459,11 @@ def test_a_function_may_give_the_first_of_several_results():
     def stiffness(b, T, d):  # (11) of the paper
         return 2 * b / T * math.tan(math.pi / (4 * (d + 1)))
 
-    found = compared(CHECKED["eq11"], callers.called(stiffness, 2), 8, 500)
+    found = compared(CHECKED["eq11"], callers.called(stiffness), 8, 500)
     assert found.worst < 8
     assert found.missing == ()
-    with pytest.raises(ValueError, match="3 numbers; K, B are"):
-        compared(CHECKED["eq11"], callers.called(lambda b, T, d: (b, T, d), 2), 8, 50)
+    with pytest.raises(ValueError, match="3 numbers; give K, B"):
+        compared(CHECKED["eq11"], callers.called(lambda b, T, d: (b, T, d)), 8, 50)
 
 
 def test_what_is_not_looked_at_does_not_agree(mine):
@@ -477,19 +490,19 @@ def nothing(b, T, d):
     (mine / "early.py").write_text("import sys\nsys.exit(0)\n")
     for options, said in (
         (("eq11", "seldom"), "1 numbers at one point and 2 at another"),
-        (("eq11", "leaves"), "it ends the program (0)"),
-        (("eq11", "nothing", "--ulp", "inf"), "--ulp: inf is not allowed"),
-        (("eq11", "early:f"), "'early' ends the program (0)"),
+        (("eq11", "leaves"), "ends the program (0) when called with"),
+        (("eq11", "nothing", "--ulp", "inf"), "--ulp: inf is not a finite number"),
+        (("eq11", "early:f"), "early:f: ends the program (0) when it is imported"),
     ):
         done = checked(mine, *options)
         assert done.returncode == 2, done.stdout
         assert said in done.stderr
         assert len(done.stderr.splitlines()) == 1
-    with pytest.raises(ValueError, match="ulp: inf is not allowed"):
+    with pytest.raises(ValueError, match="ulp: inf is not a finite number"):
         Agreement("eq11").agrees(lambda b, T, d: math.nan, ulp=math.inf, points=50)
 
 
 def test_who_gives_too_many_numbers_is_said():
     """Before: `gives 3 numbers; K, B are`, with nobody named."""
-    with pytest.raises(ValueError, match=r"^the function gives 3 numbers; K, B are allowed$"):
+    with pytest.raises(ValueError, match=r"^the function gives 3 numbers; give K, B$"):
         compared(CHECKED["eq11"], lambda some: [(1.0, 2.0, 3.0)] * len(some), 4, 10)

@@ -143,7 +143,7 @@ def bound(*at):
 )
 def test_a_usual_slip_is_refused_and_named(formula, function, said):
     checked = CHECKED[formula]
-    found = compared(checked, callers.called(function, len(checked.results)), 8, 2000)
+    found = compared(checked, callers.called(function), 8, 2000)
     assert not found.agrees
     if said == "differs":  # no usual slip: nothing is named
         assert found.names == ()
@@ -157,11 +157,11 @@ def test_twice_the_angle_is_named():
     def mine(b, T, d):
         return 2 * b / T * tan(pi / (2 * (d + 1)))
 
-    found = compared(CHECKED["eq11"], callers.called(mine, 2), 8, 3000)
+    found = compared(CHECKED["eq11"], callers.called(mine), 8, 3000)
     assert found.names == ("this is (11) with twice the angle in tan",)
 
 
 def test_a_right_function_has_no_slip():
-    found = compared(CHECKED["eq11"], callers.called(stiffest, 2), 8, 2000)
+    found = compared(CHECKED["eq11"], callers.called(stiffest), 8, 2000)
     assert found.agrees
     assert found.names == ()

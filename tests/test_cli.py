@@ -12,8 +12,10 @@ from xml.etree import ElementTree
 import pytest
 from command import symhaptic
 
+from symhaptic.book.chapters import expected_ledger
 from symhaptic.book.listing import replace
 from symhaptic.cli.main import main
+from symhaptic.paper import STATEMENTS
 
 ROOT = Path(__file__).parents[1]
 
@@ -59,7 +61,46 @@ def test_a_strict_run_of_all_statements_from_nothing(tmp_path):
 def test_selected_ids_only():
     run = symhaptic("verify", "eq1", "eq8")
     assert run.returncode == 0
-    assert [line.split()[0] for line in run.stdout.splitlines()[:2]] == ["eq1", "eq8"]
+    heads = [line.split()[0] for line in run.stdout.splitlines() if line[:2] == "eq"]
+    assert heads == ["eq1", "eq8"]
+
+
+WORDS = {
+    "quotation": "Note that this condition is independent of mass",
+    "reading": "does not depend on the mass",
+    "proposition": r"\mathrm{passive}",
+    "verdict": "proved",
+}
+
+
+def test_a_named_statement_is_told_from_the_papers_words_to_the_verdict():
+    told = symhaptic("verify", "s3a-mass-free").stdout
+    places = [told.index(f"{name}: ") for name in WORDS]
+    assert places == sorted(places)
+    for name, what in WORDS.items():
+        assert what in told.split(f"{name}: ")[1].splitlines()[0]
+
+
+def test_json_and_junit_have_the_papers_words_our_reading_and_the_proposition():
+    [found] = json.loads(symhaptic("verify", "s3a-mass-free", "--format", "json").stdout)[
+        "statements"
+    ]
+    keys = [key for key in found if key in ("quote", "says", "proposition", "verdict")]
+    assert keys == ["quote", "says", "proposition", "verdict"]
+    for key, what in zip(keys, WORDS.values(), strict=True):
+        assert what in found[key]
+    case = ElementTree.fromstring(symhaptic("verify", "s3a-mass-free", "--format", "junit").stdout)
+    lines = case.findtext("testcase/system-out").splitlines()
+    assert [line.partition(": ")[0] for line in lines] == list(WORDS)
+    for line, what in zip(lines, WORDS.values(), strict=True):
+        assert what in line
+
+
+def test_every_record_of_the_paper_has_words():
+    for record in json.loads(expected_ledger().read_text(encoding="utf-8"))["statements"]:
+        statement = STATEMENTS.get(record["id"])
+        assert record["says"] == (statement.says if statement else record["says"])
+        assert record["says"], record["id"]
 
 
 @pytest.fixture

@@ -13,13 +13,10 @@ import sympy as sp
 from scipy.linalg import expm
 
 from symhaptic.book.chapters import BadChapter, folder, run
-from symhaptic.book.page import Page
-from symhaptic.book.record import FalseStep
 from symhaptic.book.tex.breaking import pieces
 from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL
 from symhaptic.numeric.passivity import passivity_margin
-from symhaptic.proof import sign
 
 RNG = np.random.default_rng(37)
 GAMMA, DELTA, PART = sp.symbols("gamma delta epsilon")
@@ -218,31 +215,6 @@ def test_a_chapter_on_a_changed_model_fails(chapter, mutant, monkeypatch):
 
 
 # -- what the chapters lean on -------------------------------------------------------------
-
-
-def test_a_chord_of_the_sine_needs_its_angles_to_add_up():
-    x = sp.Symbol("x")
-    up, down = sign.assume(x), sign.assume(sp.pi / 2 - x)
-    assert sign.chord(sign.number(sp.pi / 2), down, up).expr == sp.sin(x)
-    for lower in (sp.pi / 3, sp.pi):
-        with pytest.raises(sign.NotShown, match="do not add up"):
-            sign.chord(sign.number(lower), down, up)
-    with pytest.raises(sign.NotShown, match="do not add up"):
-        sign.chord(down, down, up)
-
-
-def test_roots_with_positive_real_part():
-    z = sp.Symbol("z")
-    page = Page("test")
-    one_left = (2 * z - 1) * (z + 2)  # a root at 1/2 on the sheet, one at -2 off it
-    page.inside("right half", one_left, half=True)
-    with pytest.raises(FalseStep):
-        page.inside("all", one_left)
-    page.outside("all", one_left)
-    with pytest.raises(FalseStep):
-        page.outside("right half", one_left, half=True)
-    with pytest.raises(FalseStep):  # at 2j: it may lie there
-        page.inside("on the border", (z**2 + 4) * (2 * z - 1), half=True)
 
 
 def test_a_product_of_two_sums_keeps_its_brackets_when_broken():

@@ -4,6 +4,7 @@ No reference comes from the package: polynomials are made of known roots, plants
 the matrices X - Y are typed from the textbook (Jury, Inners and Stability of Dynamic Systems).
 """
 
+import json
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
@@ -13,9 +14,11 @@ from operator import add, mul
 import numpy as np
 import pytest
 import sympy as sp
+from command import symhaptic as symhaptic_command
 from scipy.signal import cont2discrete
 from sympy.polys.matrices import DomainMatrix
 
+import symhaptic
 from symhaptic.model import jury
 from symhaptic.model.plant import Sampled
 
@@ -371,3 +374,113 @@ def test_a_delay_that_is_no_whole_number(delay, word):
 def test_coefficients_that_are_not_allowed(coefficients):
     with pytest.raises(ValueError, match="coefficients"):
         jury.criterion(coefficients)
+
+
+# -- the public function and the command ------------------------------------------------------
+
+
+def schur_cohn(coefficients):
+    """Whether all roots lie inside, by Schur's reduction in exact fractions, highest power first.
+
+    p is replaced by (a_n p - a_0 p*)/z as long as |a_0| < |a_n|, where p* has the coefficients in
+    the other order; Marden, Geometry of Polynomials, Section 42.
+    """
+    p = list(coefficients)
+    while len(p) > 1:
+        lead, last = p[0], p[-1]
+        if abs(last) >= abs(lead):
+            return False
+        p = [lead * x - last * y for x, y in zip(p, reversed(p), strict=True)][:-1]
+    return True
+
+
+def exact_loop(delay, wall, device):
+    """Coefficients of z^(d+1) (z^2 - a z + e) + (n_1 z + n_0)((alpha + beta) z - beta), by hand."""
+    (right, up), (n1, n0, trace, loss) = wall, device
+    p = [Fraction(1), -trace, loss, *[Fraction(0)] * (delay + 1)]
+    for power, c in ((2, n1 * (right + up)), (1, n0 * (right + up) - n1 * up), (0, -n0 * up)):
+        p[len(p) - 1 - power] += c
+    return p
+
+
+@pytest.mark.parametrize("delay", range(6))
+def test_the_public_inequalities_beside_schurs_reduction(delay):
+    """Exact fractions near a device of (23), walls on either side of the boundary."""
+    found, rng = symhaptic.jury(delay), np.random.default_rng(40 + delay)
+    counts = {True: 0, False: 0}
+    size = Fraction(1, 2 * delay + 1)
+    for _ in range(120):
+        wall = [size * Fraction(int(rng.integers(low, 100)), 60) for low in (-5, -20)]
+        device = [
+            Fraction(int(rng.integers(low, high)), 1000)
+            for low, high in ((450, 500), (450, 500), (1900, 1999), (900, 999))
+        ]
+        inside = schur_cohn(exact_loop(delay, wall, device))
+        counts[inside] += 1
+        point = {
+            symbol: sp.Rational(v.numerator, v.denominator)
+            for symbol, v in zip(NAMES, (*wall, *device), strict=True)
+        }
+        assert all(bool(p.subs(point)) for p in found) == inside, (wall, device)
+    assert min(counts.values()) > 5
+
+
+@pytest.mark.parametrize("delay", [0, 1, 2, 5, 8])
+def test_a_device_in_numbers_beside_eigenvalues(delay):
+    rng = np.random.default_rng(delay)
+    for gamma, delta in ((0.001, 0.02), (0.0, 0.0), (2.0, 0.3), (1.0, 2.0)):  # the last is critical
+        found = symhaptic.jury(delay, gamma, delta)
+        for stiffness, damping in rng.uniform(-0.1, 1.0, (60, 2)) / (delay + 1):
+            size = largest_root(delay, stiffness, damping, plant(gamma, delta))
+            if abs(size - 1) > 1e-6:
+                holds = all(bool(p.subs({alpha: stiffness, beta: damping})) for p in found)
+                assert holds == (size < 1)
+
+
+def test_no_inequality_has_a_fraction_in_it():
+    for delay in range(5):
+        for relation in symhaptic.jury(delay):
+            assert relation.rhs == 0
+            polynomial = sp.Poly(relation.lhs, *NAMES)
+            assert polynomial.domain == sp.ZZ
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        ((-1,), "delay"),
+        ((1.5,), "delay"),
+        ((0, 0.001), "delta"),
+        ((0, -1.0, 0.0), "gamma"),
+        ((0, float("nan"), 0.0), "gamma"),
+        ((0, 0.0, float("inf")), "delta"),
+    ],
+)
+def test_what_is_no_loop_is_refused_by_name(arguments, word):
+    with pytest.raises(ValueError, match=f"^{word}: "):
+        symhaptic.jury(*arguments)
+
+
+def test_the_command_prints_what_the_function_returns(tmp_path):
+    told = symhaptic_command("jury", 1, "--gamma", "1/1000", "--delta", "0.02")
+    assert told.stdout.splitlines() == [str(p) for p in symhaptic.jury(1, 0.001, 0.02)]
+    path = tmp_path / "two.json"
+    assert symhaptic_command("jury", 2, "--format", "json", "-o", path).returncode == 0
+    data = json.loads(path.read_text(encoding="utf-8"))
+    assert data == {"delay": 2, "inequalities": [str(p) for p in symhaptic.jury(2)]}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["1.5"], "DELAY: '1.5' is no whole number"),
+        (["1", "--gamma", "0"], "--delta: is missing"),
+        (["1", "--gamma", "-1", "--delta", "0"], "--gamma: -1.0 is no finite number"),
+        (["1", "--gamma", "x", "--delta", "0"], "--gamma: 'x'"),
+    ],
+)
+def test_the_command_refuses_in_one_line(arguments, words):
+    run = symhaptic_command("jury", *arguments)
+    assert (run.returncode, run.stdout) == (2, "")
+    [line] = run.stderr.splitlines()
+    assert words in line

@@ -6,10 +6,11 @@ import pytest
 from sympy import Add, E, Integer, Mul, Pow, Rational, Symbol, cos, exp, pi, sin, sqrt
 
 from symhaptic.book.site.chapter import statement_link
+from symhaptic.book.site.words import words
 from symhaptic.book.tex.forms import reference
 from symhaptic.book.tex.words import beside_formulas, place_of
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
-from symhaptic.notation.latex import latex
+from symhaptic.notation.latex import euler, latex
 from symhaptic.paper.reading import Unreadable, read
 from symhaptic.proof.decide import compare
 
@@ -22,7 +23,7 @@ BY_HAND = {
     sin((d + 1) * omega * T): r"\sin(d+1)\omega T",
     sin(theta / 2) ** 2: r"\sin^2\tfrac{\theta}{2}",
     cos(theta + psi): r"\cos(\theta+\psi)",
-    exp(-delta / 2): r"e^{-\delta/2}",
+    exp(-delta / 2): r"\mathrm{e}^{-\delta/2}",
     -theta: r"-\theta",
     1 - cos(theta): r"1-\cos\theta",
     z ** (d + 1): "z^{d+1}",
@@ -64,12 +65,12 @@ def test_a_slash_divides_by_all_that_stands_behind_it():
 
 
 def test_the_power_of_a_sum_of_numbers_is_that_of_the_sum():
-    assert latex((1 - exp(Rational(-1, 50))) ** 2, inline=True) == r"(1-e^{-1/50})^{2}"
+    assert latex((1 - exp(Rational(-1, 50))) ** 2, inline=True) == r"(1-\mathrm{e}^{-1/50})^{2}"
 
 
 def test_a_power_of_e_that_is_kept_as_one_is_an_exponential():
     """SymPy takes it for one, whose argument is then e."""
-    assert latex(Pow(E, -delta / 2, evaluate=False)) == r"e^{-\delta/2}"
+    assert latex(Pow(E, -delta / 2, evaluate=False)) == r"\mathrm{e}^{-\delta/2}"
 
 
 def test_a_product_is_not_printed_as_a_difference_or_a_mixed_number():
@@ -78,7 +79,7 @@ def test_a_product_is_not_printed_as_a_difference_or_a_mixed_number():
     assert latex(Mul(2, Rational(3, 4), evaluate=False)) == r"2 \cdot \tfrac{3}{4}"
     assert latex(Mul(K, Rational(3, 4), evaluate=False), inline=True) == "(3/4)K"
     left = Mul(K, sin(theta), evaluate=False)
-    assert latex(Mul(left, exp(theta), evaluate=False)) == r"(K\sin\theta)e^{\theta}"
+    assert latex(Mul(left, exp(theta), evaluate=False)) == r"(K\sin\theta)\mathrm{e}^{\theta}"
     assert latex(sin(theta) ** 12) == r"\sin^{12}\theta"
 
 
@@ -163,3 +164,14 @@ def test_what_is_written_is_read_as_the_same_or_not_at_all():
             assert back == formula or compare(back, formula).equal is not False, text
             told += 1
     assert told > 400
+
+
+def test_eulers_number_is_not_the_determinant():
+    """e is the determinant of a sampled device, an italic letter; Euler's number is upright."""
+    e = Symbol("e")
+    assert latex(exp(theta) + e) == r"e+\mathrm{e}^{\theta}"
+    assert latex(E) == r"\mathrm{e}"
+    assert euler(r"A(e^{j\theta})+e") == r"A(\mathrm{e}^{j\theta})+e"
+    assert words(r"\emph{only $p(1)$ and $c_{n-1}$ count.}") == (
+        "only :math:`p(1)` and :math:`c_{n-1}` count."
+    )

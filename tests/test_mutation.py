@@ -7,6 +7,10 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 from flint import acb, arb
+from symhaptic.proof.changes import changes, opposite
+from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, confirmed
+from symhaptic.proof.condition import holds
+from symhaptic.proof.second_opinion import alike, says
 
 from symhaptic.book.chapters import folder, run
 from symhaptic.book.mutation import trials
@@ -16,10 +20,6 @@ from symhaptic.book.page import Page
 from symhaptic.book.record import FalseStep
 from symhaptic.paper.quoted import Quoted
 from symhaptic.proof import box, checks, settle, sign
-from symhaptic.proof.changes import changes, opposite
-from symhaptic.proof.checks import Decimals, Free, Limit, Roots, Same, Sign, confirmed
-from symhaptic.proof.condition import holds
-from symhaptic.proof.second_opinion import alike, says
 from symhaptic.proof.verdict import Unfounded
 
 x, y, z = sp.symbols("x y z")

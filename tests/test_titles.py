@@ -9,10 +9,7 @@ import pytest
 from symhaptic.book.chapters import shipped
 from symhaptic.book.parts import numbers
 
-TITLED = {
-    "define", "enclosed", "inside", "lemma", "limit", "minimal", "outside", "positive", "result",
-    "show", "step",
-}  # fmt: skip
+TITLED = {"define", "enclosed", "lemma", "limit", "minimal", "step"}
 LEANS = re.compile(r"(And|As before|The same|So does|So is|So are)\b")
 
 

@@ -1,7 +1,7 @@
-"""How much delay does a wall bear?
+"""Delay margins of walls.
 
-The largest delay, in sampling periods, over the plane of walls of a free device. Outside of
-the coloured walls none is stable without a delay.
+The delay that may be added to a loop without delay, in sampling periods, over the plane of walls
+of a free device. Outside of the coloured region no wall is stable without delay.
 """
 
 import matplotlib.pyplot as plt

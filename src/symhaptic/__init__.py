@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
+    from symhaptic.model.jury import jury
     from symhaptic.numeric.boundary import stability_boundary
     from symhaptic.numeric.compiled import show_config
     from symhaptic.numeric.extremum import Extremum
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from symhaptic.numeric.stability import characteristic_polynomial, is_stable, unstable_roots
     from symhaptic.numeric.tracing.extremes import max_stable_stiffness
     from symhaptic.numeric.tracing.grid import grid_boundary
-    from symhaptic.numeric.tracing.margin import delay_margin
+    from symhaptic.numeric.tracing.margin import delay_margin, max_delay
     from symhaptic.numeric.tracing.region import Region, stable_region
     from symhaptic.numeric.tracing.robust import robust_region
     from symhaptic.proof.enclose import enclose, enclose_maximum
@@ -59,8 +60,10 @@ _HOME = {
     "grid_boundary": "symhaptic.numeric.tracing.grid",
     "is_passive": "symhaptic.numeric.passivity",
     "is_stable": "symhaptic.numeric.stability",
+    "jury": "symhaptic.model.jury",
     "lambdify": "symhaptic.scene.callables",
     "linear_limit": "symhaptic.numeric.linear",
+    "max_delay": "symhaptic.numeric.tracing.margin",
     "max_passive_stiffness": "symhaptic.numeric.passivity",
     "max_stable_stiffness": "symhaptic.numeric.tracing.extremes",
     "passivity_boundary": "symhaptic.numeric.passivity",
@@ -94,8 +97,10 @@ __all__ = [
     "grid_boundary",
     "is_passive",
     "is_stable",
+    "jury",
     "lambdify",
     "linear_limit",
+    "max_delay",
     "max_passive_stiffness",
     "max_stable_stiffness",
     "passivity_boundary",

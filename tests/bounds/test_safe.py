@@ -26,6 +26,7 @@ CASES = {
     "undamped": loops("0.1", 0, "1/4"),
     "late": loops("0.1", "0.5", 5, ((0, 2), (0, 20), (0, 1000))),
     "hands": loops("0.1", "0.5", 1, (("0.5", "2"), (2, 10), (0, 600)), (False, False)),
+    "slow": loops("0.05", "0.05", 3, T="0.002"),
     "one": loops("0.1", "0.5", 2, (("0.8", "0.8"), ("5.5", "5.5"), (568, 568)), (False, False)),
 }
 
@@ -96,6 +97,36 @@ def test_hardly_a_wall_is_left_out(name):
     assert kept.sum() > 0.9 * good.sum() - 2
 
 
+@pytest.mark.parametrize(
+    ("mass", "damping", "T", "delay"),
+    [("0.05", "0.05", "0.002", 3), ("0.1", "0.5", "0.001", 30)],
+)
+def test_long_delays_are_proved_with_less_stiffness_within_a_bounded_effort(
+    mass, damping, T, delay
+):
+    """No wall was shown for any of them after 60 000 pieces."""
+    case = loops(mass, damping, delay, T=T)
+    claim = certified(case, columns=48)
+    assert len(claim.cuts) < 13_000
+    columns = claim.columns
+    edges, tops = np.array(columns.edges), np.array(columns.tops)
+    rng, period = np.random.default_rng(11), float(case.period)
+    share = rng.uniform(size=tops.size)
+    K = np.concatenate([tops, share * tops])
+    B = np.concatenate([edges[:-1], edges[:-1] + share * np.diff(edges)])
+    kept = columns.low <= K
+    good = np.ones(K.shape, dtype=bool)
+    for i in range(200):
+        m, b, k = moved(case, rng, None if i % 4 else rng.integers(0, 2, 3))
+        good &= is_stable(
+            K * period**2 / m, B * period / m, k * period**2 / m, b * period / m, delay
+        )
+    assert good[kept].all()
+    alone = stiffest_at(edges[24] * period / float(case.mass), 0.0,
+                        float(case.damping) * period / float(case.mass), delay)  # fmt: skip
+    assert tops[24] > 0.5 * float(alone.alpha) * float(case.mass) / period**2
+
+
 def test_a_wall_of_one_plant_and_angle_lies_where_the_compiled_boundary_has_it():
     case = CASES["phantom"]
     for h, r, s, theta in ((0.5, 7, 300, 0.03), (0, 0, 0, 0.6), (23, 20, 1000, 1.2)):
@@ -137,7 +168,9 @@ def opened(claim, change):
         lambda c: raised(c, 21),
         lambda c: opened(c, lambda x: {"low": 0.0}),
         lambda c: opened(c, lambda x: {"edges": tuple(e + 0.7 for e in x.edges)}),
-        lambda c: opened(c, lambda x: {"tops": (*x.tops[:-1], 5.0)}),
+        lambda c: opened(
+            c, lambda x: {"edges": (*x.edges, 1.1 * x.edges[-1]), "tops": (*x.tops, 5.0)}
+        ),
         lambda c: replace(c, cuts=c.cuts[:-1]),
         lambda c: replace(c, cuts=c.cuts + "."),
         lambda c: replace(c, cuts="." * 3),

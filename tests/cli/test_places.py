@@ -101,13 +101,13 @@ def test_left_while_it_loads_it_says_so_in_one_line(at):
 
 
 def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
-    path = tmp_path / "my.py"
+    path = tmp_path / "my-λ.py"
     path.write_text(
         '"""A title."""\nfrom sympy import Eq, cos, sin\n'
         "from symhaptic.notation import theta, x\n\n"
         "def derive(page):\n    page.step('A step', sin(theta) ** 2, 1 - cos(theta) ** 2)\n"
-        "    page.state('my-λ', 'doubling', r'x = 2\\sin(\\theta)\\cos(\\theta)')\n"
-        "    page.settle('my-λ', Eq(x, sin(2 * theta)))\n",
+        "    page.state('my-own', 'doubling', r'x = 2\\sin(\\theta)\\cos(\\theta)')\n"
+        "    page.settle('my-own', Eq(x, sin(2 * theta)))\n",
         encoding="utf-8",
     )
     run = subprocess.run(
@@ -117,4 +117,4 @@ def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
         check=False,
     )
     assert (run.returncode, run.stderr) == (0, b"")
-    assert run.stdout.startswith(b"my-\\u03bb")
+    assert b"[my-\\u03bb.py]" in run.stdout

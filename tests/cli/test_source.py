@@ -153,7 +153,7 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
     [
         ("drift:way", "drift-way", "'drift-way' is to begin with 'drift:'"),
         ('"drift:start"', '"drift:way"', "'drift:way' is to begin with 'drift:' and to stand once"),
-        ('Source("drift"', 'Source("rules"', "'rules' of a source is a name that no other"),
+        ('Source("drift"', 'Source("rules"', "'rules' of a source is not allowed"),
         ("{mv}{c}", "{mv}{q_9}", "'q_9' is not in the notation"),
         ("{mv}{c}", "{mv}{b}", "'b', which the source calls 'c', in"),
         ('(("c", "b"),)', '(("c", "b"), ("q", "b"))', "the notation has 'b' twice on a side"),
@@ -246,7 +246,7 @@ def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
         ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
         ('def derive(page):\n    page.define("t", "{x", 2*y)', "'{x' has braces that do not match"),
         ('def derive(page):\n    page.settle("odd:one", shows="}")', "'}' has braces that do not"),
-        ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 100 that are printed"),
+        ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 99 further letters"),
     ],
 )
 def test_a_chapter_that_fails_is_one_line_and_a_case_in_error(tmp_path, body, said):
@@ -274,11 +274,11 @@ def test_an_id_is_what_a_line_can_name(tmp_path, id):
     run = symhaptic("verify", "--source", odd(tmp_path, body, ("odd:one", id)))
     assert run.returncode == 2
     assert len(run.stderr.splitlines()) == 1
-    assert "up to 100 that are printed are allowed" in run.stderr
+    assert "up to 99 further letters" in run.stderr
 
 
 def test_each_case_of_a_source_fails_for_itself(tmp_path):
-    ids = ("odd:one", "odd:two", "odd:ü/3")
+    ids = ("odd:one", "odd:two", "odd:u.3")
     body = "def derive(page):\n" + "".join(f"    page.settle({id!r}, Eq(x, 2*y))\n" for id in ids)
     folder, out = odd(tmp_path, body, ids), tmp_path / "out.xml"
     committed = [{"id": id, "verdict": "refuted"} for id in ids[:2]]
@@ -404,3 +404,67 @@ def test_what_is_no_text_is_told_in_one_line(notes, statement, told):
     assert (run.returncode, run.stdout) == (2, "")
     assert f": drift:way: {told}" in run.stderr
     assert run.stderr.count("\n") == 1
+
+
+def test_a_folder_for_a_ledger_is_not_taken_for_none(notes):
+    (notes / "ledger.json").mkdir()
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 2
+    assert "ledger.json: is a folder" in run.stderr
+
+
+def test_a_link_to_nothing_is_not_taken_for_none(notes):
+    (notes / "ledger.json").symlink_to(notes / "gone.json")
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 2
+    assert "ledger.json: is no file" in run.stderr
+
+
+def test_a_ledger_with_an_id_twice_fails(notes):
+    path = notes / "ledger.json"
+    symhaptic("verify", "--source", notes, "--format", "json", "-o", path)
+    data = json.loads(path.read_text())
+    data["statements"].insert(0, {**data["statements"][0], "verdict": "refuted"})
+    path.write_text(json.dumps(data))
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 2
+    assert "has the id 'drift:way' 2 times" in run.stderr
+
+
+def test_another_counterexample_is_told(notes):
+    path = notes / "ledger.json"
+    symhaptic("verify", "--source", notes, "--format", "json", "-o", path)
+    chapter = CHAPTER.replace("unless={F: 1, v: 1, b: 1}", "unless={F: 2, v: 1, b: 1}")
+    assert chapter != CHAPTER
+    (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    assert symhaptic("verify", "--source", notes).returncode == 0
+    run = symhaptic("verify", "--source", notes, "--strict")
+    assert run.returncode == 1
+    assert "DIFFERS  drift:start: the counterexample is {'F': '2', 'v'" in run.stdout
+
+
+@pytest.mark.parametrize(
+    ("imported", "called"),
+    [
+        ("from symhaptic.proof import box", "box.positive"),
+        ("from symhaptic.proof.box import positive", "positive"),
+        ("import symhaptic.proof.box as b", "b.positive"),
+    ],
+)
+def test_a_sign_has_one_verdict_however_its_rule_is_imported(tmp_path, imported, called):
+    path = tmp_path / "own.py"
+    path.write_text(
+        f'''"""A title."""
+from sympy import Gt, pi
+{imported}
+
+
+def derive(page):
+    page.positive("By balls", {called}(pi - 3, {{}}), r"\\pi")
+    page.state("mine", "a sign", r"\\pi-3>0")
+    page.settle("mine", Gt(pi - 3, 0, evaluate=False))
+'''
+    )
+    run = symhaptic("verify", "--strict", "mine", "--derivation", path)
+    assert run.returncode == 0, run.stdout
+    assert run.stdout.startswith("mine  proved")

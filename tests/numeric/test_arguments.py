@@ -14,6 +14,7 @@ from symhaptic import (
     grid_boundary,
     is_stable,
     linear_limit,
+    max_delay,
     max_stable_stiffness,
     passivity_boundary,
     robust_region,
@@ -30,7 +31,8 @@ FUNCTIONS = {
     stability_boundary: ("theta", "gamma", "delta", "delay"),
     max_stable_stiffness: ("gamma", "delta", "delay"),
     stable_region: ("gamma", "delta", "delay"),
-    delay_margin: ("alpha", "beta", "gamma", "delta"),
+    delay_margin: ("alpha", "beta", "gamma", "delta", "delay"),
+    max_delay: ("alpha", "beta", "gamma", "delta"),
     discretize: ("gamma", "delta"),
 }
 GIVEN = {"alpha": 0.1, "beta": 0.2, "gamma": 0.3, "delta": 0.4, "delay": 1, "theta": 1.0}

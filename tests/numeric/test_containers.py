@@ -16,6 +16,7 @@ from symhaptic import (
     is_passive,
     is_stable,
     linear_limit,
+    max_delay,
     max_passive_stiffness,
     max_stable_stiffness,
     passivity_boundary,
@@ -28,7 +29,8 @@ from symhaptic import (
 
 ARRAYS = {
     is_stable: (5, bool), unstable_roots: (5, int), stability_boundary: (4, float),
-    max_stable_stiffness: (3, float), delay_margin: (4, float), is_passive: (4, bool),
+    max_stable_stiffness: (3, float), delay_margin: (5, float), max_delay: (4, float),
+    is_passive: (4, bool),
     passivity_margin: (4, float), passivity_boundary: (3, float),
     max_passive_stiffness: (2, float), linear_limit: (3, float), discretize: (2, float),
     passivity_margin_at: (5, float), discretize_fractional: (3, float),

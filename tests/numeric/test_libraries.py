@@ -91,3 +91,109 @@ def test_mapped_searches_broadcast_their_arguments():
     )(jnp.asarray(gamma))
     expected = symhaptic.delay_margin(0.1, [0.4, 0.2], gamma[:, None], 0.02)
     assert np.asarray(margin).tolist() == expected.tolist()
+
+
+def forward(function, x, h=1e-6):
+    """The slope to the right, by differences of second order."""
+    return (4 * function(x + h) - 3 * function(x) - function(x + 2 * h)) / (2 * h)
+
+
+SLOPES = {
+    "max_stable_stiffness": [(0.001, 0.02, 1.0), (0.0, 0.0, 1.5), (0.001, 0.02, 0.0)],
+    "max_passive_stiffness": [(0.02, 1.0), (0.02, 1.5), (0.02, 0.1)],
+    "passivity_margin": [(0.003, 0.01, 0.02, 1.0), (0.003, 0.01, 0.02, 2.25)],
+}
+
+
+@pytest.mark.parametrize("name", SLOPES)
+def test_jax_differentiates_formulas_that_search(name):
+    """The first result by each argument, beside differences of the function in NumPy."""
+    jax_numpy(), pytest.importorskip("jax")
+    import jax
+
+    own, function = getattr(symhaptic, name), symhaptic.lambdify(name, modules="jax")
+    for point in SLOPES[name]:
+        for i in range(len(point)):
+
+            def first(x, of=function, point=point, i=i):
+                found = of(*point[:i], x, *point[i + 1 :])
+                return found[0] if isinstance(found, tuple) else found
+
+            slope = float(jax.grad(first)(point[i]))
+            near = forward(lambda x, i=i, point=point: float(first(x, own, point, i)), point[i])
+            assert slope == pytest.approx(near, rel=1e-6), (point, i)
+
+
+def test_jax_differentiates_the_formula_for_the_largest_passive_stiffness():
+    """(11): alpha = 2 delta tan(pi/(4 (d + 1))) for integer delays."""
+    jax_numpy(), pytest.importorskip("jax")
+    import jax
+
+    for function in (symhaptic.lambdify("eq11", modules="jax"), symhaptic.max_passive_stiffness):
+        for d in (0.0, 1.0, 3.0):
+            slope = jax.grad(lambda x, d=d, function=function: function(x, d)[0])(0.02)
+            assert float(slope) == pytest.approx(2 * np.tan(np.pi / (4 * (d + 1))), rel=1e-12)
+            angle = jax.grad(lambda x, d=d, function=function: function(x, d)[2])(0.02)
+            assert angle == 0
+    edge = jax.grad(lambda x: symhaptic.passivity_boundary(1.0, x, 1.0)[0])(0.02)
+    assert edge == pytest.approx(float(symhaptic.passivity_boundary(1.0, 1.0, 1.0)[0]), rel=1e-12)
+
+
+def test_derivatives_in_jax_of_arrays_and_of_compiled_functions():
+    jnp, jax = jax_numpy(), pytest.importorskip("jax")
+    delta, function = np.array([0.01, 0.02, 0.03]), symhaptic.lambdify("max_stable_stiffness")
+
+    def stiffest(x):
+        return function(0.001, x, 1.5)[0]
+
+    near = forward(lambda x: symhaptic.max_stable_stiffness(0.001, x, 1.5).alpha, delta)
+    for found in (
+        jax.grad(lambda x: stiffest(x).sum())(jnp.asarray(delta)),
+        jnp.diag(jax.jacfwd(stiffest)(jnp.asarray(delta))),
+    ):
+        assert np.asarray(found) == pytest.approx(near, rel=1e-6)
+    assert isinstance(jax.jit(symhaptic.max_stable_stiffness)(0.0, 0.0, 1.0), symhaptic.Extremum)
+    assert jax.grad(stiffest)(jnp.float32(0.02)).dtype == jnp.float32
+
+
+def test_what_jax_cannot_differentiate_says_what_to_do():
+    jax_numpy(), pytest.importorskip("jax")
+    import jax
+
+    def stiffest(x, i=0):
+        return symhaptic.lambdify("max_stable_stiffness")(0.001, x, 1.0)[i]
+
+    assert np.isnan(jax.grad(lambda x: stiffest(x, 1))(0.02))  # the envelope is about alpha alone
+    # without delay every angle is a worst one of the stiffest passive wall
+    assert np.isnan(jax.grad(lambda d: symhaptic.lambdify("eq11")(0.02, d)[0])(0.0))
+    use = r"lambdify\('{}', modules='jax'\) has derivatives".format
+    values = "take differences of its values"
+    for function, name, title, instead in (
+        (lambda x: symhaptic.delay_margin(x, 0.1, 0.0, 0.02), "alpha", "delay_margin", values),
+        (lambda x: symhaptic.max_delay(0.01, x, 0.0, 0.02), "beta", "max_delay", values),
+        (
+            lambda x: symhaptic.passivity_boundary(x, 0.02, 1.5)[0],
+            *("omega", "passivity_boundary", values),
+        ),
+        (
+            lambda x: symhaptic.max_stable_stiffness(0.0, x, 1.5).alpha,
+            *("delta", "max_stable_stiffness", use("max_stable_stiffness")),
+        ),
+        (
+            lambda x: symhaptic.passivity_margin(x, 0.0, 0.02, 1.5),
+            *("alpha", "passivity_margin", use("passivity_margin")),
+        ),
+        (
+            lambda x: symhaptic.max_passive_stiffness(0.02, x).alpha,
+            *("delay", "max_passive_stiffness", use("max_passive_stiffness")),
+        ),
+        (
+            lambda x: symhaptic.lambdify("eq11", derivatives=["delta"])(x, 1.5)[3],
+            *("delta", "max_passive_stiffness_and_derivatives", values),
+        ),
+    ):
+        said = f"^{name}: JAX cannot differentiate {title} with respect to it; {instead}"
+        with pytest.raises(ValueError, match=said):
+            jax.grad(function)(0.02)
+    with pytest.raises(ValueError, match=r"^max_stable_stiffness: JAX cannot differentiate it twi"):
+        jax.grad(jax.grad(stiffest))(0.02)

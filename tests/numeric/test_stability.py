@@ -37,13 +37,16 @@ def test_delays_next_to_the_loss_of_a_weak_wall(which, delay):
             assert int(unstable_roots(*loop, late)) == certified(*loop, late)
 
 
+@pytest.mark.parametrize(("least", "untold"), [(-13, 9), (-12, 1)])
 @pytest.mark.parametrize("end", [0.0, np.pi], ids=["root at 1", "root at -1"])
-def test_beside_the_boundary_close_to_its_ends(end):
-    """300 walls a relative 1e-13 to 1e-12 beside points whose pair nearly meets at 1 or at -1.
+def test_beside_the_boundary_close_to_its_ends(end, least, untold):
+    """300 walls a relative 1e-13 to 1e-11 beside points whose pair nearly meets at 1 or at -1.
 
-    At right angles to the boundary: along it a wall may come back to it.
+    At right angles to the boundary: along it a wall may come back to it.  -1, which is no answer,
+    is given to few, most of them nearer than 1e-12.
     """
     rng = np.random.default_rng(92)
+    unknown = 0
     for _ in range(300):
         size = 10 ** rng.uniform(-4, -2)
         gamma, delta, delay = rng.uniform(0, 9.5), rng.uniform(0.05, 2), int(rng.integers(0, 9))
@@ -51,10 +54,13 @@ def test_beside_the_boundary_close_to_its_ends(end):
         walls = np.array(stability_boundary(angles, gamma, delta, delay))
         along = (walls[:, 2] - walls[:, 0]) / walls[:, 1]
         aside = np.array([-along[1], along[0]]) / np.hypot(*along)
-        away = rng.choice([-1, 1]) * 10 ** rng.uniform(-13, -12) * aside
+        away = rng.choice([-1, 1]) * 10 ** rng.uniform(least, least + 1) * aside
         alpha, beta = (float(v) for v in walls[:, 1] * (1 + away))
         case = alpha, beta, gamma, delta, delay
-        assert int(unstable_roots(*case)) == certified(*case), (size, case)
+        found = int(unstable_roots(*case))
+        unknown += found == -1
+        assert found in (-1, certified(*case)), (size, case)
+    assert unknown <= untold
 
 
 def test_principal_sheet_beside_the_roots_in_the_cut_plane():
@@ -90,18 +96,19 @@ def test_the_principal_sheet_of_a_whole_delay_is_the_delay_itself():
 
 
 @pytest.mark.parametrize("delay", [0, 3, 0.5])
-def test_points_of_the_boundary_themselves(delay):
-    """On the circle but for rounding: an answer, and one of those of both sides."""
+def test_points_of_the_boundary_themselves_are_not_called_stable(delay):
+    """A root is on the circle but for the rounding of the wall, which is not told."""
     theta = np.linspace(0.05, 3.1, 200)
     alpha, beta = stability_boundary(theta, 1.7, 0.3, delay)
     here = unstable_roots(alpha, beta, 1.7, 0.3, delay)
+    assert not is_stable(alpha, beta, 1.7, 0.3, delay).any()
     sides = [
         unstable_roots(alpha + a, beta + b, 1.7, 0.3, delay)
         for a in (-1e-6, 0, 1e-6)
         for b in (-1e-6, 0, 1e-6)
     ]
-    assert np.all(here >= np.min(sides, axis=0))
-    assert np.all(here <= np.max(sides, axis=0))
+    assert np.all(here == -1)
+    assert np.max(sides) >= 2
 
 
 FAINT = [  # double precision, then single: the square of each is 0
@@ -156,7 +163,7 @@ def test_a_faint_wall_behind_a_fraction_is_stable_where_it_is(size, sheet):
     """
     rng = np.random.default_rng(0)
     for delay in (0.5, 1.5, 0.3, 2.7):
-        alpha, beta, delta = size * rng.uniform([[0], [-1], [0]], [[2], [1], [1]], (3, 200))
+        alpha, beta, delta = size * rng.uniform([[0.1], [-1], [0]], [[2], [1], [1]], (3, 200))
         spare = (beta + delta - alpha * (delay + 0.5)) / size
         clear = abs(spare) > 0.01
         found = unstable_roots(alpha, beta, 0.0, delta, delay, sheet=sheet)

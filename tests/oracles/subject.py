@@ -21,6 +21,23 @@ def shown(chapter, title, which=0):
     return sp.sympify(found[which].lines[-1][2])
 
 
+def meant(chapter, title):
+    """The same, with what its names stand for on the page."""
+    return page(chapter)._meant(shown(chapter, title))
+
+
+def said(chapter, title):
+    """The theorem of this title on a chapter's page."""
+    (found,) = [b.theorem for b in page(chapter).blocks if b.title == title]
+    return found
+
+
+def solved(relations, name):
+    """What the equation of a symbol among these relations says that it is."""
+    (found,) = [right for left, right in (r.terms for r in relations) if str(left) == name]
+    return found
+
+
 def decimals(chapter, title):
     """The numbers of all equations of this title, all printed digits, cut and not rounded."""
     found = [block for block in page(chapter).blocks if block.title == title]

@@ -68,8 +68,8 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
     only(agrees, first, second, images, product)
 
     for title, spring in (
-        ("At critical damping $n_1$ has this limit", 0.25),
-        ("Without a spring $n_1$ has this limit", 0.0),
+        ("At critical damping ${}$ has this limit", 0.25),
+        ("Without a spring ${}$ has this limit", 0.0),
     ):
 
         def agrees_there(n1, n0, spring=spring):
@@ -78,7 +78,10 @@ def test_the_plants_numbers_are_those_of_a_matrix_exponential():
                 for ours, theirs in zip((n1, n0), exact, strict=False):
                     assert abs(value(ours, delta=delta) - theirs) < 1e-45
 
-        only(agrees_there, *(shown("s4b_normalisation", title, i) for i in (0, 1)))
+        only(
+            agrees_there,
+            *(shown("s4b_normalisation", title.format(name)) for name in ("n_1", "n_0")),
+        )
 
 
 @guards("s4b_normalisation")
@@ -115,7 +118,10 @@ def test_the_polynomial_vanishes_at_the_eigenvalues():
                     found = np.polyval(characteristic, z)
                     assert complex(value(polynomial, z=z, **at)) == pytest.approx(found, abs=1e-12)
 
-    only(agrees, shown("s4b_polynomial", "The characteristic polynomial is (18)"))
+    only(
+        agrees,
+        shown("s4b_polynomial", "The characteristic polynomial, with the highest coefficient 1"),
+    )
 
 
 @guards("s4b_polynomial")
@@ -143,15 +149,6 @@ def test_five_numbers_and_as_many_roots_as_states():
     for d in range(4):
         # position, velocity, the sample before, and d forces under way
         assert oracle.loops(0.3, 0.2, 0.1, 0.1, d).shape == (d + 3, d + 3)
-
-    def agrees(polynomial):
-        for d in range(4):
-            at = {"alpha": 0.3, "beta": 0.2, "d": d, **oracle.named(0.1, 0.1)}
-            size = mpmath.mpf(10) ** 20  # the next power is 10^20 times smaller
-            assert abs(value(polynomial, z=size, **at) / size ** (d + 3) - 1) < 1e-18
-
-    shape = shown("s4b_polynomial_degree", "Two derivations lead to one polynomial")
-    only(agrees, shape, kept=("alpha", "beta", "n_1", "n_0", "a", "e"))
     # any mass and any period, at the same five numbers
     alpha, beta, gamma, delta, d = 0.3, 0.5, 0.01, 0.02, 2.0
     here = motion.positions(alpha, beta, 1.0, delta, gamma, 1.0, d)

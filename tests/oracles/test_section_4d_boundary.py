@@ -6,7 +6,7 @@ import oracle
 import pytest
 from oracles import motion
 from oracles.guarding import guards
-from oracles.subject import decimals, number, only, shown, value
+from oracles.subject import decimals, number, only, said, shown, value
 
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import FULL, Parts
@@ -162,17 +162,18 @@ def test_the_start_without_a_spring_and_its_gap_with_one():
     only(agrees, *(shown(ENDS, title) for title in titles))
     gamma, delta = mpmath.mpf("0.001"), mpmath.mpf("0.02")
     gap = -oracle.wall(mpmath.mpf("1e-25"), gamma, delta, 0, 100)[1] - delta - gamma / 2
-    (printed,) = decimals(ENDS, "At the corner of (23) the difference is enclosed")
+    (printed,) = decimals(ENDS, "At the corner of (23) the distance is enclosed")
     assert 0 <= gap - printed < 1e-24  # its digits are cut
 
     def agrees_with_the_gap(formula):
         at = {"gamma": gamma, "delta": delta, "c": mpmath.sqrt(delta**2 - 4 * gamma)}
-        assert abs(value(formula, **at, **oracle.named(gamma, delta)) - gap) < 1e-30
+        n1, n0, *_ = oracle.numbers(gamma, delta)
+        assert abs(value(formula, **at) - gamma * (n1 + n0) * gap) < 1e-30
 
-    only(
-        agrees_with_the_gap,
-        shown(ENDS, r"The start lies below that line by a difference of order $\delta\gamma^2$"),
+    title = (
+        "The distance of the start from the line of (25) is a difference of hyperbolic functions"
     )
+    only(agrees_with_the_gap, shown(ENDS, title))
     small = mpmath.mpf("1e-6")  # the next terms are smaller by this
     gap = -oracle.wall(mpmath.mpf("1e-40"), small**2, small, 0, 120)[1]
     gap = 720 * (gap - small - small**2 / 2) / small**5
@@ -210,7 +211,7 @@ def test_the_boundary_without_damping():
             assert abs(value(stiffness, g=g, d=d, theta=theta) - alpha) < 1e-45
             assert abs(value(both, g=g, d=d, theta=theta) - alpha - 2 * beta) < 1e-45
 
-    titles = ["One function of the spring decides, with $\\Omega=\\sqrt\\gamma$"]
+    titles = ["One function of the spring decides"]
     titles += [
         "The boundary of an undamped device has one stiffness at each angle",
         "The boundary's damping is given by a sine",
@@ -298,28 +299,21 @@ def test_the_signs_of_an_arms_numbers_up_to_half_a_swing_per_period():
 @guards("s4d_explicit_boundary_signs")
 def test_what_the_signs_are_made_of():
     """The integrals by quadrature, beside the sampled device."""
-    sines = [mpmath.mpf("-9.5"), mpmath.mpf("-1"), mpmath.mpf("0.4"), mpmath.mpf(3)]
 
     def S(x):
         root = mpmath.sqrt(mpmath.mpc(x))
         return mpmath.re(mpmath.sinh(root) / root) if x else mpmath.mpf(1)
 
-    def C(x):
-        return mpmath.re(mpmath.cosh(mpmath.sqrt(mpmath.mpc(x))))
-
-    def agrees(slope, damping):
-        for x in sines:
-            assert abs(mpmath.diff(C, x) - mpmath.re(value(slope, x=x))) < 1e-20
+    def agrees(surplus, mass):
         for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
-            found = gap(gamma, delta)[1] + mpmath.mpf(delta) + mpmath.mpf(gamma) / 2
-            at = {"gamma": gamma, **oracle.named(gamma, delta)}
-            assert abs(value(damping, **at) - found) < 1e-30
+            _, *found = gap(gamma, delta)
+            at = {"gamma": gamma, "delta": delta, **oracle.named(gamma, delta)}
+            for ours, theirs in zip((surplus, mass), found, strict=True):
+                assert abs(value(ours, **at) - theirs) < 1e-30
 
-    only(
-        agrees,
-        shown(SIGNS, "$C$ has the slope"),
-        shown(SIGNS, "The number $s_1$ is a sum over a positive number"),
-    )
+    half = "A device that swings by less than half a turn has"
+    titles = rf"{half} $s_1\ge\delta+\frac12\gamma$", f"{half} $s_2>0$"
+    only(agrees, *(said(SIGNS, title).conclusion.terms[1] for title in titles))
     for gamma, delta in ((0.3, 0.2), (9.0, 0.05), (1.0, 4.0)):
         gamma, delta = mpmath.mpf(gamma), mpmath.mpf(delta)
         n1, n0, a, e = oracle.numbers(gamma, delta)

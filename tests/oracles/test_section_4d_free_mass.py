@@ -6,7 +6,7 @@ import oracle
 import pytest
 from oracles.guarding import guards
 from oracles.search import edge, stiffest
-from oracles.subject import decimals, number, only, page, shown, value
+from oracles.subject import decimals, meant, number, only, page, shown, value
 
 MASS, EXTREMES, LONG = "s4d_free_mass", "s4d_free_mass_extremes", "s4d_free_mass_long_delay"
 DAMPED = "s4d_mass_with_damper"
@@ -43,8 +43,8 @@ def test_walls_between_the_two_ends_of_the_first_arc_are_stable_and_no_others():
         for d in (1, 0, 2, 5):
             stable_between(stiffness, both, d)
 
-    titles = [r"With $\tau=\tan\frac\theta2$ the boundary's stiffness is a cosine"]
-    titles.append(r"With $\tau$ stiffness and twice the damping are a sine")
+    titles = ["On the boundary of a free mass the stiffness is a cosine"]
+    titles.append("On the boundary of a free mass stiffness and twice the damping are a sine")
     only(agrees, *(shown(MASS, title) for title in titles), by=0.2)
     for d in (0, 1, 2, 5):
         assert not any(oracle.stable(-1e-3, beta, 0, 0, d) for beta in np.linspace(-2, 2, 21))
@@ -166,7 +166,7 @@ def test_the_largest_stiffness_of_a_damped_mass_by_a_search():
             numbers = oracle.named(0, delta)
             assert number(formula, **numbers) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(DAMPED, "The largest stiffness has a closed form"))
+    only(agrees, meant(DAMPED, "The largest stiffness has a closed form"))
 
 
 @guards("s4d_mass_with_damper")
@@ -183,7 +183,5 @@ def test_the_product_of_the_roots_bounds_the_damping():
         assert not any(oracle.stable(a, 1.001 * limit, 0, delta, 0) for a in np.geomspace(1e-6, 1))
     small = mpmath.mpf("1e-20")
     found = (1 / oracle.numbers(0, small, 100)[1] - 2) / small
-    assert (
-        abs(value(shown(DAMPED, "For small damping $1/n_0$ exceeds 2 by a share of")) - found)
-        < 1e-18
-    )
+    title = r"For small damping $1/n_0$ exceeds 2 by $\frac43\delta$"
+    assert abs(value(shown(DAMPED, title)) - found) < 1e-18

@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from oracles.guarding import guards
 from oracles.search import edge
-from oracles.subject import number, only, page, shown
+from oracles.subject import number, only, page, said, shown, solved
 
 from symhaptic.model import jury
 
@@ -72,22 +72,26 @@ def test_the_four_inequalities_without_delay_are_those_of_the_eigenvalues():
             at = {"alpha": alpha, "beta": beta, **oracle.named(gamma, delta)}
             assert all(number(e, **at) > 0 for e in expressions) == stable
 
-    (result,) = (b for b in page(COUNTED).blocks if b.kind == "result")
-    expressions = [line[0] for line in result.lines]
+    expressions = four()
     agrees(*expressions)
     for dropped in (0, 3):  # the other two are needed far away, see the next test
         with pytest.raises(AssertionError):
             agrees(*np.delete(expressions, dropped))
 
 
+def four():
+    """What is positive where a wall is stable without delay, as the chapter says."""
+    claim = said(COUNTED, "Without delay four inequalities say which walls are stable").conclusion
+    return [right - left for left, right in (part.terms for part in claim.of[1].parts)]
+
+
 @guards("s4d_jury_counted")
 def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
     """The chapter's walls are unstable, though three of four inequalities hold."""
-    (result,) = (b for b in page(COUNTED).blocks if b.kind == "result")
     walls = [(-1, 1, 0), (25, -4, 0), (1, 8, 4.6), (5, 1, 0)]
     for violated, (alpha, beta, delta) in enumerate(walls):
         at = {"alpha": alpha, "beta": beta, **oracle.named(0, delta)}
-        signs = [number(line[0], **at) > 0 for line in result.lines]
+        signs = [number(expression, **at) > 0 for expression in four()]
         assert signs.index(False) == violated
         assert sum(signs) == 3
         assert not oracle.stable(alpha, beta, 0, delta, 0)
@@ -102,15 +106,11 @@ def test_none_of_the_four_is_idle_and_the_last_one_is_a_product_of_pairs():
             # roots of a cubic: nearly double ones lose half of the digits
             assert number(pairs, **at) == pytest.approx(found.real, abs=1e-6)
             a_2, a_1, a_0 = p[1:]
-            minor = page(COUNTED).blocks
-            (minor,) = (
-                b.lines[0][0]
-                for b in minor
-                if b.title == "For degree 3 the last minor is a product over the roots"
-            )
+            (minor,) = (b.lines[0][2] for b in page(COUNTED).blocks if b.title == title)
             assert number(minor, a_0=a_0, a_1=a_1, a_2=a_2) == pytest.approx(found.real, abs=1e-6)
 
-    only(agrees, shown(COUNTED, "For degree 3 the last minor is a product over the roots"))
+    title = "For degree 3 the last minor is a product over the roots"
+    only(agrees, shown(COUNTED, title))
     head, *rows = next(b for b in page(COUNTED).blocks if b.kind == "table").rows
     for row in rows:
         d, count, planes = row[:3]
@@ -135,7 +135,8 @@ def test_explicit_solutions_without_delay_are_where_the_eigenvalues_leave():
             at = {"beta": beta, "gamma": gamma, **oracle.named(gamma, delta)}
             assert number(solved, **at) == pytest.approx(found, rel=1e-10)
 
-    only(agrees, shown(EXPLICIT, "With any spring the minor vanishes at this stiffness"))
+    title = "At this stiffness the minor vanishes, with any spring"
+    only(agrees, solved(said(EXPLICIT, title).hypotheses, "alpha + gamma"))
     alone = [(0.5, 0.02), (1.3, 0.3), (-0.05, 0.2)]
 
     def agrees_alone(explicit):
@@ -205,5 +206,6 @@ def test_one_period_of_delay():
         for beta in (0.1, 0.4, 0.75):
             assert number(explicit, beta=beta) == pytest.approx(most(beta, 0, 0, 1), rel=1e-10)
 
-    only(agrees_free, shown(IMPLICIT, "The stable walls lie below"))
+    title = "The minor of a free mass vanishes at this stiffness with one period of delay"
+    only(agrees_free, solved(said(IMPLICIT, title).hypotheses, "alpha"))
     assert not any(oracle.stable(a, 2 * np.sqrt(2) - 2, 0, 0, 1) for a in np.geomspace(1e-6, 1))

@@ -1,7 +1,5 @@
 """Too much virtual damping: products of eigenvalues, and where loops start to grow."""
 
-import re
-
 import numpy as np
 import oracle
 import pytest
@@ -53,12 +51,10 @@ def test_no_stable_wall_has_more_damping():
 @guards("s4d_virtual_damping")
 @pytest.mark.parametrize(("d", "low", "high"), [(0, 1.9, 2.1), (1, 0.7, 0.9)])
 def test_the_four_walls_of_the_arm(d, low, high):
-    lines = {b.title: b.lines[0] for b in page(CHAPTER).blocks if b.title.startswith("$d=")}
-    for beta, sign in ((low, "<"), (high, ">")):
-        largest = oracle.radius(0.05, beta, *ARM, d).max()
-        _, found, bound = lines[rf"$d={d}$, $\beta={beta}$"]
-        assert found == sign
-        assert largest == pytest.approx(float(re.match(r"[\d.]+", bound)[0]), abs=2e-4)
-        assert (largest < 1) == (sign == "<")
+    said = {b.title for b in page(CHAPTER).blocks if b.theorem is not None}
+    for beta, word in ((low, "stable"), (high, "not stable")):
+        where = rf"For $d={d}$, $\gamma=0.001$, $\delta=0.02$ the wall $(0.05,{beta})$"
+        assert f"{where} is {word}" in said
+        assert (oracle.radius(0.05, beta, *ARM, d).max() < 1) == (word == "stable")
         place = motion.positions(0.05, beta, 1.0, ARM[1], ARM[0], 1.0, float(d), steps=1500)
-        assert motion.grows(place) == (sign == ">")
+        assert motion.grows(place) == (word == "not stable")

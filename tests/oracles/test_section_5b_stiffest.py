@@ -8,11 +8,10 @@ import oracle
 import pytest
 from oracles.guarding import guards
 from oracles.search import first_arc, stiffest
-from oracles.subject import counterexample, decimals, number, only, page, shown, value
+from oracles.subject import counterexample, decimals, meant, number, only, page, shown, value
 
-UNDELAYED, WALL, BOUND, NUMBERS, PEAK, FREE = (
-    f"s5b_stiffest_{name}"
-    for name in ("undelayed", "wall", "wall_bound", "wall_numbers", "wall_peak", "wall_peak_free")
+UNDELAYED, WALL, NUMBERS, PEAK = (
+    f"s5b_stiffest_{name}" for name in ("undelayed", "wall", "wall_numbers", "wall_peak")
 )
 SOFT = [(1e-3, 0.02), (0.0, 0.1), (5e-4, 0.05)]
 FOR_EVER = 0.00059
@@ -36,7 +35,7 @@ def test_the_stiffest_wall_without_delay_by_a_search():
             at = {"gamma": gamma, **oracle.named(gamma, delta)}
             assert number(formula, **at) == pytest.approx(alpha, rel=1e-10)
 
-    only(agrees, shown(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
+    only(agrees, meant(UNDELAYED, "The largest stable stiffness without delay has a closed form"))
     ratio = decimals(UNDELAYED, "The ratio is 17.8 and a little more")[0]
     assert found[1e-3, 0.02] / (2 * 0.02) == pytest.approx(float(ratio), rel=1e-10)
     for _ in range(20):  # on all of (23)
@@ -49,9 +48,9 @@ def test_the_stiffest_wall_without_delay_by_a_search():
 
 @guards("s5b_stiffest_undelayed")
 def test_the_minor_and_a_coefficient_of_a_cubic():
-    """Delta_2 is the product of 1 - r_i r_j; the c_k are coefficients in (1 + w)/(1 - w)."""
+    """Delta_2 is the product of 1 - r_i r_j; c_1 is a coefficient in (1 + w)/(1 - w)."""
 
-    def agrees(minor, second, fourth):
+    def agrees(minor, second):
         for alpha, beta, gamma, delta in ((0.3, 0.7, 0.01, 0.1), (-0.2, 1.4, 2.0, 0.4)):
             p = np.poly(oracle.loops(alpha, beta, gamma, delta, 0))
             r = np.roots(p)
@@ -65,76 +64,29 @@ def test_the_minor_and_a_coefficient_of_a_cubic():
             assert number(minor, **at) == pytest.approx(pairs, abs=1e-12)
             # highest power of w first: -p(-1), c_2, c_1, p(1)
             assert number(second, **at) == pytest.approx(turned[2], abs=1e-12)
-            assert number(fourth, **at) == pytest.approx(turned[1], abs=1e-12)
 
-    fourth = shown(UNDELAYED, "The fourth coefficient, as all add up to 8")
     both = (
         shown("s5b_soft_contacts_undelayed", "The minor falls with the stiffness"),
         shown("s5b_soft_contacts_undelayed", "The second inequality holds for $\\beta>-s_1$"),
     )
-    only(agrees, *both, fourth)
-    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1], fourth)
+    only(agrees, *both)
+    only(agrees, shown(UNDELAYED, "The minor has two products"), both[1])
 
 
 @guards("s5b_stiffest_wall")
-def test_how_wall_and_plant_turn():
-    def agrees(wall, force, plant):
-        for gamma, delta in ((0.001, 0.02), (0.3, 0.5)):
-            at = {"alpha": 0.4, "beta": -0.7, **oracle.named(gamma, delta)}
-            n1, n0, a, e = (at[name] for name in ("n_1", "n_0", "a", "e"))
-            for theta in (mpmath.mpf("0.4"), mpmath.mpf("1.9")):
-                z = mpmath.expj(theta)
-                turned = (mpmath.mpf(0.4) - mpmath.mpf(0.7)) * z + mpmath.mpf(0.7)
-                turned *= mpmath.expj(-theta / 2)
-                assert abs(value(wall, theta=theta, **at) - turned) < 1e-40
+def test_what_the_wall_is_half_a_period_earlier():
+    def agrees(wall):
+        for theta in (mpmath.mpf("0.4"), mpmath.mpf("1.9")):
+            z = mpmath.expj(theta)
+            turned = (mpmath.mpf(0.4) - mpmath.mpf(0.7)) * z + mpmath.mpf(0.7)
+            turned *= mpmath.expj(-theta / 2)
+            assert abs(value(wall, theta=theta, alpha=0.4, beta=-0.7) - turned) < 1e-40
 
-                def turns(p, theta=theta):
-                    return mpmath.diff(lambda t: mpmath.arg(p(mpmath.expj(t))), theta)
-
-                def top(z, n1=n1, n0=n0):
-                    return n1 * z + n0
-
-                def bottom(z, a=a, e=e):
-                    return z * z - a * z + e
-
-                slower = abs(top(z)) ** 2 * (1 - turns(top))
-                faster = abs(bottom(z)) ** 2 * (turns(bottom) - 1)
-                assert abs(value(force, theta=theta, **at) - slower) < 1e-20
-                assert abs(value(plant, theta=theta, **at) - faster) < 1e-20
-
-    titles = (
-        "Half a period earlier the wall turns by $\\chi$",
-        "$N$ turns less than $z$",
-        "$A$ turns more than $z$",
-    )
-    only(agrees, *(shown(WALL, title) for title in titles))
+    title = "Half a period earlier the wall has its stiffness in the real part"
+    only(agrees, shown(WALL, title))
 
 
-@guards("s5b_stiffest_wall_bound")
-def test_sizes_at_two_angles_and_two_coefficients():
-    def agrees(rises, against, lowest):
-        for gamma, delta, d in ((0.001, 0.02, 1), (0.2, 0.3, 3)):
-            alpha, beta = mpmath.mpf("0.3"), mpmath.mpf("0.45")
-            at = {"alpha": alpha, "beta": beta, **oracle.named(gamma, delta)}
-            n1, n0, a, e = (at[name] for name in ("n_1", "n_0", "a", "e"))
-
-            def square(y, a=a, e=e):
-                z = mpmath.expj(2 * mpmath.asin(mpmath.sqrt(y) / 2))
-                return abs(z * z - a * z + e) ** 2
-
-            there = 2 * (1 - a + e) / (1 + e)
-            assert abs(mpmath.diff(square, there) - value(rises, **at)) < 1e-20
-            found = square(mpmath.mpf(4)) - ((n0 - n1) * (-alpha - 2 * beta)) ** 2
-            assert abs(found - value(against, **at)) < 1e-40
-            p = np.poly(oracle.loops(float(alpha), float(beta), gamma, delta, d))[::-1]
-            assert number(lowest, **at) == pytest.approx(p[1] - p[0] * p[d + 2], abs=1e-12)
-
-    titles = ["$|A|$ rises from $\\theta_r$ on", "At $z=-1$ plant and wall differ by two squares"]
-    titles.append("The two lowest coefficients leave this difference")
-    only(agrees, *(shown(BOUND, title) for title in titles))
-
-
-@guards("s5b_stiffest_wall", "s5b_stiffest_wall_bound")
+@guards("s5b_stiffest_wall")
 @pytest.mark.parametrize("d", [1, 2, 5, 12])
 def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
     rng = np.random.default_rng(56 + d)
@@ -147,7 +99,7 @@ def test_no_stable_wall_is_stiffer_than_the_first_arc(d):
             assert not oracle.stable(share * most, beta, gamma, delta, d)
 
 
-@guards("s5b_stiffest_wall_bound")
+@guards("s5b_stiffest_wall")
 @pytest.mark.parametrize("d", [20, 40, 48])
 def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
     rng = np.random.default_rng(57 + d)
@@ -160,13 +112,13 @@ def test_with_a_long_delay_stiffer_walls_near_the_first_arc_are_unstable(d):
 
 @guards("s5b_stiffest_wall_numbers")
 def test_the_ratio_at_one_period_of_delay_by_a_search():
-    found = decimals(NUMBERS, "The ratio of both stiffnesses is enclosed")
-    arms = [(1e-3, "0.02"), (0.0, "0.02"), (0.0, "0.0202")]
-    for (gamma, delta), ratio in zip(arms, found, strict=True):
+    found = []
+    for gamma, delta in ((1e-3, "0.02"), (0.0, "0.0202")):
         most, _ = stiffest(gamma, float(delta), 1, 0.1, 0.7, top=0.5)
-        assert most / passive(mpmath.mpf(delta), 1) == pytest.approx(float(ratio), rel=1e-9)
-    assert found[0] > 9.3 > found[2]
-    assert 1 / found[0] < 0.1074 < 1 / found[2]
+        found.append(most / passive(mpmath.mpf(delta), 1))
+    # both numbers of the paper are cut or rounded so that they fail a little beyond the range
+    assert found[0] > 9.3 > found[1]
+    assert 1 / found[0] < 0.1074 < 1 / found[1]
     rng = np.random.default_rng(58)
     for _ in range(20):  # on all of (23)
         gamma, delta = rng.uniform(0, 1e-3), rng.uniform(1e-3, 0.02)
@@ -174,21 +126,22 @@ def test_the_ratio_at_one_period_of_delay_by_a_search():
 
 
 @guards("s5b_stiffest_wall_numbers")
-def test_the_table_of_the_ratio():
-    (table,) = (b.rows[1:] for b in page(NUMBERS).blocks if b.kind == "table")
-    assert [int(row[0]) for row in table][:4] == [0, 1, 2, 5]
-    for row in table:
-        d = int(row[0])
-        for gamma, cell in zip(("0", "0.001"), row[1:], strict=True):
-            printed = mpmath.mpf(re.search(r"[\d.]*\d", str(cell))[0])
-            if "<" in str(cell):
-                assert passive(DELTA, d) / FOR_EVER < printed < 1
-            elif d == 0:
-                most, _ = stiffest(float(gamma), 0.02, 0, 0.3, 1.4)
-                assert float(printed) == pytest.approx(float(2 * DELTA / most), rel=1e-10)
+def test_the_tables_of_the_ratios():
+    stiff, damped = (b.rows for b in page(NUMBERS).blocks if b.kind == "table")
+    assert [int(row[0]) for row in stiff[1:]] == [0, 1, 2, 4, 8, 40]
+    for d, *cells in stiff[1:]:
+        for gamma, cell in zip(("0", "0.001"), cells, strict=True):
+            printed = mpmath.mpf(str(cell))
+            if d == 0:  # a search with ten digits
+                ratio = stiffest(float(gamma), 0.02, 0, 0.3, 1.4)[0] / passive(DELTA, 0)
             else:
-                ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
-                assert 0 <= ratio - printed < 1e-18
+                ratio = first_arc(mpmath.mpf(gamma), DELTA, d) / passive(DELTA, d)
+            assert 0 <= ratio - printed < 1e-6
+    for head, cell in zip(*damped, strict=True):
+        d = int(re.search(r"\d+", head)[0])
+        beta = float(str(cell)) * float(DELTA)
+        alphas = np.geomspace(1e-6, 1, 800)
+        assert oracle.moduli(alphas, beta, 1e-3, 0.02, d).max(axis=-1).min() < 1
 
 
 @guards("s5b_stiffest_wall_numbers")
@@ -200,23 +153,6 @@ def test_a_wall_that_is_stable_for_every_delay():
     for d in (0, 3, 20, 77, 150):
         assert oracle.stable(FOR_EVER, 0.0, 1e-3, 0.02, d)
     assert not all(oracle.stable(1e-3, 0.0, 1e-3, 0.02, d) for d in (20, 77, 150))
-
-
-@guards("s5b_stiffest_wall_peak_free")
-def test_the_peaks_of_the_ratio():
-    found = decimals(FREE, "The ratios beside both peaks are enclosed")
-    cases = (("0", 121), ("0", 122), ("0", 123), ("0.001", 40))
-    for (gamma, d), eta in zip(cases, found, strict=True):
-        ratio = passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d)
-        # printed digits are cut; the search is off by the square of 1e-20
-        assert 0 <= ratio - eta < 1e-20
-    assert max(found[:3]) == found[1] < 1
-    for gamma, delays, most in (
-        ("0", (1, 7, 40, 100, 118, 119, 120, 124, 126, 135, 200, 1000, 10**5), found[1]),
-        ("0.001", (1, 7, 20, 35, 38, 39, 41, 42, 48), found[3]),
-    ):
-        for d in delays:
-            assert passive(DELTA, d) / first_arc(mpmath.mpf(gamma), DELTA, d) < most
 
 
 @guards("s5b_stiffest_wall_peak")
@@ -240,27 +176,6 @@ def test_with_a_spring_the_ratio_is_below_one_and_falls_behind_forty_periods():
     assert counterexample(PEAK, "s5b-eta-grows") == {"gamma": 0.001}
 
 
-@guards("s5b_stiffest_wall_peak_free")
-def test_what_the_ratio_tends_to_and_where_it_is_stiffest():
-    angle, high, ratio = decimals(FREE, "What it tends to without a spring")
-    late = mpmath.mpf(10) ** 12  # the next terms are of 1/d
-    assert passive(DELTA, late) / first_arc(0, DELTA, late) == pytest.approx(ratio, abs=1e-9)
-    assert angle * mpmath.sin(angle) == pytest.approx(high, abs=1e-23)
-    steps = [t * mpmath.sin(t) for t in (angle - mpmath.mpf("1e-6"), angle + mpmath.mpf("1e-6"))]
-    assert max(steps) < high
-
-    def agrees(u):
-        for phi in (mpmath.mpf("1.2"), mpmath.mpf("1.9")):
-            h = value(u, phi=phi, delta=DELTA)
-
-            def slow(t, h=h):
-                return (h * t) ** 2 * mpmath.cos(t) + DELTA * h * t * mpmath.sin(t)
-
-            assert abs(mpmath.diff(slow, phi)) < 1e-25
-
-    only(agrees, shown(FREE, "The delay $d=1/u-1$ belongs to the angle $\\varphi$"))
-
-
 @guards("s5b_weaker_damping")
 def test_less_damping_makes_the_ratio_larger_for_short_delays_and_smaller_for_long_ones():
     walls = ((0, 0.3, 1.4, 2.0), (1, 0.1, 0.7, 0.5), (4, 0.05, 0.3, 0.1), (8, 0.03, 0.17, 0.05))
@@ -268,13 +183,14 @@ def test_less_damping_makes_the_ratio_larger_for_short_delays_and_smaller_for_lo
         for d, low, high, top in walls:
             light, heavy = (stiffest(gamma, f, d, low, high, top)[0] / f for f in (0.01, 0.02))
             assert light > heavy
-    found = decimals(
-        "s5b_weaker_damping", "The share of the passive in the stable stiffness is enclosed"
-    )
-    for delta, eta in zip(("0.01", "0.02"), found, strict=True):
-        delta = mpmath.mpf(delta)
-        assert 0 <= passive(delta, 200) / first_arc(mpmath.mpf(0), delta, 200) - eta < 1e-20
-    assert found[0] > found[1]
+    late = {
+        f: passive(f, 200) / first_arc(mpmath.mpf(0), f, 200)
+        for f in map(mpmath.mpf, ("0.01", "0.02"))
+    }
+    light, heavy = late.values()
+    assert light > heavy
+    assert 1 - light == pytest.approx(0.004, abs=5e-4)
+    assert 1 - heavy == pytest.approx(0.014, abs=5e-4)
 
 
 @guards("s5b_soft_contacts_undelayed")

@@ -17,7 +17,7 @@ ET_AL = {21, 22, 23, 24, 25, 28, 29, 30}  # as Table II writes them
 @guards("s7a_slips_in_words")
 def test_what_the_lists_of_the_paper_say():
     settled = page("s7a_slips_in_words").settled
-    found = {id: s.verdict.corrected_latex for id, s in settled.items()}
+    found = {id: s.verdict.corrected for id, s in settled.items()}
     assert f"Section {SECTIONS[-1]}" in found["s1-conclusion"]
     two = sorted(n for n in ET_AL if len(AUTHORS[n].split()) == 2)
     assert all(f"[{n}]" in found["s4c-et-al"] for n in two)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from symhaptic.notation.latex import matching
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.quoted import Quoted
 from symhaptic.proof.units import UnitError, dimension_of
@@ -52,13 +53,13 @@ CLAIMS = [
     "s6-damping-marginal",
     "s6-mass",
 ]
-CONTRACT = [*EQUATIONS, *TABLES, *PLOTS, *CLAIMS]
+CONTRACT = [*EQUATIONS, *TABLES, *PLOTS, *CLAIMS, "one-delta"]
 
 WRONG_UNITS = {
     "eq12": "b c_1 (...) lacks the factor m/T beside b^2 - 4km",
     "s4a-delay-equivalent": "d T_s is a time in an exponent",
 }
-SECTIONS = {"1": "I", "2": "II", "3": "III", "4": "IV", "5": "V", "6": "VI"}
+SECTIONS = {"0": "Abstract", "1": "I", "2": "II", "3": "III", "4": "IV", "5": "V", "6": "VI"}
 
 
 def test_contract_names_statements():
@@ -66,14 +67,27 @@ def test_contract_names_statements():
 
 
 def test_what_is_beyond_the_contract_belongs_to_a_section():
-    for id in set(STATEMENTS) - set(CONTRACT):
+    for id in set(STATEMENTS) - {*CONTRACT, "one-delta"}:
         assert id[0] == "s", id
         assert id[1] in SECTIONS, id
 
 
+FORMULAS = {"eq13", "eq15", "eq17"}
+"""What the paper introduces by "with" only."""
+
+
+def test_every_statement_quotes_the_paper_and_reads_it_in_other_words():
+    for id, statement in STATEMENTS.items():
+        assert bool(statement.quote) == (id not in FORMULAS), id
+        assert matching(statement.quote), id
+        assert statement.quote.count("$") % 2 == 0, id
+        assert statement.quote != statement.says, id
+        assert len(statement.quote) < 420, id  # short
+
+
 def test_statements_have_a_location_and_say_something():
     for id, statement in STATEMENTS.items():
-        assert statement.location.startswith(("Sec. ", "Table ", "Fig. ")), id
+        assert statement.location.startswith(("Abstract", "Sec. ", "Table ", "Fig. ")), id
         assert statement.says.strip(), id
         assert statement.text.strip(), id
 

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from sympy import I, Rational, cos, cosh, exp, pi, re, sin, sinh, sqrt, tan
+from sympy import I, Rational, S, cos, cosh, exp, pi, re, sin, sinh, sqrt, tan
 
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -98,6 +98,99 @@ def test_what_need_not_be_real_is_not_its_own_real_part(form):
 def test_division_by_an_identical_zero_is_undefined(expr):
     with pytest.raises(Undefined):
         is_zero(expr)
+
+
+def root(n, q=2):
+    """A root of a number that SymPy leaves as it is."""
+    return sp.Pow(n, Rational(1, q), evaluate=False)
+
+
+ABSOLUTE = sqrt(y**2)
+# Each vanishes for one value of its roots: a product with the conjugate is zero, by hand.
+ZERO_DIVISORS = {
+    "y^2 - y^2": (ABSOLUTE - y) * (ABSOLUTE + y),
+    "zero for y > 0": ABSOLUTE - y,
+    "zero for y < 0, in a divisor's divisor": 1 + 1 / (ABSOLUTE + y),
+    "sqrt 2 sqrt 3 = sqrt 6": sp.Mul(root(2), root(3), evaluate=False) - root(6),
+    "the root of 4": root(4) - 2,
+    "the root of 4 x": root(4 * x) - 2 * sqrt(x),
+    "the root of 3 + 2 sqrt 2 is 1 + sqrt 2": sqrt(3 + 2 * sqrt(2)) - 1 - sqrt(2),
+    "a root of unity and a radical": exp(I * pi / 4, evaluate=False)
+    + exp(-I * pi / 4, evaluate=False)
+    - sqrt(2),
+    "the cube root of -1": root(-1, 3) ** 2 - root(-1, 3) + 1,
+    "roots of a product": sqrt(x) * sqrt(y) - sqrt(x * y),
+    "cube roots": root(x, 3) * root(x**2, 3) - x,
+    "fourth root and root": sp.Pow(root(x, 4), 2, evaluate=False) - sqrt(x),
+    "a nested root": sqrt(ABSOLUTE - y),
+    "a symbolic power": (y**2) ** (d + Rational(1, 2)) / (y**2) ** d - y,
+    "a product of one in an exponent": sp.exp(1 / (ABSOLUTE - y)) * (ABSOLUTE + y),
+    "the base of a symbolic power": (ABSOLUTE - y) ** d,
+}
+
+
+@pytest.mark.parametrize("name", ZERO_DIVISORS)
+def test_division_by_a_zero_divisor_is_refused(name):
+    with pytest.raises((Unsupported, Undefined)):
+        is_zero(5 / ZERO_DIVISORS[name])
+    with pytest.raises((Unsupported, Undefined)):
+        is_zero(x - 1 / (2 + 1 / ZERO_DIVISORS[name]))
+
+
+@settings(max_examples=80, deadline=None, derandomize=True)
+@given(
+    st.sampled_from([x**2, x**2 + 1, x, S(4), S(2), x**4, (x + y) ** 2, x * y]),
+    st.tuples(*[st.sampled_from([x, -x, y, x + y, x**2, S(0), S(1), S(2), 1 + x**2])] * 2),
+)
+def test_a_divisor_is_allowed_where_its_norm_is_not_zero(base, parts):
+    """The norm of a + b w with w^2 = c is a^2 - b^2 c."""
+    first, second = parts
+    of = root(base)
+    divisor = sp.Add(first, sp.Mul(second, of, evaluate=False), evaluate=False)
+    quotient = sp.Pow(divisor, -1, evaluate=False)
+    if sp.expand(first**2 - second**2 * base) == 0:
+        with pytest.raises((Unsupported, Undefined)):
+            is_zero(quotient)
+    else:
+        assert not is_zero(quotient)
+
+
+def test_a_denominator_that_is_the_prime_is_refused():
+    prime = next(p for p in range(2**61 + 1, 2**61 + 10_000, 4) if sp.isprime(p))
+    for number in (Rational(1, prime), Rational(1, 2**61 - 1)):
+        with suppress(Unsupported):
+            assert not is_zero(1 / (sqrt(x) + number))
+
+
+@pytest.mark.parametrize(
+    "divisor",
+    [
+        ABSOLUTE,
+        ABSOLUTE - y - 1,  # its product with the conjugate is 2 y + 1, up to the sign
+        root(2) * root(3) - root(6) + 1,
+        root(4) - 3,
+        sum(sqrt(x + k) for k in range(6)),
+        cos(pi / 1009) + sqrt(x),
+        sqrt(1 + sqrt(1 + sqrt(x))) - x,
+        x ** (d + Rational(1, 2)) - x**d,
+    ],
+)
+def test_division_by_what_no_value_of_a_root_makes_zero_is_allowed(divisor):
+    assert not is_zero(5 / divisor)
+    assert is_zero((x + 1) ** 2 / divisor - (x**2 + 2 * x + 1) / divisor)
+
+
+def test_a_root_whose_base_is_made_of_a_symbolic_power_is_reduced_first():
+    # the base is a quotient of y^(x + 1/2) and of the root of y, which has a relation, too
+    of = sqrt(y**x + 1)
+    zero = ((of + 1) * (of - 1)) ** 2 * y - y ** (2 * x + 1)
+    assert is_zero((y ** (x + Rational(1, 2)) + 1) * zero)
+
+
+def test_a_base_that_is_zero_by_the_relations_of_its_roots_is_refused():
+    zero = (ABSOLUTE - y) * (ABSOLUTE + y)
+    with pytest.raises(Unsupported, match="which is zero"):
+        is_zero(zero**d - 2 * zero**d)
 
 
 @pytest.mark.parametrize(

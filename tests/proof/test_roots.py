@@ -8,9 +8,10 @@ from sympy import Rational, S, cos, pi, sin, sqrt, tan
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import FalseStep
-from symhaptic.proof.ball import largest_root
+from symhaptic.proof.ball import bound, largest_root
 from symhaptic.proof.certificate import Zero
 from symhaptic.proof.recheck import recheck
+from symhaptic.proof.rewriting import Unsupported
 from symhaptic.proof.roots import (
     NoSuchRoot,
     algebraic,
@@ -110,6 +111,15 @@ def test_decimals_are_cut_off_and_never_guessed():
                 decimals(unknown, 6)
 
 
+def test_a_polynomial_has_no_root_where_a_coefficient_has_no_value():
+    nothing = 1 / (sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1)
+    cancelled = sp.Add(z * nothing, -z * nothing, z, -2, evaluate=False)
+    zero = sp.Mul(0, nothing, z, evaluate=False)
+    for polynomial in (cancelled, sp.Add(zero, z, -2, evaluate=False), nothing * z - 2):
+        with pytest.raises(Unsupported, match="not isolated"):
+            largest_root(polynomial)
+
+
 def test_largest_root_with_coefficients_that_are_no_fractions():
     # (z - 1/e)(z + 1/2)
     polynomial = z**2 + (S.Half - sp.exp(-1)) * z - sp.exp(-1) / 2
@@ -125,14 +135,9 @@ def test_roots_next_to_the_circle_are_narrow():
     assert largest_root((z**3 - 1) * (z - sp.exp(-1))).contains(1)
 
 
-def test_page_does_not_print_a_bound_that_is_too_small():
-    page = Page("test")
-    page.inside("roots", z**2 - Rational(99951, 100000) ** 2)
-    assert page.blocks[-1].lines[0][2] == "0.9996"
-    page.outside("roots", z**2 - Rational(100029, 100000) ** 2)
-    assert page.blocks[-1].lines[0][2] == "1.0002"
-    with pytest.raises(FalseStep, match="not shown to be inside"):
-        page.inside("roots", z**2 - 1)
+def test_a_bound_is_never_too_small_or_too_large():
+    assert bound(arb(99951) / 100000, above=True) == "0.9996"
+    assert bound(arb(100029) / 100000, above=False) == "1.0002"
 
 
 def test_page_names_the_smallest_positive_root_only():

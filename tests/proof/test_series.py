@@ -31,6 +31,11 @@ LEADING = {
         8,
         1 / sp.factorial(8),
     ),
+    "a divisor that begins with x^4": (
+        x**4 / (exp(x) - 1 - x - x**2 / 2 - x**3 / 6),
+        0,
+        24,
+    ),
     "multiple angle": (sin(d * x) - d * sin(x), 3, (d - d**3) / 6),
     "hyperbolic": (sinh(x) - sin(x), 3, Rational(1, 3)),
     "exponential of j": (exp(I * x) - 1 - I * x, 2, -Rational(1, 2)),

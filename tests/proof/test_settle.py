@@ -3,13 +3,13 @@
 import pytest
 import sympy as sp
 from flint import arb, ctx
+from symhaptic.proof.sign import assume, combined, number
 from sympy import Eq, I, Rational, S, cos, pi, sin, sqrt
 
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import read
 from symhaptic.proof.constants import Unmeasured
 from symhaptic.proof.settle import Settlement
-from symhaptic.proof.sign import assume, combined, number
 from symhaptic.proof.verdict import Kind, Unfounded
 
 x, K, B, T, b, d, m, y = sp.symbols("x K B T b d m y")

@@ -21,7 +21,7 @@ from symhaptic.paper.propositions.ratio import (
     stiffer,
 )
 from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.sign import NotShown
+from symhaptic.proof.box import NotShown
 
 NEAR = {0: Rational("0.824"), 1: Rational("0.422")}
 

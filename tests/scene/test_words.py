@@ -68,7 +68,10 @@ def test_words_have_units_and_agree_with_the_limits():
         assert said in text
         assert said in html
     assert f"{scene.max_stable_stiffness():.4g} N/m" in text
-    assert "nothing, for no damper" in Scene(mass=1.0, sampling_period=1e-3).describe()
+    assert (
+        "nothing, because the device has no damping"
+        in Scene(mass=1.0, sampling_period=1e-3).describe()
+    )
     assert r"\gamma = 0.0005" in scene._repr_latex_()
 
 

@@ -48,6 +48,8 @@ def expression(dice: random.Random, letters, depth: int):
         return leaf(dice, letters)
     kind = dice.random()
     inner = lambda: expression(dice, letters, dice.randrange(depth))  # noqa: E731
+    if kind < 0.04:  # as it is written
+        return dice.choice([sp.Add, sp.Mul, sp.Pow])(inner(), inner(), evaluate=False)
     if kind < 0.25:
         return inner() + inner()
     if kind < 0.5:
@@ -213,9 +215,23 @@ def box(dice: random.Random):
     if dice.random() < 0.4:
         larger = larger + dice.choice([1, 2, 5])
     kind = dice.choice([sp.Lt, sp.Le, sp.Gt, sp.Ge])
-    relation = kind(smaller, larger, evaluate=False)
     ends = {}
     for symbol in names:
         low = Rational(dice.randint(-6, 6), dice.randint(1, 4))
         ends[symbol] = (low, low + Rational(dice.randint(1, 12), dice.randint(1, 6)))
-    return relation, ends
+    if dice.random() < 0.3:
+        smaller = vanishing(dice, smaller, ends)
+    return kind(smaller, larger, evaluate=False), ends
+
+
+def vanishing(dice: random.Random, side, ends):
+    """A side with something beside it that is zero where it is defined, which SymPy would drop."""
+    symbol = dice.choice(list(ends))
+    low, high = ends[symbol]
+    place = symbol - dice.choice([low, high, (low + high) / 2, low - 1])
+    part = dice.choice([1 / place, sp.log(place), sp.sqrt(place), sp.tan(place), sp.exp(1 / place)])
+    if dice.random() < 0.5:
+        part = dice.choice([sp.im, sp.Abs, sp.conjugate])(part, evaluate=False)
+    if dice.random() < 0.5:
+        return sp.Add(side, part, sp.Mul(-1, part, evaluate=False), evaluate=False)
+    return sp.Add(side, sp.Mul(0, part, evaluate=False), evaluate=False)

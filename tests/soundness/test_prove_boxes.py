@@ -6,8 +6,8 @@ from sympy import Abs, I, Rational, S, cos, cot, exp, log, sin, sqrt, tan
 
 from symhaptic import enclose, enclose_maximum, prove, recheck
 from symhaptic.proof import box as boxes
+from symhaptic.proof.box import NotShown
 from symhaptic.proof.certificate import Positive
-from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind
 
 x, y = sp.symbols("x y")

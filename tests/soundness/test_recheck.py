@@ -10,10 +10,10 @@ from sympy import I, Rational, S, cos, oo, pi, sqrt, tan
 from symhaptic import recheck
 from symhaptic.notation import alpha, delta, gamma
 from symhaptic.proof import box as boxes
+from symhaptic.proof.box import NotShown
 from symhaptic.proof.certificate import Known, Largest, Positive, Zero
 from symhaptic.proof.plants import Named
 from symhaptic.proof.roots import zero
-from symhaptic.proof.sign import NotShown
 from symhaptic.proof.theorems import kernel
 from symhaptic.proof.theorems.leaves import on_plants
 

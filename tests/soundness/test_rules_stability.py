@@ -266,7 +266,7 @@ def test_loops_are_stable_where_jurys_inequalities_hold(delay):
 def test_words_for_a_reader_stand_beside_a_theorem_and_not_in_its_place():
     page = chapter("s4d_parts_delay").page
     settled = page.settled["s4d-delay-shrinks"]
-    assert "lower with every period" in settled.verdict.corrected_latex
+    assert "lower with every period" in settled.verdict.corrected
     settlement = settled.settlement
     judged = settlement.judged
     for wrong in (

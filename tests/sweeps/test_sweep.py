@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import symhaptic
-from symhaptic import Scene, is_stable, max_stable_stiffness, passivity_margin, sweep
+from symhaptic import Arm, Scene, is_stable, max_stable_stiffness, passivity_margin, sweep
 from symhaptic.forms.stable import STATEMENTS as FORMS
 from symhaptic.sweeps.quantities import QUANTITIES
 
@@ -119,10 +119,34 @@ def test_a_scene_is_swept_in_its_units():
     margin = sweep("delay_margin", scene, K=[500.0, 1000.0], B=5.0).delay_margin
     assert margin.attrs["units"] == "s"
     assert margin[1] == pytest.approx(scene.delay_margin(K=1000.0, B=5.0), rel=1e-12)
+    most = sweep("max_delay", scene, K=[500.0, 1000.0], B=5.0).max_delay
+    assert most.to_numpy() == pytest.approx(margin.to_numpy() + 1.5e-3, rel=1e-12)
+    plain = sweep("delay_margin", alpha=[0.01], beta=0.05, gamma=0.0, delta=0.0)
+    assert plain.delay_margin[0] == pytest.approx(3.969213, abs=1e-6)
     masses = sweep("is_stable", scene, K=[100.0, 4000.0], B=5.0, mass=[0.05, 0.1, 2.0])
     assert masses.is_stable[:, 1].values.tolist() == scene.is_stable([100.0, 4000.0], 5.0).tolist()
     samples = sweep("is_passive", scene, K=[400.0], B=[0.0], delay_samples=[0.0, 15.0])
     assert samples.is_passive.to_numpy().ravel().tolist() == [True, False]
+
+
+def test_an_arm_counts_for_stability_and_not_for_passivity():
+    """(2) and (3): a device of 0.05 to 0.2 kg and 0.5 Ns/m, without delay, in an arm."""
+    arm = Arm(mass=0.5, damping=6.0, stiffness=40.0)
+    scene = Scene(mass=0.1, damping=0.5, sampling_period=1e-3, arm=arm)
+    masses = [0.05, 0.1, 0.2]
+    stiffest = sweep("max_stable_stiffness", scene, mass=masses)
+    for found, mass in zip(stiffest.K.to_numpy(), masses, strict=True):
+        both = Scene(mass=mass + 0.5, damping=6.5, stiffness=40.0, sampling_period=1e-3)
+        assert found == pytest.approx(both.max_stable_stiffness().K, rel=1e-14)
+    assert "0.5 kg, 6 Ns/m, 40 N/m" in stiffest.attrs["arm"]
+    # Colgate and Schenkel: b > K T/2 + |B| with the damping of the device
+    walls = {"K": [999.0, 1001.0], "B": 0.0}
+    assert sweep("is_passive", scene, **walls).is_passive.to_numpy().tolist() == [True, False]
+    margin = sweep("passivity_margin", scene, K=400.0, B=0.1, damping=[0.5, 1.0])
+    assert margin.passivity_margin.to_numpy() == pytest.approx([0.2, 0.7])
+    passive = sweep("max_passive_stiffness", scene, mass=masses)
+    assert passive.K.to_numpy() == pytest.approx([1000.0] * 3)
+    assert "arm" not in passive.attrs
 
 
 def test_pint_is_converted_and_checked():
@@ -228,7 +252,7 @@ def test_quantities_are_public_and_name_their_statement(name):
 def sweep_arguments(name):
     from symhaptic.sweeps.quantities import work_of
 
-    return work_of(name, {}, False).arguments
+    return work_of(name, {}, None).arguments
 
 
 def ledger_has(id, statements):

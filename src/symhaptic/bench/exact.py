@@ -23,7 +23,7 @@ def device(gamma: float, delta: float) -> tuple[Any, ...]:
     return n1, moved[0, 1] * moved[1, 2] - moved[1, 1] * n1, trace, (-d).exp()
 
 
-def late(gamma: float, delta: float, part: float) -> tuple[Any, ...]:
+def late(gamma: float, delta: float, part: Any) -> tuple[Any, ...]:
     """m2, m1, m0, a and e: a force that changes inside the period, by the same exponential."""
     g, d, ep = arb(gamma), arb(delta), arb(part)
     matrix = flint.arb_mat([[0, 1, 0], [-g, -d, 1], [0, 0, 0]])
@@ -59,7 +59,11 @@ def boundary(theta: float, gamma: float, delta: float, d: float) -> tuple[Any, .
 
 
 def margin(theta: float, alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """(5) of the paper in half angles."""
+    """(5) of the paper in half angles; at a fraction what all motions leave."""
+    if d % 1:
+        whole = math.floor(d)
+        wall = arb(alpha), arb(beta), whole, arb(d) - whole
+        return (arb(delta) - implicit.required_damping_at(*wall, arb(theta)),)
     t, n = arb(theta), arb(d) + 1
     kernel = ((n - arb(1) / 2) * t).sin() / (2 * (t / 2).sin())
     return (arb(delta) - arb(alpha) * kernel + arb(beta) * (n * t).cos(),)

@@ -88,7 +88,12 @@ def boundary(theta: Series, gamma: Series, delta: Series, d: Series) -> tuple[Se
 
 
 def margin(theta: Series, alpha: Series, beta: Series, delta: Series, d: Series) -> Any:
-    """(5) of the paper in half angles."""
+    """(5) of the paper in half angles; what all motions leave at a fraction, and by the delay."""
+    delay = float(d[0])
+    if delay % 1 or d[1] != 0:
+        whole = math.floor(delay)
+        need = implicit.required_damping_at(alpha, beta, whole, d - whole, theta)
+        return (delta - need,)
     n = d + 1
     kernel = ((n - arb(1) / 2) * theta).sin() / (2 * (theta / 2).sin())
     return (delta - alpha * kernel + beta * (n * theta).cos(),)

@@ -6,45 +6,29 @@ Made of the printed formulas and of matrix exponentials, as in symhaptic.bench.e
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Sequence
+from functools import cache, partial
 from typing import Any
 
 import flint
-import numpy as np
 from flint import acb_poly, arb, arb_poly, arb_series
 
 _MANY = 40
 """Angles a half turn of the delay."""
 
-_FAR = 8
-"""Half turns of a long delay that are looked at; all of them for a short one."""
+_HALF = arb(1) / 2
 
+_SHORT = 4
+"""Delays up to which the kernel of (5) is a sum of cosines, which no quotient makes wider."""
 
-def angles(turn: float) -> Any:
-    """The grid, on (0, pi)."""
-    count = min(int(math.pi / turn), _FAR) * _MANY
-    grid = turn * np.arange(1, count) / _MANY
-    return grid if count >= _FAR * _MANY else np.append(grid, math.pi)
+_LEAST = 1e-25
+"""Share of the largest value by which the enclosure of a piece may be larger."""
 
+_TERMS = 14
+"""Of a series for |x| < 1/2."""
 
-def peaks(values: Any) -> Any:
-    """Each value, and where it is the largest of three the peak of the parabola through them."""
-    rise, fall = values[1:-1] - values[:-2], values[1:-1] - values[2:]
-    bend = np.where((rise >= 0) & (fall >= 0) & (rise + fall > 0), rise + fall, math.inf)
-    found = values.copy()
-    found[1:-1] += (rise - fall) ** 2 / (8 * bend)
-    return found
-
-
-def stationary(f: Callable[[Any], Any], low: float, near: float, high: float) -> Any:
-    """Where the slope of a function of power series changes its sign, on one side of ``near``."""
-
-    def slope(at: Any) -> Any:
-        return arb(series(f, at, 2)[1].mid())
-
-    ends = (low, near) if slope(arb(near)) < 0 else (near, high)
-    return crossing(slope, *map(arb, ends))
+_PIECES = 2000
+"""Pieces that are looked at before the working precision counts as too low."""
 
 
 def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
@@ -54,38 +38,25 @@ def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
     return [found[i] for i in range(terms)]
 
 
-def required_damping(
-    alpha: Any, beta: Any, whole: Any, part: Any, lib: Any
-) -> Callable[[Any], Any]:
-    """(5) of the paper, at a fraction the need of all motions; ``lib`` has sin, cos and sqrt."""
+def required_damping(alpha: Any, beta: Any, whole: Any, part: Any) -> Callable[[Any], Any]:
+    """(5) of the paper; at a fraction of a period the largest need of all motions."""
 
     def straight(t: Any, d: Any) -> Any:
-        half = lib.half
-        kernel = lib.sin((d + half) * t) / lib.sin(t * half) * half
-        return alpha * kernel - beta * lib.cos((d + 1) * t)
+        if isinstance(d, int) and d <= _SHORT:
+            kernel = sum(((k * t).cos() for k in range(1, d + 1)), _HALF)
+        else:
+            kernel = ((d + _HALF) * t).sin() / (t * _HALF).sin() * _HALF
+        return alpha * kernel - beta * ((d + 1) * t).cos()
 
     def at(t: Any) -> Any:
         if part == 0:
             return straight(t, whole)
         n = (1 - part) * straight(t, whole) + part * straight(t, whole + 1)
-        sine = lib.sin(t * lib.half)
+        sine = (t * _HALF).sin()
         extra = part * (1 - part) * (alpha * alpha + 4 * beta * (alpha + beta) * sine * sine)
-        return (n + lib.sqrt(n * n + extra)) * lib.half
+        return (n + (n * n + extra).sqrt()) * _HALF
 
     return at
-
-
-class _Balls:
-    half = arb(1) / 2
-    sin = staticmethod(lambda x: x.sin())
-    cos = staticmethod(lambda x: x.cos())
-    sqrt = staticmethod(lambda x: x.sqrt())
-
-
-class _Floats:
-    half = 0.5
-    sin, cos = np.sin, np.cos
-    sqrt = staticmethod(lambda x: np.sqrt(np.maximum(x, 0)))
 
 
 def passivity_margin(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
@@ -96,41 +67,136 @@ def passivity_margin(alpha: float, beta: float, delta: float, d: float) -> tuple
 
 
 def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
-    """The largest need on (0, pi) and its angle, which is 0 where the need has its limit there."""
-    whole, part = math.floor(d), d - math.floor(d)
-    grid = angles(math.pi / (whole + 1))
-    values = required_damping(alpha, beta, whole, part, _Floats)(grid)
-    best = int(np.argmax(peaks(values)))
-    wall = arb(alpha), arb(beta), whole, arb(part)
-    tried = [arb(0), arb(float(grid[best]))]
-    if best + 1 < len(grid):
-        before = grid[best - 1] if best else grid[0] / 10**6
-        ends = map(float, (before, grid[best], grid[best + 1]))
-        angle = stationary(required_damping(*wall, _Balls), *ends)
-        tried += [angle] if angle.is_finite() else []
-    elif grid[best] == math.pi:
-        angle = _before_pi(required_damping(*wall, _Balls), float(grid[-2]))
-        tried += [angle] if angle.is_finite() else []
-    return max(((required_damping_at(*wall, t), t) for t in tried), key=lambda pair: pair[0].mid())
+    """The largest need on (0, pi) for alpha >= 0, in a ball, and an angle where it is reached.
 
-
-def _before_pi(f: Callable[[Any], Any], low: float) -> Any:
-    """Where the slope changes its sign behind the last angle but pi, where it vanishes."""
-
-    def slope(at: Any) -> Any:
-        found = -2 * series(f, at, 3)[2] if at == end else series(f, at, 2)[1] / (end - at)
-        return arb(found.mid())
-
-    end = arb(math.pi)
-    return crossing(slope, arb(low), end)
+    With R^2 = (alpha/2)^2 cot^2(theta/2) + (alpha/2 + beta)^2 and
+    rho^2 = 1 - 4 e (1 - e) sin^2(theta/2) for the fraction e, no need is larger than
+    R (1 + rho)/2, which falls with the angle.  Pieces of the first half turns of the delay are
+    enclosed up to the angle from which this bound is below what was found.
+    """
+    whole = math.floor(d)
+    part = arb(d) - whole
+    turn = arb.pi() / (arb(d) + 1)
+    if alpha == 0 and (part == 0 or beta == 0):
+        return abs(arb(beta)), arb(0) if beta <= 0 else turn
+    wall = arb(alpha), arb(beta), whole, part
+    found = _Largest(partial(required_damping_at, *wall), arb(alpha) * (d + 1) + abs(arb(beta)))
+    for i in range(20):  # more than a half turn, from 0: pieces below these values are left out
+        found.take(arb((turn * i / 12).mid()))
+    shape = partial(series, required_damping(*wall), terms=3)
+    low, high = arb(0), turn / 8
+    found.within(low, high, shape if whole < _SHORT else partial(_near_zero, *wall))
+    while (low := high) < arb.pi() and not _bound(*wall[:2], part, low) < found.ball:
+        high = low + turn / 8
+        found.within(low, high if high < arb.pi() else arb.pi(), shape)
+    return found.ball, found.angle
 
 
 def required_damping_at(alpha: Any, beta: Any, whole: int, part: Any, theta: Any) -> Any:
     """What (5) asks of the damping at an angle, or in its limit at 0; balls or power series."""
     if theta != 0:
-        return required_damping(alpha, beta, whole, part, _Balls)(theta)
-    n = alpha * (part + whole + _Balls.half) - beta
+        return required_damping(alpha, beta, whole, part)(theta)
+    n = alpha * (part + whole + _HALF) - beta
     return (n + (n * n + part * (1 - part) * alpha * alpha).sqrt()) / 2 if part != 0 else n
+
+
+def _bound(alpha: Any, beta: Any, part: Any, theta: Any) -> Any:
+    """R (1 + rho)/2."""
+    sine, cosine = (theta * _HALF).sin(), (theta * _HALF).cos()
+    most = ((alpha * cosine / (2 * sine)) ** 2 + (alpha / 2 + beta) ** 2).sqrt()
+    return most * (1 + (1 - 4 * part * (1 - part) * sine * sine).sqrt()) / 2
+
+
+class _Largest:
+    """The largest value of a function of an angle, over the pieces that are looked at."""
+
+    def __init__(self, f: Callable[[Any], Any], size: Any) -> None:
+        self.f, self.least = f, size * _LEAST
+        self.ball, self.angle, self.pieces = arb("-inf"), arb(0), 0
+
+    def take(self, angle: Any) -> None:
+        """The value at an angle, which may be a ball."""
+        if angle > arb.pi():
+            return
+        value = self.f(angle)
+        if value.mid() > self.ball.mid():
+            self.angle = arb(angle.mid())
+        self.ball = self.ball.max(value)
+
+    def within(self, low: Any, high: Any, look: Callable[[Any], Sequence[Any]]) -> None:
+        """Divide a piece until the function has one slope there, or is concave, or is too small.
+
+        ``look`` encloses the value, the slope and, if it can, half the second derivative.
+        """
+        left = [(arb(low.mid()), arb(high.mid()))]
+        while left:
+            self.pieces += 1
+            if self.pieces > _PIECES:
+                raise ArithmeticError("the balls are too wide for the largest value")
+            low, high = left.pop()
+            piece, middle = low.union(high), arb(((low + high) / 2).mid())
+            value, rise, *bend = look(piece)
+            if value < self.ball:
+                continue
+            if rise > 0 or rise < 0:
+                self.take(high if rise > 0 else low)
+            elif bend and bend[0] < 0:
+                self.take(self._top(piece, look))
+            elif bend and bend[0] > 0:
+                self.take(low)
+                self.take(high)
+            elif (value := self.f(middle) + rise * (piece - middle)) < self.ball + self.least:
+                self.ball = self.ball.max(value)
+            else:
+                left += [(middle, high), (low, middle)]
+
+    def _top(self, piece: Any, look: Callable[[Any], Sequence[Any]]) -> Any:
+        """Where a concave function is largest: Newton's method on the slope, in balls."""
+        for _ in range(40):
+            middle = arb(piece.mid())
+            new = middle - look(middle)[1] / (2 * look(piece)[2])
+            if not new.overlaps(piece):  # the slope keeps its sign: the top is an end
+                return piece.upper() if new > piece else piece.lower()
+            new = new.intersection(piece)
+            if not new.rad() * 2 < piece.rad():
+                return new
+            piece = new
+        return piece
+
+
+def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[Any, Any]:
+    """The need and its slope, on a ball of angles below 1/8 of a half turn and around 0.
+
+    The slope over t, where its sign is known: that of the slope.
+    """
+
+    def sloped(x: Any) -> tuple[Any, Any]:
+        """sin(x)/x, and its slope over x by an alternating series, with the first term left out."""
+        square, slope = x * x, arb(0)
+        for k in range(_TERMS, 0, -1):
+            slope = arb((-1) ** k * 2 * k) / math.factorial(2 * k + 1) + square * slope
+        k = _TERMS + 1
+        return x.sinc(), slope + (square**_TERMS * 2 * k / math.factorial(2 * k + 1)) * arb(0, 1)
+
+    (near, near_slope), sine = sloped(t / 2), (t / 2).sin()
+    needs = []
+    for d in (whole,) if part == 0 else (whole, whole + 1):
+        long = d + _HALF
+        (far, far_slope), turn = sloped(long * t), arb(d) + 1
+        slope = long**2 * far_slope * near - near_slope * far / 4
+        needs.append((
+            alpha * long * far / near - beta * (turn * t).cos(),
+            alpha * long * slope / near**2 + beta * turn**2 * (turn * t).sinc(),
+        ))  # fmt: skip
+    if part == 0:
+        need, slope = needs[0]
+        return need, slope if slope > 0 or slope < 0 else slope * t
+    n, slope = ((1 - part) * one + part * other for one, other in zip(*needs, strict=True))
+    share = part * (1 - part)
+    root = (n**2 + share * (alpha**2 + 4 * beta * (alpha + beta) * sine**2)).sqrt()
+    more = n * slope + share * beta * (alpha + beta) * t.sinc()
+    slope = (slope + more / root) / 2
+    return (n + root) / 2, slope if slope > 0 or slope < 0 else slope * t
 
 
 # -- the passivity boundary at a fraction of a period ------------------------------------------
@@ -171,10 +237,10 @@ def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, 
         return alpha, x.sin() - alpha / 2
 
     def slope(x: Any) -> Any:
-        return arb(series(required_damping(*wall(x), whole, part, _Balls), theta, 2)[1].mid())
+        return arb(series(required_damping(*wall(x), whole, part), theta, 2)[1].mid())
 
     alpha, beta = wall(crossing(slope, arb(0), arb.pi() / 2, digits))
-    need = required_damping(alpha, beta, whole, part, _Balls)(theta)
+    need = required_damping(alpha, beta, whole, part)(theta)
     return alpha / need, beta / need
 
 
@@ -190,9 +256,7 @@ def _stiffest(d: float) -> tuple[Any, Any, Any]:
 
     def hinders(theta: Any) -> Any:
         alpha, beta = touching(theta, whole, part, 22)
-        changed = [
-            required_damping(alpha, beta + x, whole, part, _Balls)(theta) for x in (_STEP, -_STEP)
-        ]
+        changed = [required_damping(alpha, beta + x, whole, part)(theta) for x in (_STEP, -_STEP)]
         return arb((changed[0] - changed[1]).mid())
 
     turn = arb.pi() / (whole + part + 1)
@@ -230,11 +294,11 @@ def stiffest_stable(numbers: tuple[Any, ...], gamma: float, d: float) -> tuple[A
 
     def alpha(t: Any) -> Any:
         real, up = parts(t)
-        half = t * _Balls.half
+        half = t * _HALF
         return real - up * half.sin() / half.cos()
 
     end = arb.pi() / (arb(d) + 1) if d >= 1 else arb.pi()
-    shares = [(i + _Balls.half) / _MANY for i in range(_MANY)]
+    shares = [(i + _HALF) / _MANY for i in range(_MANY)]
     shares += [1 - arb(2) ** -k for k in range(8, 60)]  # the maximum may be next to the end
     before = None
     for share in shares:

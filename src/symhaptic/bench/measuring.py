@@ -76,6 +76,8 @@ def measured(
         "schema": SCHEMA,
         "package": "symhaptic",
         "version": __version__,
+        "date": time.strftime("%Y-%m-%d", time.gmtime()),
+        "commit": commit(),
         "quick": size is not FULL,
         "machine": machine(),
         "versions": versions(),
@@ -95,6 +97,19 @@ def _short(value: Any) -> Any:
     if isinstance(value, float):
         return float(f"{value:.3g}") if math.isfinite(value) else None
     return value
+
+
+def commit(folder: Path = Path(__file__).parent) -> str | None:
+    """That which is measured, with -dirty where files differ from it; None outside a checkout."""
+    if not shutil.which("git"):
+        return None
+    said = subprocess.run(
+        ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return said.stdout.strip() or None
 
 
 def machine() -> dict[str, Any]:

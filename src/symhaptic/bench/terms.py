@@ -12,7 +12,7 @@ from sympy import Expr
 
 from symhaptic.export.code_names import code_name
 from symhaptic.export.error_scale import size as slope_size
-from symhaptic.export.term_sizes import rounded
+from symhaptic.export.term_sizes import rounded, squares
 from symhaptic.forms.entire import C, Entire, S
 from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
 from symhaptic.forms.implicit import ImplicitFunction, Rated
@@ -38,7 +38,9 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         both = sized(yes, at, functions), sized(no, at, functions)
         return tuple(np.where(whole, *pair) for pair in zip(*both, strict=True))
     if isinstance(expr, Compensated):
-        return sized(closed(expr), at, functions)
+        value, size = sized(closed(expr), at, functions)
+        more = [sized(term, at, functions)[1] for term in expr.terms(*expr.args)]
+        return value, np.max(np.broadcast_arrays(size, *more), axis=0)
     parts = [sized(a, at, functions) for a in expr.args]
     if isinstance(expr, Entire):
         args = [v for v, _ in parts]
@@ -60,8 +62,11 @@ def _sized(expr: Expr, at: dict[Any, Any], functions: Any) -> tuple[Any, Any]:
         return math.prod(v for v, _ in parts), math.prod(s for _, s in parts)
     if expr.is_Pow and abs(expr.args[1]) == sp.S.Half:
         root = np.sqrt(parts[0][0])
-        root = root if expr.args[1] > 0 else 1 / root
-        return root, root
+        lost = squares(expr.args[0], lambda e: sized(e, at, functions))
+        some = np.where(root == 0, 1.0, root)
+        if expr.args[1] > 0:
+            return root, np.maximum(root, lost / (2 * some))
+        return 1 / root, np.maximum(1 / root, lost / (2 * some**3))
     if expr.is_Pow:
         power = int(expr.args[1])
         base, size = parts[0]

@@ -22,7 +22,7 @@ from symhaptic.bench.timing import seconds
 from symhaptic.export import request
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.plant import discretize
-from symhaptic.numeric.stability import is_stable
+from symhaptic.numeric.stability import is_stable, unstable_roots
 
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 """Relative distances from the boundary, along the line to the wall without any forces."""
@@ -131,27 +131,43 @@ def by_jury(rows: Array) -> NDArray[np.bool_]:
     return inside
 
 
-def methods(folder: Path) -> dict[str, Callable[[Walls, int], Any]]:
-    """Each method's verdicts on walls, by name; NaN for a wall that it refuses."""
+def known(stable: Any, outside: Any) -> Any:
+    """Verdicts as numbers, NaN where the count of the roots is not certain."""
+    return np.where(np.asarray(outside) < 0, np.nan, np.asarray(stable, dtype=float))
+
+
+Way = Callable[[Walls, int], Any]
+
+
+def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
+    """Each method's verdicts on walls, NaN for a wall that it refuses, and what is timed."""
     (plant,) = request.chosen(["discretize"])
     paper = function(plant, "printed", "numpy")
 
     def printed(gamma: Array, delta: Array) -> Sequence[Array]:
         return [np.real(v) for v in paper(gamma + 0j, delta + 0j)]
 
-    found: dict[str, Callable[[Walls, int], Any]] = {
+    found: dict[str, Way] = {
         "eigenvalues": lambda walls, d: by_roots(coefficients(walls, d)),
         "(14) as printed": lambda walls, d: by_roots(coefficients(walls, d, printed)),
         "Jury table": lambda walls, d: by_jury(coefficients(walls, d)),
-        "counted": lambda walls, d: is_stable(*walls, d),
     }
+    ways = {name: (way, way) for name, way in found.items()}
+    ways["counted"] = (
+        lambda walls, d: known(is_stable(*walls, d), unstable_roots(*walls, d)),
+        lambda walls, d: is_stable(*walls, d),
+    )
     if shutil.which("gcc"):
-        (form,) = request.chosen(["is_stable"])
-        call = compiled(form, folder)
-        found["counted, C"] = lambda walls, d: (
-            call([*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(d))])[0] == 1
+        calls = [compiled(form, folder) for form in request.chosen(["is_stable", "unstable_roots"])]
+
+        def told(walls: Walls, delay: int) -> list[Any]:
+            return [*map(np.ascontiguousarray, walls), np.full(walls[0].size, float(delay))]
+
+        ways["counted, C"] = (
+            lambda walls, d: known(*(call(told(walls, d))[0] for call in calls)),
+            lambda walls, d: calls[0](told(walls, d))[0],
         )
-    return found
+    return ways
 
 
 def measured(
@@ -166,7 +182,7 @@ def measured(
         for delay in delays:
             plants = count if delay <= most else max(1, round(count * (most / delay) ** 2))
             tried = {eps: near(delay, eps, plants) for eps in DISTANCES}
-            for name, verdicts in ways.items():
+            for name, (verdicts, timed_way) in ways.items():
                 wrong, refused = {}, []
                 for eps, (walls, truth) in tried.items():
                     with np.errstate(all="ignore"):
@@ -175,6 +191,6 @@ def measured(
                     wrong[f"{eps:g}"] = float(np.mean((said != truth) & ~np.isnan(said)))
                 size = _SIZES.get(name, timed)
                 al, be, gamma, delta = (np.resize(a, size) for a in tried[DISTANCES[0]][0])
-                took = seconds(partial(verdicts, (al, be, gamma, delta), delay), 3) / size
+                took = seconds(partial(timed_way, (al, be, gamma, delta), delay), 3) / size
                 row = {"delay": delay, "method": name, "walls": int(truth.size)}
                 yield {**row, "seconds": took, "wrong": wrong, "refused": float(np.mean(refused))}

@@ -11,12 +11,10 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType, TracebackType
-from typing import TypeAlias
 
 from symhaptic.book.page import Page
 from symhaptic.book.record import PACKAGE
-from symhaptic.book.sources import add, claimed
-from symhaptic.notation.proposition import Proposition
+from symhaptic.book.sources import add
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.recheck import confirm
 
@@ -45,14 +43,6 @@ _NOT_RUN_BY_A_CALL = (
     inspect.isgeneratorfunction,
     inspect.isasyncgenfunction,
 )
-
-_ran: list[Path] = []
-"""Chapters that this process has run, and that may have left something behind in it."""
-
-
-def untouched() -> bool:
-    """Whether no chapter was run in this process, which a chapter can then be forked from."""
-    return not _ran
 
 
 @dataclass(frozen=True)
@@ -121,64 +111,30 @@ def shipped() -> list[Path]:
 
 SOURCE_FILE = "source.py"
 
-Said: TypeAlias = tuple[Source, tuple[Statement, ...], dict[str, Proposition]]
-"""A source, its statements and what it claims of them by their ids, as a ``source.py`` has them."""
-
-_sources: dict[Path, Said] = {}
-"""Folders whose source is known."""
-
-
-def known_sources() -> dict[Path, Said]:
-    """The sources of users that are known here, by their folders."""
-    return dict(_sources)
-
-
-def said_beside(path: Path) -> Said | None:
-    """What the ``source.py`` beside a chapter says, which is run for it, if there is one.
-
-    Raises :class:`BadChapter` with what is wrong with it.
-    """
-    file = path.resolve().parent / SOURCE_FILE
-    if not file.is_file():
-        return None
-    module = _load(file)
-    with _SomebodyElses(file):
-        if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
-            raise BadChapter(file, "has no SOURCE or no STATEMENTS")
-        statements = tuple(module.STATEMENTS)
-        return module.SOURCE, statements, claimed(module.SOURCE, statements)
-
-
-def keep(folder: Path, said: Said) -> Source:
-    """Know the source of a folder from here on, and its statements.
-
-    Raises :class:`BadChapter` with what is wrong with them.
-    """
-    if folder not in _sources:
-        file = folder / SOURCE_FILE
-        with _SomebodyElses(file):
-            source, statements, claims = said
-        if type(source) is not Source or any(type(s) is not Statement for s in statements):
-            raise BadChapter(file, "SOURCE is no Source, or STATEMENTS are no Statements")
-        with _SomebodyElses(file):
-            add(source, statements, claims)
-        _sources[folder] = said
-    return _sources[folder][0]
+_sources: dict[Path, Source] = {}
+"""The sources of users that were read, by their folders."""
 
 
 def source_beside(path: Path) -> Source | None:
-    """The source in whose folder a chapter stands, if it is one.
+    """Return the source in whose folder a chapter stands, or None.
 
-    Raises :class:`BadChapter` with what is wrong with its ``source.py``, which is run here if it
-    is not known.
+    Its ``source.py`` is run when it is asked for first.  Raises :class:`BadChapter` if something is
+    wrong with it.
     """
     folder = path.resolve().parent
-    if folder not in _sources:
-        said = said_beside(path)
-        if said is None:
-            return None
-        keep(folder, said)
-    return _sources[folder][0]
+    file = folder / SOURCE_FILE
+    if folder not in _sources and file.is_file():
+        module = _load(file)
+        with _SomebodyElses(file):
+            if not hasattr(module, "SOURCE") or not hasattr(module, "STATEMENTS"):
+                raise BadChapter(file, "has no SOURCE or no STATEMENTS")
+            source, statements = module.SOURCE, tuple(module.STATEMENTS)
+            if not isinstance(source, Source) or any(
+                not isinstance(s, Statement) for s in statements
+            ):
+                raise BadChapter(file, "SOURCE is no Source, or STATEMENTS are no Statements")
+            _sources[folder] = add(source, statements)
+    return _sources.get(folder)
 
 
 def run(path: Path) -> Chapter:
@@ -187,7 +143,6 @@ def run(path: Path) -> Chapter:
     Raises :class:`BadChapter` with one line that names the file and what is wrong with it.
     """
     begin = time.perf_counter()
-    _ran.append(path)
     source_beside(path)
     module = _load(path)
     derive = getattr(module, "derive", None)

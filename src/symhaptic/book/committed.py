@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from symhaptic.book.ledger import Entry
 from symhaptic.proof.settle import ACCEPTED
-from symhaptic.proof.verdict import Kind, called
+from symhaptic.proof.verdict import Kind
 
 GENERATED = "written by `symhaptic report`; do not edit"
 
@@ -20,23 +22,63 @@ def committed(entries: Iterable[Entry]) -> str:
     """
     left_out = ("seconds", "rocq")
     records = [{k: v for k, v in e.as_json().items() if k not in left_out} for e in entries]
-    return json.dumps({"generated": GENERATED, "statements": records}, indent=1) + "\n"
+    data = {"generated": GENERATED, "statements": records}
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
+class NoLedger(ValueError):
+    """A file that is not a ledger; the message is one line that names it."""
+
+    def __init__(self, path: Path, what: str) -> None:
+        super().__init__(f"{path}: {what}; `symhaptic verify --format json -o` writes a ledger")
+
+
+def records(path: Path) -> list[dict[str, Any]]:
+    """The records of a committed ledger, one for each statement.
+
+    Raises :class:`NoLedger` for anything else: no file, no JSON, a record without an id or a known
+    verdict, or two records with one id.
+    """
+    if not path.is_file():
+        raise NoLedger(path, "is a folder" if path.is_dir() else "is no file")
+    try:
+        text = path.read_text(encoding="utf-8")
+        data = json.loads(text, parse_constant=_no_number, object_pairs_hook=_object)
+        found = [dict(record) for record in data["statements"]]
+        for record in found:
+            Kind(record["verdict"])
+        counts = Counter(str(record["id"]) for record in found)
+    except (ValueError, KeyError, TypeError, RecursionError) as wrong:
+        raise NoLedger(path, "is no ledger") from wrong
+    for id, count in counts.items():
+        if count > 1:
+            raise NoLedger(path, f"has the id {id!r} {count} times; one record of each is allowed")
+    return found
+
+
+def _no_number(text: str) -> Any:
+    raise ValueError(f"{text} is no number in JSON")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a key stands twice")
+    return found
 
 
 def expected(path: Path) -> dict[str, str]:
     """The committed verdict of each statement."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    return {r["id"]: called(r["verdict"], r.get("argued_for")) for r in data["statements"]}
+    return {r["id"]: r["verdict"] for r in records(path)}
 
 
 def places(path: Path) -> dict[str, str]:
     """The derivation of each statement, as far as the committed ledger tells."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    return {r["id"]: r["derivation"] for r in data["statements"] if r["derivation"]}
+    return {r["id"]: r["derivation"] for r in records(path) if r.get("derivation")}
 
 
 def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = True) -> list[str]:
-    """Statements whose verdict is not the committed one; new ones of one's own hold, or are argued.
+    """Statements whose verdict is not the committed one; new ones of one's own have to hold.
 
     In a ``whole`` ledger each of the committed ones is there.
     """
@@ -44,27 +86,33 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
     gone = set(known) - {entry.statement.id for entry in entries} if whole else set()
     lines = [f"{id}: nothing, but the ledger says {known[id]}" for id in sorted(gone)]
     for entry in entries:
-        id, kind = entry.statement.id, entry.verdict.named
+        id, kind = entry.statement.id, str(entry.verdict.kind)
         if entry.own and id not in known:
-            if entry.verdict.claimed not in ACCEPTED | {Kind.EXTERNAL}:
+            if entry.verdict.kind not in ACCEPTED | {Kind.EXTERNAL}:
                 lines.append(f"{id}: {entry.verdict}; a statement of one's own is to hold")
         elif kind != known.get(id):
             lines.append(f"{id}: {kind}, but the ledger says {known.get(id, 'nothing')}")
     return lines
 
 
-_SAID = {"statement": "print", "condition": "condition", "corrected": "correction"}
+_SAID = {
+    "statement": "print",
+    "condition": "condition",
+    "corrected": "correction",
+    "counterexample": "counterexample",
+}
 """What a record says beside its verdict, and how it is called."""
 
 
 def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
-    """Statements whose print, condition or correction is not the committed one: a misprint that
-    becomes another one has the same verdict."""
-    data = json.loads(path.read_text(encoding="utf-8"))
-    records, lines = {r["id"]: r for r in data["statements"]}, []
+    """Statements whose print, condition, correction or counterexample is not the committed one.
+
+    A misprint that becomes another one has the same verdict.
+    """
+    committed, lines = {r["id"]: r for r in records(path)}, []
     for entry in entries:
         id, said = entry.statement.id, entry.as_json()
-        known = records.get(id, {})
+        known = committed.get(id, {})
         lines += [
             f"{id}: the {called} is {said[name]}, but the ledger says {known[name]}"
             for name, called in _SAID.items()
@@ -73,12 +121,12 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
     return lines
 
 
-UNPROVED = frozenset({Kind.ARGUED, Kind.EXTERNAL})
-"""Verdicts that rest on a chapter's word: for what joins its checks, or for data outside."""
+UNPROVED = frozenset({Kind.EXTERNAL, Kind.SLIP, Kind.UNDECIDED})
+"""Verdicts that no theorem gives: they rest on data outside, on a wrong name, or on nothing yet."""
 
 
 def unproved(entries: Iterable[Entry], known: dict[str, str] | None) -> list[str]:
-    """Statements that are argued, or rest on data outside, where no ledger is to have them."""
-    words = (e for e in entries if e.verdict.kind in UNPROVED)
-    new = (e for e in words if known is None or (e.own and e.statement.id not in known))
-    return [f"{e.statement.id}: {e.verdict.named}, and no ledger says so" for e in new]
+    """Statements that no theorem settles, where no ledger is to have them."""
+    found = (e for e in entries if e.verdict.kind in UNPROVED)
+    new = (e for e in found if known is None or (e.own and e.statement.id not in known))
+    return [f"{e.statement.id}: {e.verdict.kind}, and no ledger says so" for e in new]

@@ -1,127 +1,124 @@
-"""What an error of the paper means for somebody who built a device on it, statement by statement.
+"""What an error of the paper means for somebody who built a device on it, the gravest first.
 
-Words only: what is wrong, and what shows it, is in the ledger.  Formulas between dollar signs.
+The errata have this order.  Words only: what is wrong, and what shows it, is in the ledger.
+Formulas between dollar signs.
 """
 
 from __future__ import annotations
 
-CONSEQUENCES: dict[str, str] = {
-    # -- passivity --------------------------------------------------------------------------
+UNSAFE: dict[str, str] = {
+    "one-delta": "For passivity use the damping of the device alone, $b_D$, and for stability "
+    "that of the device in the arm, $b_D+b_H$. With one $\\delta$ for both, the passive walls "
+    "of Figs. 11 to 13 are far too stiff for a held device: for an arm and a device of equal "
+    "mass at the limits of (21) and (22), 24 times.",
+    "s4d-all-stabilising": "A firmer grip or a heavier handle can destabilise a wall that was "
+    "stable. Test the range of grips, not the loosest one.",
+    "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable "
+    "with less. Check the smallest delay too, not only the largest.",
     "eq4": "Check $K\\ge0$ as well. A wall that pulls (negative stiffness, as in a detent) can "
     "pass (4) and push the hand.",
     "eq5": "With a delay that is no whole number of periods, round it up before using (5); with "
     "$K\\ge0$ that is safe. Used as printed, it can let a wall through that gives energy away. "
     "Walls that just meet it are passive, too.",
-    "eq6": "None in practice: walls on the border are passive, so $\\ge$ will do for $K\\ge0$.",
-    "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no boundary. "
-    "Without delay use (6).",
+    "eq11": "For a fractional delay this wall can give energy away, and it is not the stiffest "
+    "passive one: at half a period that is 1.8\\,\\% stiffer, with another damping.",
     "eq8": "For half a period of delay no wall with $K>0$ on this line is passive. Round the "
     "delay up.",
     "eq9": "The same line as (8): round a fractional delay up, and keep inside the range of "
     "damping that is printed.",
-    "eq10": "Do not use it for more virtual damping than $B=bd/(2d+3)$. Without delay that is none "
-    "at all: every $B>0$ then costs stiffness, by (6).",
-    "eq11": "For a fractional delay this wall can give energy away, and it is not the stiffest "
-    "passive one: at half a period that is 1.8\\,\\% stiffer, with another damping.",
-    "s3a-undelayed": "None in practice; see (6).",
-    "s3b-linear-in-T": "Halving the period, and the delay with it, doubles the passive "
-    "stiffness. Taken literally, one would slow the loop down to stiffen the wall.",
-    "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
-    "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) leaves "
-    "out; the bound $b\\ge KT/2+B$ holds all the same.",
-    "s3c-lower-part": "None for a device: the lower part is a straight line. Who re-derives (8) as "
-    "a limit finds its upper end only.",
-    "fig4": "Read the curves for 0.25 and 0.5 periods as (5), not as a limit; use the one for the "
-    "next whole delay.",
+    "eq10": "As (9). Do not use it for more virtual damping than $B=bd/(2d+3)$: without delay "
+    "every $B>0$ costs stiffness, by (6).",
+    "eq7": "Plot it up to $\\omega T=\\pi/(d+1)$ only; what the curve does beyond is no "
+    "boundary. Without delay use (6).",
+    "eq27": "As (7).",
+    "fig4": "Read the curves for 0.25 and 0.5 periods as (5), not as a limit; use the one for "
+    "the next whole delay.",
     "fig5": "Between whole delays the curve is on either side of the truth. Read it at the next "
     "whole delay, which is safe.",
-    "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
-    "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
-    # -- the loop ---------------------------------------------------------------------------
-    "s2c-rational-delay": "With a fractional delay, a loop that was tuned by the substitution can "
-    "be unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
+    "eq24": "A rule of thumb. Inside (23), for no delay or one period, it is safe up to a "
+    "virtual damping of about $b/6$ and $b/4$; above, it allows unstable walls. Use (9) or the "
+    "boundary.",
+    "eq25": "As (24): above the crossing with the exact boundary it lets unstable walls through.",
+    "s4e-passive-range": "Count the damping of the device only. With that of the arm in $b$, "
+    "walls on the line give energy away when the hand lets go.",
+    "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one can "
+    "end up unstable near the limit. The damper is worth more, the more so with delay.",
+    "s3b-linear-in-T": "Halving the period, and the delay with it, doubles the passive "
+    "stiffness. Taken literally, one would slow the loop down to stiffen the wall.",
     "eq12": "For a damped device a transfer function typed in from (12) is wrong unless $m=T$ in "
     "the units used. With the factor $m/T$ it is exact.",
+    "s4d-quadratic-in-period": "Somebody who doubles the sampling rate of the same device, "
+    "halves the delay with it and asks for four times the stiffness can get an unstable wall if "
+    "it was tuned to the limit.",
+    "s6-sampling": "As for four times the stiffness: true for a free mass.",
+    "s4d-damping-bound": "The same for the damping: twice the rate does not give quite twice.",
+    "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
+    "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
+    "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall "
+    "with $K\\ge0$ stays passive that way.",
+    "s6-damping-any-delay": "With a delay the damper matters. A $\\delta$ of 0.02 adds 7\\,\\% "
+    "to the stable stiffness at one period of delay and a third at eight periods. At forty "
+    "periods, with a spring, the stable stiffness at $\\delta=0.02$ is eleven times that at "
+    "0.001.",
+    "s6-stiffness-any-delay": "With long delays the grip decides: between a free device and the "
+    "largest $\\gamma$ of (23) the limit changes many times over.",
+    "s6-subset": "Passive walls are stable if the device is damped and $K+k>0$. For a fractional "
+    "delay the exact condition of passivity is needed, not (5).",
+    "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
+    "spring of the hand harmless. Do not rely on a device without damping.",
+    "s3c-limit-points": "As (5): round a fractional delay up, and keep $K\\ge0$.",
+    "s4a-exact-instants": "With a fractional delay, a loop that was tuned with $z^{-d}$ can be "
+    "unstable. Use the modified z-transform (\\texttt{is\\_stable} with that delay).",
+    "s3-interconnection": "A passive wall does not make a chain of filters safe. Couple devices "
+    "and walls by force and velocity, side by side or in a loop, and leave some damping in.",
+}
+
+MISLEADING: dict[str, str] = {
+    "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays "
+    "with a spring in the hand the stable limit is far above (11) again.",
+    "s5a-smaller-delta": "With little damping passivity gives away more and more stiffness, for "
+    "ordinary delays. For very long ones it can be the other way round.",
+    "s6-faster-sampling": "Sampling faster still pays until the delay is some ten periods long; "
+    "then ten times the rate gives less than a quarter more stiffness.",
+    "eq18": "As (14): for $k=0$ the polynomial vanishes, and a root finder returns nothing or "
+    "noise. Use \\texttt{characteristic\\_polynomial}.",
     "eq14": "Code typed in from (14) divides zero by zero for a device that nobody holds and at "
     "critical damping, and loses digits near both. Use the entire forms (\\texttt{discretize}).",
     "eq16": "As (14).",
     "eq17": "As (14): for $k=0$ every coefficient is zero.",
-    "eq18": "As (14): for $k=0$ the polynomial vanishes, and a root finder returns nothing or "
-    "noise. Use \\texttt{characteristic\\_polynomial}.",
-    "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ is "
-    "no discrete system.",
     "s4d-degree": "For $k=0$ the printed polynomial is zero; the right one has degree $d+3$.",
-    "s4a-exact-instants": "For a fractional delay simulate the held force as it arrives, not "
-    "$z^{-d}$.",
-    "s2c-positive-delay": "None: no delay is allowed, and treated.",
-    # -- arm and device ---------------------------------------------------------------------
-    "eq20": "None: for an arm that does not pull both sides are zero.",
     "s4c-extension-30": "The range of $\\gamma$ has more reserve than the text says, that of "
     "$\\delta$ just the 30\\,\\%. At $T=1$ ms a stiffness per mass a third above the "
     "$710\\,\\mathrm{s}^{-2}$ of (21) is still inside; the arm that the paper leaves out is not.",
-    "s4c-et-al": "None.",
-    # -- stability --------------------------------------------------------------------------
-    "s4d-explicit-only-undelayed": "No grid is needed: the boundary is explicit for every plant "
-    "and delay (\\texttt{stability\\_boundary}).",
-    "s4d-left-bound": "With delay and a stiff grip, softening the wall can destabilise it: some "
-    "springs are stable with a wall of a certain stiffness only.",
-    "s4d-quadratic-in-period": "Somebody who doubles the sampling rate of the same device, "
-    "halves the delay with it and asks for four times the stiffness can get an unstable wall if "
-    "it was tuned to the limit.",
-    "s4d-damping-bound": "The same for the damping: twice the rate does not give quite twice.",
-    "s4d-delta-grows": "Inside (23) without delay a more damped device is never worse. With a very "
-    "stiff grip it can be: do not count on added damping there.",
-    "s4d-all-stabilising": "A firmer grip or a heavier handle can destabilise a wall that was "
-    "stable. Test the range of grips, not the loosest one.",
-    "s4d-delay-shrinks": "A wall that is stable with some delay is not for that reason stable with "
-    "less. Check the smallest delay too, not only the largest.",
-    "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
-    # -- the linear condition ---------------------------------------------------------------
-    "eq24": "A rule of thumb. Inside (23), for no delay or one period, it is safe up to a virtual "
-    "damping of about $b/6$ and $b/4$; above, it allows unstable walls. Use (9) or the boundary.",
-    "eq25": "As (24): above the crossing with the exact boundary it lets unstable walls through.",
+    "s6-human-10000": "Compare stiffness per mass. Against the arm alone the spring of Example "
+    "5.1 is 1740 times as stiff.",
     "s4e-stiffness-free": "In the model that gives (24) a spring in a damped hand would allow a "
     "little more stiffness; leaving it out is on the safe side of that model.",
-    "s4e-two-percent": "The error depends on delay and spring: with one period of delay it reaches "
-    "2\\,\\% at $\\delta=0.0148$ already. Do not read 0.015 as a threshold.",
-    "s4e-passive-range": "Count the damping of the device only. With that of the arm in $b$, walls "
-    "on the line give energy away when the hand lets go.",
-    "s6-linear-dissipation": "A device that trades its damper for virtual damping one to one can "
-    "end up unstable near the limit. The damper is worth more, the more so with delay.",
-    # -- passivity and stability --------------------------------------------------------------
-    "eq27": "As (7).",
-    "s5a-subset": "Passive walls are stable if $K\\ge0$, $K+k>0$, the device is damped, and the "
-    "delay is that of the passivity condition. For a fractional delay the exact condition is "
-    "needed.",
-    "fig11": "Read the curves for 0.25 and 0.5 periods neither as limits of passivity nor as those "
-    "of (18); the passive ones for the next whole delay are safe.",
-    "fig13": "The row for 0.5 periods is not that of (18). What is passive for the next whole "
-    "delay is safe.",
-    "s5c-robust-subset": "Without damping no wall but $K=B=0$ is passive, and for none is every "
-    "spring of the hand harmless. Do not rely on a device without damping.",
-    "s6-sampling": "As for four times the stiffness: true for a free mass.",
-    "s6-mass": "Doubling the mass doubles the limit only if damping and grip are doubled too.",
-    "s5b-soft-contacts": "With a spring in the hand and a long delay, or a stiff one and a short "
-    "delay, softening the wall alone can destabilise it. Lower $B$ with $K$: a passive wall with "
-    "$K\\ge0$ stays passive that way.",
-    "s5a-smaller-delta": "With little damping passivity gives away more and more stiffness, for "
-    "ordinary delays. For very long ones it can be the other way round.",
-    "s5b-eta-grows": "No delay makes the passive wall the stiffest stable one. For long delays "
-    "with a spring in the hand the stable limit is far above (11) again.",
-    "s5b-ratio-panels": "None: read (b) and (c).",
-    "s5b-captions-alike": "None: (c) has the longer delays.",
+    "s3c-lower-part": "None for a device: the lower part is a straight line. Who re-derives (8) "
+    "as a limit finds its upper end only.",
+}
+
+HARMLESS: dict[str, str] = {
+    "eq6": "None in practice: walls on the border are passive, so $\\ge$ will do for $K\\ge0$.",
+    "s3a-undelayed": "None in practice; see (6).",
+    "s3c-bmax-frequency": "Without delay the frequency is the Nyquist frequency, which (5) "
+    "leaves out; the bound $b\\ge KT/2+B$ holds all the same.",
+    "eq20": "None: for an arm without a spring both sides are zero.",
+    "s4a-delay-equivalent": "None once $s$ is read as a factor. For a fractional delay $z^{-d}$ "
+    "is no discrete system.",
     "s5c-interval": "None: $\\gamma=\\pi^2$ will do as the limit for a device.",
-    "s5c-nyquist-spring": "None.",
+}
+
+SLIPS: dict[str, str] = {
+    "s4d-bound-of-b": "None once $B$ is read as the damping that it is.",
     "s1-conclusion": "None.",
-    "s6-human-10000": "Compare stiffness per mass. Against the arm alone the spring of Example 5.1 "
-    "is 1740 times as stiff.",
-    "s6-damping-marginal": "With delay the damper matters: a $\\delta$ of 0.02 adds 7\\,\\% of "
-    "stiffness at one period and a third at eight. At forty, with a spring, 0.02 bears eleven "
-    "times what 0.001 does. Do not give it away.",
-    "s6-stiffness-marginal": "With long delays the grip decides: the range of $\\gamma$ from a "
-    "free device to (23) changes the limit many times over.",
-    "s6-faster-sampling": "Sampling faster still pays until the delay is some ten periods long; "
-    "then ten times the rate gives less than a quarter more stiffness.",
+    "s5b-ratio-panels": "None: read (b) and (c).",
+    "s5b-captions-alike": "None.",
+    "s1-et-al": "None.",
+    "s4c-et-al": "None.",
+}
+
+RULES: dict[str, str] = {
     "rules:twice-damping": "Safe without delay only. One period late keep to 41 per cent of it.",
     "rules:damping-over-delay": "Count virtual damping up to $bd/(2d+3)$ only; more of it takes "
     "stiffness away.",
@@ -130,3 +127,15 @@ CONSEQUENCES: dict[str, str] = {
     "rules:damped-contact": "Use $2B(2m-BT)/(T(2m+BT))$, which allows nothing from $BT=2m$ on; "
     "the rule still does there, up to $BT=4m$.",
 }
+"""The same of the rules in circulation, which are no errata of the paper."""
+
+IMPORTANCE: tuple[tuple[str, dict[str, str]], ...] = (
+    ("What can make a device unstable or active", UNSAFE),
+    ("What misleads a designer or breaks a program", MISLEADING),
+    ("What has no consequence for a device", HARMLESS),
+    ("Slips of the text", SLIPS),
+)
+"""The parts of the errata, each with its title, the gravest first."""
+
+CONSEQUENCES = {id: what for _, part in IMPORTANCE for id, what in part.items()} | RULES
+"""All of them, by the id of the statement."""

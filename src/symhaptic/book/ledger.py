@@ -4,36 +4,21 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.book.consequences import CONSEQUENCES
 from symhaptic.book.foreign import Checked, checked
-from symhaptic.book.judging import corrected_form, judged_again, to_be_compared
-from symhaptic.book.record import Settled
-from symhaptic.book.shapes import is_judged, is_statement, is_verdict
 from symhaptic.book.sources import PAPER, SOURCES, STATEMENTS, of_source, source_of
-from symhaptic.notation.proposition import Proposition
 from symhaptic.paper import Statement
 from symhaptic.paper.statement import Source
-from symhaptic.proof.settle import Settlement
-from symhaptic.proof.theorems.judge import Judged
 from symhaptic.proof.verdict import UNSETTLED, Kind, Verdict
 
 
 class Twice(ValueError):
     """A statement that two derivations settle."""
-
-
-@dataclass(frozen=True)
-class Look:
-    """What a process of our own says of a verdict that comes from a chapter's."""
-
-    wrong: str | None
-    rocq: Checked
 
 
 @dataclass(frozen=True)
@@ -46,14 +31,8 @@ class Entry:
     seconds: float
     own: bool = False
     """Whether it is a user's statement rather than the paper's."""
-    judged: Judged | None = None
-    """The theorems on which it is settled; sent to another process they are derived there anew."""
-    claim: Proposition | None = None
-    """What a statement of one's own claims."""
-    compared: Settlement | None = None
-    """What the print was compared with, where no theorem settles it, to be compared again."""
-    look: Look | None = None
-    """What was seen of it by the process that derived its theorems anew, and kept them."""
+    rocq: Checked = field(default_factory=Checked)
+    """How far Rocq has checked what the statement's theorems say now."""
 
     @property
     def source(self) -> Source | None:
@@ -65,32 +44,23 @@ class Entry:
         """What it means for somebody who built a device on it, where something is wrong."""
         return CONSEQUENCES.get(self.statement.id)
 
-    @cached_property
-    def rocq(self) -> Checked:
-        """How far a foreign kernel has checked it, as far as its record is of what is said here."""
-        return checked(self.statement.id, self.judged) if self.look is None else self.look.rocq
-
-    @cached_property
-    def wrong(self) -> str | None:
-        """What is wrong with the verdict, judged here, if another process gives it."""
-        return judged_again(self) if self.look is None else self.look.wrong
-
     def as_json(self) -> dict[str, Any]:
-        """The record of contract `verify --format json`."""
+        """Return the record of contract `verify --format json`."""
         v = self.verdict
-        corrected = corrected_form(v)
         return {
             "id": self.statement.id,
             "source": self.source and self.source.title,
             "location": self.statement.location,
+            "quote": self.statement.quote or None,
+            "says": self.statement.says,
             "statement": self.statement.text,
             "verdict": str(v.kind),
-            "argued_for": v.argued_for and str(v.argued_for),
             "proposition": v.proposition,
+            "definitions": list(v.definitions),
             "rests": list(v.rests),
             "method": v.method,
             "condition": v.condition,
-            "corrected": None if corrected is None else corrected.replace(r"\br ", ""),
+            "corrected": None if v.corrected is None else v.corrected.replace(r"\br ", ""),
             "counterexample": None if v.counterexample is None else dict(v.counterexample),
             "shows": v.shows,
             "note": v.note,
@@ -106,17 +76,13 @@ class Entry:
 def of_chapter(chapter: Chapter) -> list[Entry]:
     """The statements that a chapter settles, or states without settling them."""
     found = {
-        id: to_be_compared(
-            Entry(
-                s.statement,
-                s.verdict,
-                chapter.source,
-                s.seconds,
-                own=id not in STATEMENTS,
-                judged=s.settlement.judged,
-                claim=_own_claim(s),
-            ),
-            s.settlement,
+        id: Entry(
+            s.statement,
+            s.verdict,
+            chapter.source,
+            s.seconds,
+            own=id not in STATEMENTS,
+            rocq=checked(id, s.settlement.judged),
         )
         for id, s in chapter.page.settled.items()
     }
@@ -125,64 +91,10 @@ def of_chapter(chapter: Chapter) -> list[Entry]:
     return list(found.values())
 
 
-def _own_claim(settled: Settled) -> Proposition | None:
-    claim = settled.settlement.claim
-    if claim is None or settled.statement.id in STATEMENTS:
-        return None
-    return claim(settled.statement.printed)
-
-
-class NoEntries(ValueError):
-    """What came from a chapter's process, and is nothing that our code sends."""
-
-
-def looked_at(entries: list[Entry]) -> list[Entry]:
-    """What came from a chapter's process, judged again, without the theorems that came with it.
-
-    A statement that is known here is the one that is known, whatever came.  Raises
-    :class:`NoEntries` for what are no entries.
-    """
-    if type(entries) is not list or not all(map(_is_entry, entries)):
-        raise NoEntries("no statements with their verdicts")
-    return [_looked_at(entry) for entry in entries]
-
-
-def _looked_at(entry: Entry) -> Entry:
-    """The same of one; what was found wrong decides nothing."""
-    wrong = judged_again(entry)
-    said = entry.verdict if wrong is None else Verdict(Kind.UNDECIDED, wrong)
-    return replace(
-        entry,
-        statement=STATEMENTS.get(entry.statement.id, entry.statement),
-        verdict=replace(said, corrected=None),
-        own=entry.statement.id not in STATEMENTS,
-        look=Look(wrong, checked(entry.statement.id, entry.judged)),
-        judged=None,
-        claim=None,
-        compared=None,
-    )
-
-
-def _is_entry(entry: Any) -> bool:
-    """Whether it has what is listed, each in a line."""
-    return (
-        type(entry) is Entry
-        and is_statement(entry.statement)
-        and is_verdict(entry.verdict)
-        and type(entry.seconds) in (int, float)
-        and type(entry.own) is bool
-        and (entry.claim is None or isinstance(entry.claim, Proposition))
-        and (entry.judged is None or is_judged(entry.judged))
-    )
-
-
 def of_derivation(path: Path) -> list[Entry]:
-    """Run a derivation; its statements with their verdicts, ready to be sent between processes."""
-    return [
-        replace(entry, verdict=replace(v, corrected=None, corrected_latex=corrected_form(v)))
-        for entry in of_chapter(run(path))
-        for v in (entry.verdict,)
-    ]
+    """Run a derivation; return its statements with their verdicts, ready for another process."""
+    found = of_chapter(run(path))
+    return [replace(entry, verdict=replace(entry.verdict, claim=None)) for entry in found]
 
 
 def once(
@@ -235,6 +147,6 @@ def by_source(entries: Iterable[Entry]) -> str:
 
 
 def counted(entries: Sequence[Entry]) -> str:
-    """The verdicts counted, the undecided ones aloud."""
+    """The verdicts counted."""
     counts = Counter(entry.verdict.kind for entry in entries)
     return ", ".join(f"{counts[kind]} {kind}" for kind in Kind if counts[kind])

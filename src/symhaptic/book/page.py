@@ -7,43 +7,44 @@ proved or raise :class:`FalseStep`, and which finds the verdicts of statements o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import Any
 
-import sympy as sp
-from sympy import Expr
+from sympy import Eq, Expr, Symbol
 from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import not_defined, shows, unproved
-from symhaptic.book.record import Evidence, FalseStep, in_latex
+from symhaptic.book import following
+from symhaptic.book.record import FalseStep, in_latex
 from symhaptic.book.sources import CLAIMED, NO_ID, STATEMENTS, is_id
 from symhaptic.book.steps import Steps
-from symhaptic.notation.proposition import Proposition, of_print
+from symhaptic.notation.latex import latex
+from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.terms import NoTerm
 from symhaptic.paper import Statement
-from symhaptic.paper.reading import read
-from symhaptic.proof.checks import Check, Sign
-from symhaptic.proof.counterexample import Truth, Witness
+from symhaptic.paper.reading import Printed, read
 from symhaptic.proof.enclosed import Source
-from symhaptic.proof.points import Point
-from symhaptic.proof.settle import ACCEPTED, Settlement
+from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact, recipe
-from symhaptic.proof.theorems.judge import Case, Judged
-from symhaptic.proof.theorems.kernel import Theorem, conjoined
-from symhaptic.proof.verdict import Verdict
+from symhaptic.proof.theorems.judge import Case, Judged, of_print
+from symhaptic.proof.theorems.kernel import NotShown, Theorem, conjoined
+from symhaptic.proof.verdict import Kind, Verdict
 
 
 class Page(Steps):
     """What a derivation writes on; see the module for what is proved."""
 
     def state(
-        self, id: str, says: str, *printed: str, claim: Proposition | None = None
+        self,
+        id: str,
+        says: str,
+        *printed: str,
+        claim: Proposition | None = None,
+        condition: bool = False,
     ) -> Statement:
-        """A statement of one's own, to be settled like those of the paper; formulas in LaTeX.
+        """State something of one's own, to be settled like the paper's statements.
 
-        ``claim`` is what it says, as a proposition.
+        Formulas are LaTeX; ``claim`` is what is said, as a proposition, in which the print is
+        concluded or, as a ``condition``, stands beside a predicate.
         """
         for line in printed:
             read(line)
@@ -53,166 +54,138 @@ class Page(Steps):
             raise FalseStep(NO_ID.format(id))
         self._once("stated", id)
         if claim is not None:
-            self.claimed[id] = partial(of_print, claim)
-        self.own[id] = Statement(id, self.name, says, printed)
+            self.claimed[id] = partial(of_print, claim, condition=condition)
+        self.own[id] = Statement(id, self.name, says, printed, condition=condition)
         return self.own[id]
 
     def settle(
         self,
         id: str,
-        *grounds: Form | Evidence | Fact | Witness | Theorem,
+        *grounds: Form | Theorem,
         definition: bool = False,
-        given: Mapping[Expr, Expr] | None = None,
-        provided: str | None = None,
-        unless: Point | Sequence[Case] | None = None,
+        unless: Sequence[Case] | Mapping[Expr, Expr] | None = None,
         example: Case | None = None,
         instead: Proposition | None = None,
         enclosed: bool = False,
-        truth: Truth = None,
-        specialise: Callable[[Expr], Expr] | None = None,
         corrected: Sequence[str] | None = None,
         misprint: bool = True,
         value: Source | Sequence[Source] | None = None,
         shows: str | None = None,
         note: str | None = None,
     ) -> Verdict:
-        """Settle a statement on these grounds; the verdict is found, not given.
+        """Settle a statement; the verdict is found, not given.
 
-        ``grounds`` are the derived form (compared with the printed one) or proofs of what the
-        statement says in words; of a form that no definition, step with a ``name`` or sign on the
-        page shows the verdict is *argued*; ``given`` are definitions in force, put into both.
-        ``provided`` names a condition that the paper leaves out and ``unless`` a point without
-        it where the statement fails, that is where the printed form (after ``specialise``) and
-        the ``truth`` differ.  ``corrected`` is LaTeX of the right form, proved like any other.
-        ``value`` is the number that the text quotes, or several, each given by what shows it.
+        A theorem has to say what the statement claims (:mod:`symhaptic.proof.theorems.judge`): with
+        further hypotheses the statement is qualified, if there is an ``example`` at which they hold
+        and, in ``unless``, a case for each in which it alone is violated and the claim fails.  Of
+        what is false, the theorem is of the ``corrected`` print, or of what holds ``instead``.
+        ``value`` is the number that the text quotes.
 
-        A theorem among the grounds has to say what the statement claims, see
-        :mod:`symhaptic.proof.theorems.judge`: with further hypotheses it is qualified, if there is
-        an ``example`` at which they hold and, in ``unless``, a case for each in which it alone is
-        violated and the claim fails.  Of what is false, the theorem is of the ``corrected`` print,
-        or of what holds ``instead``, which ``corrected`` then says in short.
+        Without a theorem, equations are shown from the definitions on the page: the verdict names
+        those.  A print that is wrong is a misprint of the equations given, and ``unless`` may be
+        a point at which it fails.  With ``definition`` the print introduces a name.
         """
-        statement = STATEMENTS.get(id) or self.own.get(id)
-        if statement is None:
-            raise FalseStep(f"no statement {id!r}")
-        if not isinstance(provided, str | None):
-            raise FalseStep(f"{id}: provided: {provided} is not allowed; LaTeX of a condition is")
-        in_latex(id, provided, shows)
+        statement = self._statement(id)
+        in_latex(id, shows)
         theorems = [g for g in grounds if isinstance(g, Theorem)]
-        proving = (Evidence, Fact, Witness, Theorem)
-        forms = [p for g in grounds if not isinstance(g, proving) for p in parts(g)]
-        proofs = [
-            g.reason if isinstance(g, Fact) else g.method
-            for g in grounds
-            if isinstance(g, (Evidence, Fact, Witness))
-        ]
-        if theorems:
-            judged = Judged(
-                theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
-                example=example,
-                unless=tuple(unless or ()),
-                corrected=None if corrected is None else tuple(corrected),
-                instead=instead,
-                misprint=misprint,
-                enclosed=enclosed,
-                shows=shows,
-                note=note,
-            )
-            settlement = Settlement(
-                tuple(forms),
-                judged=judged,
-                claim=self.claimed.get(id) or CLAIMED.get(id),
-                values=self._quoted(value),
-                quoted=statement.quoted,
-            )
-            return self._record(statement, settlement)
-        checks = tuple(check for g in grounds for check in _checks(g))
-        for ground in grounds:
-            if isinstance(ground, Fact):
-                self._keep(ground)
-                if wrong := unproved(ground, self.supposed):
-                    raise FalseStep(f"{id}: {wrong}")
-        for fact in _facts(truth):
-            if wrong := unproved(fact, self.supposed):
-                raise FalseStep(f"{id}: {wrong}")
-        self._put_in(id, given)
-        settlement = Settlement(
-            derived=tuple(forms),
-            proofs=tuple(proofs),
-            given=dict(given or {}),
-            definition=definition,
-            provided=provided,
-            unless=unless,  # type: ignore[arg-type]
-            truth=truth,
-            specialise=specialise,
+        forms = tuple(p for g in grounds if not isinstance(g, Theorem) for p in parts(g))
+        if definition:
+            for form in forms:
+                if isinstance(form, Eq) and isinstance(form.lhs, (Symbol, AppliedUndef)):
+                    self._defined(form.lhs, form.rhs)
+            return self._record(statement, Settlement(derived=forms, note=note))
+        if not theorems:
+            point = dict(unless) if isinstance(unless, Mapping) else None
+            return self._follows(statement, forms, point, corrected, note)
+        judged = Judged(
+            theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
+            example=example,
+            unless=tuple(unless or ()),
             corrected=None if corrected is None else tuple(corrected),
+            instead=instead,
             misprint=misprint,
-            values=self._quoted(value),
-            quoted=statement.quoted,
+            enclosed=enclosed,
             shows=shows,
             note=note,
         )
-        verdict = self._record(statement, self._beside_the_page(settlement), checks)
-        if verdict.kind in ACCEPTED:
-            for form in forms:
-                if isinstance(form, sp.Eq) and isinstance(form.lhs, (sp.Symbol, AppliedUndef)):
-                    self._defined(form.lhs, form.rhs)
-        return verdict
+        settlement = Settlement(
+            judged,
+            self.claimed.get(id) or CLAIMED.get(id),
+            forms,
+            values=self._quoted(value),
+            quoted=statement.quoted,
+            note=note,
+            meant=self._meant,
+        )
+        return self._record(statement, settlement)
+
+    def _follows(
+        self,
+        statement: Statement,
+        derived: Sequence[Expr],
+        point: dict[Expr, Expr] | None,
+        corrected: Sequence[str] | None,
+        note: str | None,
+    ) -> Verdict:
+        """Settle equations by the definitions on the page."""
+        definitions = tuple(self.definitions)
+        if not statement.printed or statement.id in CLAIMED or statement.id in self.claimed:
+            return self._record(statement, Settlement(note=note))
+        right = tuple(p for line in corrected or () for p in read(line)) or derived
+        try:
+            judged, claimed = following.settled(statement.printed, right, definitions, point)
+        except NotShown as wrong:
+            verdict = Verdict(Kind.UNDECIDED, f"it does not follow from the definitions: {wrong}")
+            return self._record(statement, Settlement(note=note), verdict)
+        except (NoTerm, following.Undefinable) as wrong:
+            raise FalseStep(f"{statement.id}: {wrong}") from None
+
+        def claim(printed: Printed) -> Proposition:
+            return following.of_print(printed, definitions).claim
+
+        used = tuple(f"{latex(name)}:={latex(meaning)}" for name, meaning in claimed.used)
+        settlement = Settlement(
+            judged, claim, note=note, definitions=used, defines=claimed.is_definition
+        )
+        return self._record(statement, settlement)
+
+    def _statement(self, id: str) -> Statement:
+        statement = STATEMENTS.get(id) or self.own.get(id)
+        if statement is None:
+            raise FalseStep(f"no statement {id!r}")
+        return statement
 
     def _quoted(self, value: Source | Sequence[Source] | None) -> tuple[Expr, ...]:
         """The numbers that a text quotes, as expressions."""
         values = () if value is None else value if isinstance(value, Sequence) else (value,)
         return tuple(v if isinstance(v, Expr) else self._shown(v) for v in values)
 
-    def settle_external(
-        self,
-        id: str,
-        rests: str,
-        checked: str,
-        *follows: Form,
-        given: Mapping[Expr, Expr] | None = None,
-    ) -> Verdict:
-        """A statement that rests on something outside the paper: on what, and what was checked.
+    def settle_external(self, id: str, rests: str, checked: str, *follows: Form) -> Verdict:
+        """Settle a statement that rests on something outside the paper: on what, what was checked.
 
         A printed formula that ``follows`` from it is compared with what was derived.
         """
-        statement = STATEMENTS.get(id) or self.own.get(id)
-        if statement is None:
-            raise FalseStep(f"no statement {id!r}")
         derived = tuple(p for form in follows for p in parts(form))
-        self._put_in(id, given)
-        settlement = Settlement(derived, dict(given or {}), external=rests, note=checked)
-        return self._record(statement, settlement)
+        settlement = Settlement(derived=derived, external=rests, note=checked)
+        return self._record(self._statement(id), settlement)
 
-    def _beside_the_page(self, settlement: Settlement) -> Settlement:
-        """With what the page shows of the forms."""
-        facts = [check.fact for _, check in self.checks if isinstance(check, Sign)]
-        return replace(
-            settlement,
-            assumed=not shows(settlement.derived, self.definitions, facts),
-            definitions=tuple(self.definitions),
-            signs=tuple(map(recipe, facts)),
-        )
+    def settle_slip(self, id: str, wrong: str, right: str, shows: str) -> Verdict:
+        """A ``wrong`` name, number or reference in the text: LaTeX of the right one, and why.
 
-    def _put_in(self, id: str, given: Mapping[Expr, Expr] | None) -> None:
-        """Only definitions are put into a statement."""
-        if wrong := not_defined(given or {}, self.definitions):
-            raise FalseStep(f"{id}: {wrong}")
+        What is wrong stands in the quotation.  A slip is no theorem, and is not counted as one.
+        """
+        statement = self._statement(id)
+        if wrong not in statement.quote:
+            raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
+        in_latex(id, right, shows)
+        return self._record(statement, Settlement(slip=right, shows=shows))
 
+    def leave_open(self, id: str, note: str) -> Verdict:
+        """List a statement as undecided; ``note`` says which parts of it are known.
 
-def _facts(truth: Truth) -> tuple[Fact, ...]:
-    """The fact in what is true at a counterexample."""
-    last = truth[-1] if isinstance(truth, tuple) and truth else truth
-    return (last,) if isinstance(last, Fact) else ()
-
-
-def _checks(ground: Any) -> tuple[Check, ...]:
-    """What was asked for a ground that is no form."""
-    match ground:
-        case Evidence():
-            return ground.checks
-        case Witness():
-            return () if ground.check is None else (ground.check,)
-        case Fact():
-            return (Sign(ground),)
-    return ()
+        An undecided statement never passes.
+        """
+        statement = self._statement(id)
+        in_latex(id, note)
+        claim = self.claimed.get(id) or CLAIMED.get(id)
+        return self._record(statement, Settlement(left_open=True, note=note, claim=claim))

@@ -62,10 +62,11 @@ PARTS = (
     Part(
         "Passivity and stability compared",
         ("5", "6_"),
-        "A passive wall is stable with every spring and damper that a hand may add, and pays for "
-        "it with stiffness. How much is asked in this part: by the ratio of the stiffest walls, by "
-        "what happens as a wall is softened, by springs so stiff that they swing as fast as the "
-        "computer looks, and by what each part of the model costs when it is left out.",
+        "A passive wall is stable with every spring and damper that a hand may add, and pays "
+        "for it with stiffness. How much is asked in this part: by the ratio of the stiffest "
+        "walls, with the damping that counts for each; by what happens as a wall is softened; "
+        "by springs so stiff that they swing as fast as the computer looks; and by how much "
+        "spring, damper and sampling rate change the largest stiffness.",
     ),
     Part(
         "Fractional delays",

@@ -4,34 +4,28 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import InitVar, dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 
 from symhaptic.notation.latex import matching
-from symhaptic.notation.proposition import Relation
+from symhaptic.notation.terms import NoTerm
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
 from symhaptic.paper.propositions import Claim
 from symhaptic.proof.certificate import Certificate
-from symhaptic.proof.checks import Check, Limit, Same
 from symhaptic.proof.decide import Comparison, compare
 from symhaptic.proof.names import carrying
-from symhaptic.proof.normal import is_zero
-from symhaptic.proof.points import choices
-from symhaptic.proof.seal import Sealed
-from symhaptic.proof.series import limit, lowest_term
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact, facts_below
-from symhaptic.proof.theorems.definedness import conditions
-from symhaptic.proof.theorems.kernel import Theorem
-from symhaptic.proof.values import value_at
+from symhaptic.proof.theorems.kernel import NotShown, Theorem
+from symhaptic.proof.theorems.leaves import tends
 from symhaptic.proof.verdict import Verdict
 
 PACKAGE = Path(__file__).parents[1]
@@ -48,23 +42,6 @@ def in_latex(where: str, *texts: Any) -> None:
             raise FalseStep(f"{where}: {text!r} has braces that do not match")
 
 
-def _sooner(expr: Expr, variable: sp.Symbol, at: Expr) -> Iterator[sp.Symbol]:
-    """Symbols that may be 0, where a divisor vanishes sooner at a point than it does elsewhere."""
-    divisors = {c.left for c in conditions(expr) if isinstance(c, Relation)}
-    for divisor in sorted((d for d in divisors if d.has(variable)), key=str):
-        coefficient = lowest_term(divisor, variable, at)[1]
-        for symbol in sorted(coefficient.free_symbols - {variable}, key=str):
-            there = value_at(coefficient, {symbol: sp.S.Zero})
-            if 0 in choices(symbol) and isinstance(there, Expr) and is_zero(there):
-                yield symbol
-
-
-def _tends_to(expr: Any, variable: sp.Symbol, at: Expr, value: Any) -> bool:
-    """Whether a limit is shown to be this."""
-    order, lowest = (1, expr) if is_zero(expr) else lowest_term(expr, variable, at)
-    return order >= 0 and is_zero((lowest if order == 0 else sp.S.Zero) - value)
-
-
 def line_at_work() -> int:
     """The line of the chapter that is at work: of the innermost frame outside the package."""
     package = str(PACKAGE)
@@ -79,12 +56,10 @@ def line_at_work() -> int:
 
 
 @dataclass(frozen=True)
-class Evidence(Sealed):
-    """An exact proof of something said in words."""
+class Evidence:
+    """How something that is not written on the page was proved."""
 
     how: str | Comparison
-    checks: tuple[Check, ...] = ()
-    key: InitVar[object] = None
 
     @property
     def method(self) -> str:
@@ -143,8 +118,6 @@ class Settled:
     settlement: Settlement
     verdict: Verdict
     seconds: float
-    grounds: tuple[Check, ...] = ()
-    """The checks that prove what it says in words."""
 
 
 @dataclass
@@ -159,25 +132,21 @@ class Record:
     """What statements of one's own claim."""
     certificates: list[Certificate] = field(default_factory=list)
     """Of the balls that the chapter rests on; they are checked again when it has been run."""
-    checks: list[tuple[str, Check]] = field(default_factory=list)
-    """What was asked and confirmed, under its title, to be asked again with something changed."""
     definitions: list[tuple[Expr, Expr]] = field(default_factory=list)
     """What a symbol or a function stands for on this page."""
-    supposed: frozenset[tuple[Expr, bool]] = frozenset()
-    """The domains of the signs that the page shows, as what the facts rest on."""
     _lines: dict[tuple[str, str], int] = field(default_factory=dict)
     """Where each id was stated and where it was settled."""
     _count: int = 0
     _since: float = field(default_factory=time.perf_counter)
 
     def _record(
-        self, statement: Statement, settlement: Settlement, grounds: tuple[Check, ...] = ()
+        self, statement: Statement, settlement: Settlement, verdict: Verdict | None = None
     ) -> Verdict:
-        verdict = settlement.decide(statement.printed)
+        verdict = verdict or settlement.decide(statement.printed)
         self._once("settled", statement.id)
         now = time.perf_counter()
         seconds, self._since = now - self._since, now
-        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds, grounds)
+        self.settled[statement.id] = Settled(statement, settlement, verdict, seconds)
         return verdict
 
     def _once(self, what: str, id: str) -> None:
@@ -187,39 +156,41 @@ class Record:
             raise FalseStep(f"{id!r} is {what} twice, in lines {first} and {line}")
         self._lines[what, id] = line
 
-    def _keep(self, fact: Fact) -> None:
-        """The certificates of all that a fact was made from."""
-        self.certificates += [c for below in facts_below(fact) for c in below.certificates]
-
-    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Limit:
-        """A limit as it was found, and kept as what it was asked for."""
-        found = limit(expr, variable, sp.sympify(at))
-        if told := carrying(expr, variable):
-            raise FalseStep(f"step {title!r}: {told}")
-        self._compared(title, found, value)
-        for symbol in _sooner(sp.sympify(expr), variable, sp.sympify(at)):
-            there = [value_at(sp.sympify(form), {symbol: sp.S.Zero}) for form in (expr, value)]
-            if None not in there and not _tends_to(there[0], variable, sp.sympify(at), there[1]):
-                raise FalseStep(f"step {title!r} is false at {symbol} = 0")
-        check = Limit(expr, variable, sp.sympify(at), sp.sympify(value))
-        self.checks.append((title, check))
-        return check
+    def _tends(self, title: str, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Theorem:
+        """A limit as a theorem, with the conditions under which it was shown."""
+        try:
+            return tends(expr, variable, at, value)
+        except (NotShown, NoTerm) as wrong:
+            raise FalseStep(f"step {title!r}: {wrong}") from None
 
     def _proved(self, title: str, left: Form, right: Form) -> Comparison:
-        found = self._compared(title, left, right)
-        self.checks.append((title, Same(parts(left), parts(right))))
-        return found
-
-    def _compared(self, title: str, left: Form, right: Form) -> Comparison:
+        """Two forms are equal, or they are when the definitions on the page are put in."""
         if told := carrying(*parts(left), *parts(right)):
             raise FalseStep(f"step {title!r}: {told}")
         result = compare(left, right)
+        if not result.equal and self.definitions:
+            ours, theirs = ([self._meant(p) for p in parts(form)] for form in (left, right))
+            meant = compare(ours, theirs)
+            result = meant if meant.equal else result
         if result.equal:
             return result
         if result.equal is None:
             raise FalseStep(f"step {title!r} is undecided: {result.method}")
         at = ", ".join(f"{s} = {v}" for s, v in (result.point or {}).items())
         raise FalseStep(f"step {title!r} is false" + (f" at {at}" if at else ""))
+
+    def _meant(self, form: Expr) -> Expr:
+        """A form with what its names stand for on the page."""
+        for _ in self.definitions:
+            before = form
+            for name, meaning in self.definitions:
+                if isinstance(name, AppliedUndef):
+                    form = form.replace(name.func, sp.Lambda(name.args, meaning))
+                elif not meaning.has(name):
+                    form = form.xreplace({name: meaning})
+            if form == before:
+                break
+        return form
 
     def _equation(
         self,

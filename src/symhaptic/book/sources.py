@@ -6,20 +6,22 @@ beside it the chapters that settle these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import sympy as sp
 
 from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.latex import matching
-from symhaptic.notation.proposition import Proposition, of_print, proposition
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.reading import Printed, Unreadable
+from symhaptic.notation.proposition import Proposition, Relation, proposition
+from symhaptic.notation.written import written
+from symhaptic.paper.propositions import CLAIMED, Claim
+from symhaptic.paper.reading import Printed, Unreadable, signs_of
 from symhaptic.paper.statement import Source, Statement
+from symhaptic.proof.theorems.judge import of_print, taken_apart
 from symhaptic.rules import claims as _claims  # noqa: F401  registered in CLAIMED
 
 PAPER = Source(
@@ -44,42 +46,24 @@ def source_of(id: str) -> Source | None:
     return next(source for source in SOURCES if source.key == key)
 
 
-def claimed(source: Source, statements: Iterable[Statement]) -> dict[str, Proposition]:
-    """What a source that was read in this process claims of its statements, as they are printed.
+def add(source: Source, statements: Iterable[Statement]) -> Source:
+    """Add a source with its statements, whose ids begin with its key and a colon.
 
-    Raises ``ValueError`` for a claim of what it does not state.
+    What it claims of them is in ``CLAIMED``.  Raises ``ValueError`` with one line on what is wrong.
     """
-    own = {s.id: replace(s, notation=source.notation) for s in statements}
-    for id in CLAIMED.keys() - STATEMENTS.keys() - own.keys():
-        raise ValueError(f"something is claimed of {id!r}, which it does not state")
-    return {id: CLAIMED[id](s.printed) for id, s in own.items() if id in CLAIMED}
-
-
-def _of_its_print(claim: Proposition, own: Printed, printed: Printed) -> Proposition:
-    """What was claimed of a statement, whose print this is to be."""
-    if tuple(printed) != tuple(own):
-        raise ValueError("what the source claims was told of the print as it stands")
-    return claim
-
-
-def add(
-    source: Source, statements: Iterable[Statement], claims: Mapping[str, Proposition]
-) -> Source:
-    """Another source, with its statements, whose ids begin with its key and a colon.
-
-    ``claims`` has what it claims of some of them, by their ids.
-
-    Raises ``ValueError`` with one line on what is wrong with it.
-    """
-    found = {}
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
             raise ValueError(f"the notation has {twice[0]!r} twice on a side; once is allowed")
     for tex, name in source.notation:
         if name not in SYMBOLS:
             raise ValueError(f"the notation has {name!r} for {tex!r}; a symbol of ours is allowed")
-    if not source.key.isidentifier() or any(source.key == other.key for other in SOURCES):
-        raise ValueError(f"the key {source.key!r} of a source is a name that no other source has")
+    named = source.key.isidentifier() and source.key.isascii()
+    if not named or any(source.key == other.key for other in SOURCES):
+        raise ValueError(
+            f"the key {source.key!r} of a source is not allowed; an identifier in ASCII that no "
+            "other source has is"
+        )
+    found: dict[str, Statement] = {}
     for statement in statements:
         if wrong := _not_text(statement):
             raise ValueError(wrong)
@@ -89,53 +73,71 @@ def add(
             raise ValueError(
                 f"the id {statement.id!r} is to begin with '{source.key}:' and to stand once"
             )
-        found[statement.id] = replace(statement, notation=source.notation)
-        found[statement.id].printed  # noqa: B018  raises where it cannot be read
-        if _reads_otherwise(found[statement.id]):
-            raise ValueError(f"{statement.id}: reading: says something else than the print does")
+        found[statement.id] = own = replace(statement, notation=source.notation)
+        if wrong := _reads_otherwise(own):
+            raise ValueError(f"{statement.id}: {wrong}")
         for line in (*statement.latex, statement.domain):
             if not matching(line):
                 raise ValueError(f"{statement.id}: {line!r} has braces that do not match")
-    if not claims.keys() <= found.keys() or any(
-        not isinstance(claim, Proposition) for claim in claims.values()
-    ):
-        raise ValueError("what is claimed is no proposition on a statement of it")
-    for id, claim in claims.items():
-        for relation in found[id].printed:
-            if isinstance(relation, sp.core.relational.Relational) and not _is_of(claim, relation):
-                raise ValueError(f"{id}: what is claimed does not conclude its print {relation}")
+        own.given  # noqa: B018  raises if the domain cannot be read
+    for id in CLAIMED.keys() - STATEMENTS.keys() - found.keys():
+        if id.startswith(f"{source.key}:"):
+            raise ValueError(f"something is claimed of {id!r}, which it does not state")
+    for id in found.keys() & CLAIMED.keys():
+        CLAIMED[id] = partial(_of_source, found[id], CLAIMED[id])
+        try:
+            CLAIMED[id](found[id].printed)
+        except ValueError as wrong_claim:
+            raise ValueError(f"{id}: {wrong_claim}") from None
     SOURCES.append(source)
     STATEMENTS.update(found)
-    for id, claim in claims.items():
-        CLAIMED.setdefault(id, partial(_of_its_print, claim, found[id].printed))
     return source
 
 
-def _is_of(claim: Proposition, printed: Any) -> bool:
-    """Whether a claim concludes what is printed or, of the bound that is a rule, supposes it."""
-    try:
-        of_print(claim, [printed])
-    except ValueError:
-        bound, left = proposition(printed), [claim]
-        for part in left:
-            left += part.parts
-        return not isinstance(printed, sp.Eq) and bound in left
-    return True
+def _of_source(statement: Statement, claim: Claim, printed: Printed) -> Proposition:
+    """What a user's source claims of a print, under hypotheses that the source states."""
+    made = claim(printed)
+    _, given, _ = taken_apart(made)
+    stated = (*statement.given, *map(proposition, printed if statement.condition else ()))
+    for hypothesis in given:
+        if hypothesis not in stated and not _in_domain(hypothesis):
+            raise ValueError(
+                f"the claim supposes {written(hypothesis)}, which the source does not state; give "
+                "it in the statement's domain"
+            )
+    return of_print(made, printed, statement.condition)
 
 
-def _reads_otherwise(statement: Statement) -> bool:
-    """Whether a print that can be read, and quotes no number, is taken for another formula."""
-    if statement.reading is None or statement.quoted:
+def _in_domain(hypothesis: Proposition) -> bool:
+    """Whether a hypothesis says of one symbol what the notation says of it."""
+    if len(hypothesis.free) != 1 or not isinstance(hypothesis, Relation):
         return False
+    [symbol] = hypothesis.free
+    known = SYMBOLS.get(symbol.name)
+    weak = Relation(sp.S.Zero, "<=", symbol), Relation(sp.S.Zero, "<", symbol)
+    return known is not None and hypothesis in {"nonnegative": weak[:1], "positive": weak}.get(
+        known.domain, ()
+    )
+
+
+def _reads_otherwise(statement: Statement) -> str | None:
+    """What is wrong with a ``reading`` that is not what the print says."""
+    if statement.reading is None:
+        return None
     try:
-        return replace(statement, reading=None).printed != statement.printed
+        plain = replace(statement, reading=None).printed
     except Unreadable:
-        return False
+        if signs_of(statement.latex) != signs_of(statement.reading):
+            return "reading: has other relation signs than the print"
+        return None
+    if statement.quoted or plain == statement.printed:
+        return None
+    return "reading: says something else than the print does"
 
 
 def _not_text(statement: Statement) -> str | None:
     """What a statement has in place of text, or of several texts, if it has anything else."""
-    for name in ("id", "location", "says", "domain"):
+    for name in ("id", "location", "says", "domain", "quote"):
         if not isinstance(found := getattr(statement, name), str):
             return f"{statement.id}: {name}: {found!r} is not allowed; text is"
     for name in ("latex", "reading"):
@@ -151,14 +153,18 @@ def of_source(source: Source) -> dict[str, Statement]:
     return {id: s for id, s in STATEMENTS.items() if source_of(id) is source}
 
 
-NO_ID = "the id {!r} has no characters, too many, or blanks; up to 100 that are printed are allowed"
+NO_ID = (
+    "the id {!r} is not allowed; allowed are a letter or digit and up to 99 further letters, "
+    "digits and : . _ + -, all of ASCII, since other letters can look the same"
+)
 
 
 def is_id(text: str) -> bool:
-    """Whether a line of a listing, a case of JUnit and a place of a page can be named so."""
-    return (
-        isinstance(text, str) and text.isprintable() and text.split() == [text] and len(text) <= 100
-    )
+    """Whether a statement can be named so: in a listing, in JUnit, on a page and in a shell."""
+    return isinstance(text, str) and _ID.fullmatch(text) is not None
+
+
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9:._+-]{0,99}")
 
 
 __all__ = [

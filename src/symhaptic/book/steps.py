@@ -1,35 +1,31 @@
 """Steps that are proved as they are written down: what a chapter does before it settles anything.
 
-A step is proved or raises :class:`FalseStep`.  Names are the author's word: what ``name`` calls an
-expression, and the symbols in which :meth:`Steps.show` writes what was proved just before, are not
-checked.
+A step is proved or raises :class:`FalseStep`.  A ``name`` says what the first expression is called:
+a symbol, an unknown function, or LaTeX that is no formula of known symbols; a formula in known
+symbols has to be equal to that expression.
 """
 
 from __future__ import annotations
 
 import itertools
-import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import sympy as sp
 from flint import arb
 from sympy import Expr
+from sympy.core.function import AppliedUndef
 
-from symhaptic.book.grounds import written_twice
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
 from symhaptic.notation.latex import is_sum, latex
-from symhaptic.proof.ball import bound
-from symhaptic.proof.checks import AllZeros, Decimals, Free, Minimal, Roots, Sign, Units, confirmed
-from symhaptic.proof.counterexample import Witness
+from symhaptic.notation.written import chains, written
+from symhaptic.paper.reading import Unreadable, read
 from symhaptic.proof.decide import Comparison
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.names import carrying
-from symhaptic.proof.points import Point
-from symhaptic.proof.roots import Algebraic, decimals
-from symhaptic.proof.seal import KEY
+from symhaptic.proof.normal import is_zero
+from symhaptic.proof.roots import Algebraic, begins_with, decimals, is_minimal, real_roots
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import Fact
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown
 
@@ -51,11 +47,15 @@ class Steps(Record):
             raise FalseStep(f"{title}: {wrong}") from None
         if isinstance(name, Expr) and (other := of_another_unit(name, meaning)):
             raise FalseStep(f"{title}: {other}")
-        self.checks.append((title, Units(meaning)))
         self._defined(name, meaning)
         note = "units agree" if unit == "1" else f"units agree: {unit}"
         self._equation(title, [(name, "=", meaning)], "definition", note, because)
         return meaning
+
+    def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
+        """A limit proved without being written on the page."""
+        self._tends("limit", expr, variable, at, value)
+        return Evidence("exact series")
 
     def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
         if isinstance(name, Expr):
@@ -84,6 +84,7 @@ class Steps(Record):
         how: str | Comparison = ""
         for left, right in itertools.pairwise(chain):
             how = self._proved(title, left, right)
+        self._is_name(title, name, chain[0])
         self._defined(name, chain[0])
         written = chain if name is None else chain[1:]
         left = written[0] if name is None else name
@@ -92,20 +93,23 @@ class Steps(Record):
         self._equation(title, lines, "proved", how, because, boxed, paper=paper)
         return chain[-1]
 
-    def show(
-        self,
-        title: str,
-        name: Expr | str,
-        expr: Expr | str,
-        proof: Evidence,
-        because: str = "",
-        boxed: bool = False,
-        paper: str = "",
-    ) -> Expr | str:
-        """``name = expr``, proved by evidence found before, such as :meth:`same`."""
-        lines = [(name, "=", expr)]
-        self._equation(title, lines, "proved", proof.how, because, boxed, paper=paper)
-        return expr
+    def _is_name(self, title: str, name: Expr | str | None, means: Expr) -> None:
+        """Refuse a name that is a formula in known symbols and does not say what it stands for."""
+        formula = self._read_name(title, name)
+        if formula is not None:
+            self._proved(title, formula, means)
+
+    def _read_name(self, title: str, name: Expr | str | None) -> Expr | None:
+        """The formula that a name is; None for a symbol, an unknown function, or other LaTeX."""
+        if isinstance(name, str):
+            try:
+                forms = read(name)
+            except Unreadable:
+                return None
+            if len(forms) != 1 or not isinstance(forms[0], Expr):
+                raise FalseStep(f"{title}: {name} is no name")
+            name = forms[0]
+        return None if isinstance(name, (sp.Symbol, AppliedUndef)) else name
 
     def lemma(
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
@@ -130,9 +134,8 @@ class Steps(Record):
         for name, number in numbers:
             if number.positive_roots_below:
                 raise FalseStep(f"{title}: {name} has a smaller positive root")
-            if not confirmed(Minimal(number)):
+            if not is_minimal(number):
                 raise FalseStep(f"{title}: {name} has another minimal polynomial")
-            self.checks.append((title, Minimal(number)))
         lines = [(name, "=", number.minimal) for name, number in numbers]
         method = r"irreducible over $\mathbb{Q}$; balls around the roots"
         self._equation(title, lines, "proved", method, because)
@@ -155,11 +158,13 @@ class Steps(Record):
             name, source = pair
             value = self._shown(source)
             text = decimals(value, places)
-            if isinstance(name, Expr) and not name.free_symbols:
-                own = Decimals(enclosed(name).ball, text)
-                if not (own.holds() and own.value.overlaps(value)):
+            number = self._read_name(title, name)
+            if number is not None and number.free_symbols:
+                raise FalseStep(f"{title}: {name} is no name; give an expression without symbols")
+            if number is not None:
+                own = enclosed(number).ball
+                if not (begins_with(own, text) and own.overlaps(value)):
                     raise FalseStep(f"{title}: {name} is not {text}...")
-            self.checks.append((title, Decimals(value, text)))
             rows.append((name, "=", text + r"\ldots"))
         self._equation(title, rows, "enclosed", "ball arithmetic", because)
 
@@ -168,10 +173,6 @@ class Steps(Record):
         number = enclosed(source)
         self.certificates += number.certificates
         return number.ball
-
-    def limits(self, expr: Expr, variable: sp.Symbol, at: Expr, value: Expr) -> Evidence:
-        """A limit proved without being written on the page."""
-        return Evidence("exact series", (self._tends("limit", expr, variable, at, value),), KEY)
 
     def limit(
         self,
@@ -183,134 +184,54 @@ class Steps(Record):
         because: str = "",
         name: Expr | str | None = None,
     ) -> Expr:
-        """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series."""
-        self._tends(title, expr, variable, at, value)
+        """The limit of ``expr`` as ``variable`` tends to ``at`` is ``value``, by exact series.
+
+        The conditions under which this was shown are written below it.
+        """
+        theorem = self._tends(title, expr, variable, at, value)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         inner = rf"\bigl({inner}\bigr)" if name is None and is_sum(inner) else inner
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
-        self._equation(title, [(left, "=", value)], "proved", "exact series", because)
+        given = ",\\ ".join(chains(sorted(theorem.hypotheses, key=written)))
+        why = "; ".join(filter(None, [f"for ${given}$" if given else "", because]))
+        self._equation(title, [(left, "=", value)], "proved", "exact series", why)
         return value
-
-    def positive(
-        self, title: str, fact: Fact, on: str, because: str = "", name: str | None = None
-    ) -> Fact:
-        """A sign on a domain (``on``, LaTeX); its certificate was checked when it was built."""
-        if fact.made is None:
-            raise FalseStep(f"{title}: {fact.expr} is assumed, not proved")
-        self._keep(fact)
-        self.supposed |= fact.rests
-        sign = ">" if fact.strict else r"\ge"
-        left = latex(fact.expr) if name is None else name
-        right = rf"0\qquad ({on})"
-        self._equation(title, [(left, sign, right)], "proved", fact.reason, because)
-        self.checks.append((title, Sign(fact)))
-        return fact
-
-    def result(
-        self,
-        text: str,
-        relation: Expr | Sequence[Expr],
-        equal_to: Form,
-        because: str = "",
-        paper: str = "",
-    ) -> Form:
-        """The result of the chapter, boxed; proved to say the same as ``equal_to``."""
-        how = self._proved(text, relation, equal_to)
-        lines = [(r.lhs, _sign(r), r.rhs) for r in parts(relation)]
-        self._equation(text, lines, "proved", how, because, boxed=True, kind="result", paper=paper)
-        return relation
-
-    def inside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Evidence:
-        """All roots of a polynomial in z lie inside the unit circle, its symbols at a point.
-
-        Symbols of the polynomial may stand for expressions ``given`` in those of the point.  With
-        ``half`` only roots that may have a positive real part are asked for: where z stands for
-        the square root, that is the principal sheet.
-        """
-        check = Roots(polynomial, dict(at or {}), dict(given or {}), half)
-        largest = check.largest()
-        if not largest < 1:
-            raise FalseStep(f"{title}: a root is not shown to be inside, largest {largest}")
-        self._roots(title, "<", bound(largest, above=True), check)
-        return Evidence("balls around the roots", (check,), KEY)
-
-    def outside(
-        self,
-        title: str,
-        polynomial: Expr,
-        at: Point | None = None,
-        given: Mapping[Expr, Expr] | None = None,
-        half: bool = False,
-    ) -> Witness:
-        """A root of such a polynomial lies outside; what this contradicts is false at the point.
-
-        With ``half`` it has a positive real part.
-        """
-        check = Roots(polynomial, dict(at or {}), dict(given or {}), half, inside=False)
-        largest = check.largest()
-        if not largest > 1:
-            raise FalseStep(f"{title}: no root is shown to be outside, largest {largest}")
-        self._roots(title, ">", bound(largest, above=False), check)
-        return Witness(dict(at or {}), "balls around the roots", check, KEY)
-
-    def _roots(self, title: str, sign: str, size: str, check: Roots) -> None:
-        """The line that says on which side of 1 the largest root lies."""
-        self.checks.append((title, check))
-        name = r"\max_{\Re\zeta>0}|\zeta|" if check.half else r"\max|z|"
-        self._equation(title, [(name, sign, size)], "proved", "balls around the roots", "")
 
     def free_of(self, what: str, expr: Expr, *symbols: sp.Symbol) -> Evidence:
         """``expr`` contains the symbols and does not change with them.
 
         Its difference for two values of a symbol is zero in the normal form.
         """
-        checks = tuple(Free(sp.sympify(expr), symbol) for symbol in symbols)
-        for check in checks:
-            if check.symbol not in check.expr.free_symbols:
-                raise FalseStep(
-                    f"{what}: {check.symbol} is not in it, so nothing is shown to drop out"
-                )
-            if not confirmed(check):
-                raise FalseStep(f"{what}: it changes with {check.symbol}")
-        self.checks += [(what, check) for check in checks]
+        for symbol in symbols:
+            if symbol not in expr.free_symbols:
+                raise FalseStep(f"{what}: {symbol} is not in it, so nothing is shown to drop out")
+            if not is_zero(expr - expr.xreplace({symbol: sp.Dummy(symbol.name)})):
+                raise FalseStep(f"{what}: it changes with {symbol}")
         names = ", ".join(f"${latex(s)}$" for s in symbols)
-        return Evidence(f"the same for any two values of {names}", checks, KEY)
+        return Evidence(f"the same for any two values of {names}")
 
     def all_zeros(
         self, what: str, coefficients: Sequence[arb], lower: arb, upper: arb, zeros: Sequence[arb]
     ) -> Evidence:
         """A real polynomial (lowest power first) has these zeros in an interval, and no other."""
-        check = AllZeros(tuple(coefficients), (lower, upper), tuple(zeros))
-        if not check.holds():
+        found = [y for y in real_roots(tuple(coefficients)) if not (y < lower or y > upper)]
+        if len(found) != len(zeros) or not all(map(arb.overlaps, found, zeros)):
             raise FalseStep(f"{what}: these are not all the zeros")
-        self.checks.append((what, check))
-        return Evidence("balls around all roots of the polynomials", (check,), KEY)
+        return Evidence("balls around all roots of the polynomials")
 
     def same(self, what: str, *forms: Form) -> Evidence:
         """All the forms are proved equal, without being written on the page.
 
-        A form beside itself is refused.  Where SymPy makes one expression of two forms as it
-        evaluates them, the method says so.
+        Where SymPy makes one expression of two forms as it evaluates them, the method says so.
         """
         how: str | Comparison = ""
-        before = len(self.checks)
         if len(forms) < 2:
             raise FalseStep(f"{what}: a comparison needs two sides")
-        caller = sys._getframe(1)
-        if again := written_twice(caller.f_code, caller.f_lasti, skipped=1):
-            raise FalseStep(f"{what}: {again} compared with itself proves nothing")
         for left, right in itertools.pairwise(forms):
             how = self._proved(what, left, right)
             if parts(left) == parts(right):
                 how = "both sides evaluate to one expression"
-        return Evidence(how, tuple(check for _, check in self.checks[before:]), KEY)
+        return Evidence(how)
 
     def table(self, caption: str, head: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
         """Columns of numbers or formulas as they were computed; text may hold formulas in $."""
@@ -336,7 +257,3 @@ class Steps(Record):
         self.blocks.append(
             Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
         )
-
-
-def _sign(relation: Expr) -> str:
-    return {"==": "=", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}[relation.rel_op]

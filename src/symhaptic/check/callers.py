@@ -1,156 +1,212 @@
-"""Somebody's function, from Python, a shared library or a command, as one that takes points."""
+"""Somebody's function, from Python, a shared library or a command, as one that takes points.
+
+It runs in a process of its own (:mod:`symhaptic.check.apart`), which ends with all that it has
+started when the time is up, when it prints too much, and when this process ends.
+"""
 
 from __future__ import annotations
 
-import importlib
-import inspect
+import json
 import os
 import shlex
-import struct
+import shutil
+import signal
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
 from pathlib import Path
-from types import TracebackType
-from typing import Any
+from tempfile import TemporaryDirectory
+from threading import Thread
+from time import monotonic
+from typing import Any, Self
 
-Points = Sequence[tuple[float, ...]]
-Caller = Callable[[Points], list[tuple[float, ...]]]
+from symhaptic.check import apart
+from symhaptic.check.apart import Points
 
+SECONDS, MEMORY = 60.0, 4.0
+"""The most time and memory (GiB) that somebody's code gets."""
 
-class _Theirs:
-    """Whatever somebody's code raises is one line, but for an interrupt."""
+_OUTPUT, _LINE = 1 << 20, 1 << 10
+"""Bytes that may be printed, and more of them for each point."""
 
-    def __init__(self, said: Callable[[], str], lost: str = "") -> None:
-        self.said, self.lost = said, lost
+_GRACE = 2.0
+"""Seconds in which a function without an error has to end."""
 
-    def __enter__(self) -> None:
-        """Their code begins."""
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        wrong: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        if kind is None or isinstance(wrong, KeyboardInterrupt):
-            return
-        if isinstance(wrong, SystemExit):
-            raise ValueError(f"--python: {self.said()} ends the program ({wrong.code})") from None
-        line = " ".join(str(wrong).split())
-        if self.lost and isinstance(wrong, ImportError | AttributeError):
-            raise ValueError(f"--python: {self.lost} ({line}); MODULE:NAME is") from None
-        raise ValueError(f"--python: {self.said()} fails ({kind.__name__}: {line})") from None
+Values = list[tuple[float, ...]]
 
 
-def python(name: str, results: int) -> Caller:
-    """``module:function``, called with one point at a time; the folder one stands in counts."""
-    module, _, attribute = name.partition(":")
-    if module.endswith(".py") or not all(map(str.isidentifier, module.split("."))):
-        such = f"{Path(module).stem or 'module'}:{attribute or 'name'}"
-        raise ValueError(f"--python: {name!r} is not allowed; MODULE:NAME is, such as {such}")
-    sys.path.insert(0, os.getcwd())
-    with _Theirs(lambda: repr(module), f"{name!r} is not found"):
-        function = getattr(importlib.import_module(module), attribute)
-    return called(function, results)
+def called(function: Callable[..., Any]) -> Callable[[Points], Values]:
+    """A function of this process, as pytest has it."""
+    return lambda points: list(apart.called(function, points))
 
 
-def place(name: str) -> tuple[str, int] | None:
-    """File and line of ``module:function``, below the folder one stands in."""
-    module, _, attribute = name.partition(":")
-    try:
-        function = inspect.unwrap(getattr(importlib.import_module(module), attribute))
-        file = Path(inspect.getsourcefile(function) or "").resolve().relative_to(Path.cwd())
-        return file.as_posix(), inspect.getsourcelines(function)[1]
-    except (TypeError, ValueError, OSError):  # it is none of Python's own, or lies elsewhere
-        return None
+class Theirs(ExitStack):
+    """A function of somebody else's, called with points; a context, which ends its process.
 
-
-def files(python: str | None, library: str | None, command: str | None) -> set[Path]:
-    """What is read when the function is called, as far as its name tells."""
-    words = [] if command is None else _words(command)
-    if library is not None:
-        words.append(library.rpartition(":")[0])
-    if python is not None:
-        words.append(getattr(sys.modules[python.partition(":")[0]], "__file__", None) or "")
-    return {Path(word).resolve() for word in words}
-
-
-def called(function: Callable[..., Any], results: int) -> Caller:
-    """An error of arithmetic (a division by zero, a logarithm of nothing) is NaN."""
-
-    def run(points: Points) -> list[tuple[float, ...]]:
-        found, at = [], points[0]
-        with _Theirs(lambda: f"called with {', '.join(map(str, at))} it"):
-            for at in points:
-                try:
-                    value = function(*at)
-                except (ArithmeticError, ValueError):
-                    value = (float("nan"),) * results
-                found.append(tuple(value) if isinstance(value, tuple | list) else (value,))
-        return [_numbers(*pair) for pair in zip(points, found, strict=True)]
-
-    return run
-
-
-def _numbers(point: tuple[float, ...], values: Sequence[Any]) -> tuple[float, ...]:
-    try:
-        return tuple(float(v) for v in values)
-    except (TypeError, ValueError, OverflowError):
-        given, got = ", ".join(map(str, point)), values[0] if len(values) == 1 else values
-        raise ValueError(
-            f"--python: called with {given} it gives {got!r}; numbers are allowed"
-        ) from None
-
-
-def library(name: str, arguments: int, results: int) -> Caller:
-    """``FILE:function`` in C: doubles by value; several results by pointers behind them.
-
-    It is called in a process of its own, which it may end.
+    Raises :class:`ValueError`, in one line, for all that keeps it from giving its results.
     """
-    file, _, symbol = name.rpartition(":")
-    program = [sys.executable, "-I", str(Path(__file__).with_name("apart.py"))]
-    program += [str(Path(file).resolve()), symbol, str(arguments), str(results)]
 
-    def run(points: Points) -> list[tuple[float, ...]]:
-        given = b"".join(struct.pack(f"={arguments}d", *point) for point in points)
-        done = subprocess.run(program, input=given, stdout=subprocess.PIPE, check=False)
-        told, sent = done.stdout[:1], done.stdout[1:]
-        if told == b"-":
-            wrong = sent.decode()
-            raise ValueError(f"--library: {name!r} is not found ({wrong}); FILE:NAME is")
-        whole = len(sent) // (8 * results)
-        found = list(struct.iter_unpack(f"={results}d", sent[: 8 * results * whole]))
-        if done.returncode or len(found) != len(points):
-            at = ", ".join(map(str, points[whole])) if whole < len(points) else ""
-            when = "when it is loaded" if not told else f"called with {at}" if at else "at last"
-            raise ValueError(f"--library: {when} it ends the program ({done.returncode})")
-        return found
+    def __init__(
+        self,
+        kind: str,
+        name: str,
+        arguments: int,
+        results: int,
+        seconds: float = SECONDS,
+        memory: float = MEMORY,
+    ) -> None:
+        super().__init__()
+        self.kind, self.name, self.seconds, self.left = kind, name, seconds, seconds
+        self.words = _words(name) if kind == "command" else [name]
+        cpu = (int(seconds) + 5) * (os.cpu_count() or 1)
+        self.limits = [cpu, int(memory * 2**30), _OUTPUT, _LINE, arguments, results]
+        self.process: subprocess.Popen[bytes] | None = None
+        self.about: dict[str, Any] = {}
+        """File, and place and line of a Python function."""
 
-    return run
-
-
-def command(line: str) -> Caller:
-    """A line of hexadecimal floats for each point in, a line of results for each out."""
-    words = _words(line)
-
-    def run(points: Points) -> list[tuple[float, ...]]:
-        text = "".join(" ".join(v.hex() for v in p) + "\n" for p in points)
+    def __enter__(self) -> Self:
+        folder = Path(self.enter_context(TemporaryDirectory(prefix="symhaptic-check-")))
+        self.points, self.found, self.said = (folder / n for n in ("points", "found", "said"))
+        self.callback(self._end)
         try:
-            done = subprocess.run(words, input=text, capture_output=True, text=True)
-            lines = done.stdout.splitlines()
-            found = [tuple(_number(w) for w in one.split()) for one in lines]
-        except (OSError, ValueError) as wrong:
-            raise ValueError(f"--command: {line!r} cannot be used ({wrong})") from None
-        if done.returncode or len(found) != len(points):
-            said = "".join(f" ({last})" for last in done.stderr.strip().splitlines()[-1:])
-            raise ValueError(
-                f"--command: {line!r} ended with status {done.returncode} and {len(found)} lines"
-                f"{said}; 0 and {len(points)} lines are allowed"
+            if self.kind != "command":
+                self.process = self._started(stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                self.about = self._answer("when it is loaded")
+        except BaseException:
+            self.close()
+            raise
+        return self
+
+    def __call__(self, points: Points) -> Values:
+        """Its results, a tuple for each point."""
+        lines = [" ".join(map(float.hex, map(float, point))) for point in points]
+        self.points.write_text("\n".join(lines) + "\n")
+        self.found.write_bytes(b"")
+        if self.kind == "command":
+            self._run(len(points))
+        else:
+            if self.process is not None and self.process.stdin is not None:
+                with suppress(BrokenPipeError):
+                    self.process.stdin.write(b"\n")
+                    self.process.stdin.flush()
+            self._answer("at last", points)
+        with open(self.found, errors="replace") as file:
+            rows = file.read().splitlines()
+        try:
+            found = [self._numbers(row) for row in rows]
+        except ValueError as wrong:
+            raise self._wrong(f"{wrong}; print numbers, a line for each point") from None
+        if len(found) != len(points):
+            raise self._wrong(
+                f"prints {len(found)} lines; print one for each of {len(points)} points"
             )
         return found
 
-    return run
+    def _numbers(self, row: str) -> tuple[float, ...]:
+        """Numbers of a line; none where a function has had an error of arithmetic."""
+        if row == "-" and self.kind != "command":
+            return ()
+        return tuple(float.fromhex(w) if "x" in w.lower() else float(w) for w in row.split())
+
+    def finish(self) -> None:
+        """See whether it ends without an error when there is nothing left to do."""
+        if self.process is not None and self.process.stdin is not None:
+            self.process.stdin.close()
+            with suppress(subprocess.TimeoutExpired):
+                if status := self.process.wait(_GRACE):
+                    raise self._wrong(f"ends the program ({status}) at last{self._last()}")
+
+    def files(self) -> set[Path]:
+        """What is read when the function is called, as far as its name tells."""
+        words = [self.name.partition(":")[0]] if self.kind == "library" else self.words
+        return {Path(word).resolve() for word in (*words, self.about.get("file")) if word}
+
+    def place(self) -> tuple[str, int] | None:
+        """File and line of a Python function below the folder one stands in."""
+        with suppress(KeyError, ValueError):
+            file = Path(self.about["place"]).resolve().relative_to(Path.cwd())
+            return file.as_posix(), self.about["line"]
+        return None
+
+    def _started(self, **streams: Any) -> subprocess.Popen[bytes]:
+        program = [sys.executable, "-P", apart.__file__, self.kind, *map(str, self.limits)]
+        program += [str(self.said.parent), *self.words]
+        with open(self.said, "wb") as said:
+            return subprocess.Popen(program, stderr=said, start_new_session=True, **streams)
+
+    def _run(self, count: int) -> None:
+        """The command, with all points as its input."""
+        self.limits[2] = _OUTPUT + _LINE * count
+        begin = monotonic()
+        with open(self.points, "rb") as points, open(self.found, "wb") as found:
+            self.process = self._started(stdin=points, stdout=found)
+        try:
+            status = self.process.wait(max(self.left, 0.001))
+        except subprocess.TimeoutExpired:
+            raise self._late("no end") from None
+        finally:
+            self._end()
+            self.left -= monotonic() - begin
+        if max(self.found.stat().st_size, self.said.stat().st_size) >= self.limits[2]:
+            raise self._wrong(f"prints more than {self.limits[2]} bytes for {count} points")
+        if status:
+            raise self._wrong(f"ends with status {status}{self._last()}; end with 0")
+
+    def _answer(self, when: str, points: Points = ()) -> dict[str, Any]:
+        """What the process says within the time that is left."""
+        begin, said, process = monotonic(), list[bytes](), self.process
+        if process is None or process.stdout is None:
+            raise self._wrong("has ended")
+        answers = process.stdout
+        reading = Thread(target=lambda: said.append(answers.readline()), daemon=True)
+        reading.start()
+        reading.join(max(self.left, 0.001))
+        self.left -= monotonic() - begin
+        row = self.found.read_bytes().count(b"\n") if points else 0
+        if row < len(points):
+            when = f"when called with {', '.join(map(str, points[row]))}"
+        if not said:
+            self._end()
+            raise self._late("no answer", f" {when}")
+        if not said[0]:
+            raise self._wrong(f"ends the program ({process.wait()}) {when}{self._last()}")
+        told: dict[str, Any] = json.loads(said[0])
+        if "wrong" in told:
+            raise self._wrong(told["wrong"])
+        return told
+
+    def _late(self, what: str, when: str = "") -> ValueError:
+        return self._wrong(f"{what} after {self.seconds:g} s{when}; --timeout allows more")
+
+    def _wrong(self, what: str) -> ValueError:
+        return ValueError(f"--{self.kind} {self.name}: {what}")
+
+    def _last(self) -> str:
+        """The last line that it has printed as an error."""
+        with open(self.said, errors="replace") as file:
+            lines = file.read(_OUTPUT).strip().splitlines()
+        return f" ({lines[-1]})" if lines else ""
+
+    def _end(self) -> None:
+        """End the process and those that it has started."""
+        if self.process is not None:
+            with suppress(ProcessLookupError, PermissionError):
+                if hasattr(os, "killpg"):
+                    os.killpg(self.process.pid, signal.SIGKILL)
+                else:
+                    self.process.kill()
+            self.process.wait()
+            self.process = None
+
+
+def python_name(name: str) -> str:
+    """``MODULE:NAME``; a file is refused with the module that is meant."""
+    module, _, attribute = name.partition(":")
+    if module.endswith(".py") or not all(map(str.isidentifier, module.split("."))):
+        such = f"{Path(module).stem or 'module'}:{attribute or 'name'}"
+        raise ValueError(f"--python {name}: no module and name; give MODULE:NAME, such as {such}")
+    return name
 
 
 def _words(line: str) -> list[str]:
@@ -158,11 +214,8 @@ def _words(line: str) -> list[str]:
     try:
         words = shlex.split(line)
     except ValueError as wrong:
-        raise ValueError(f"--command: {line!r} cannot be used ({wrong})") from None
-    if not words:
-        raise ValueError(f"--command: {line!r} is not allowed; a program and its words are")
+        raise ValueError(f"--command {line}: {wrong}; give a program and its words") from None
+    if not words or shutil.which(words[0]) is None:
+        found = repr(words[0]) if words else "an empty line"
+        raise ValueError(f"--command {line}: {found} is no program; give one and its words")
     return words
-
-
-def _number(word: str) -> float:
-    return float.fromhex(word) if "x" in word.lower() else float(word)

@@ -1,62 +1,112 @@
-"""What can be checked: arguments in their order and ranges, exact values, and where to look."""
+"""What can be checked: arguments and where they lie, exact values, and the size of an error."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
+import flint
+import numpy as np
+from flint import arb
+
 Exact = Callable[..., tuple[Any, ...]]
-Range = tuple[float, float, tuple[float, ...]]
-"""The least and the largest value of an argument, and hard values."""
+Point = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Argument:
+    """Where the values of an argument lie."""
+
+    low: float
+    high: float
+    """Of ordinary values."""
+    least: float
+    most: float
+    """Sizes on a logarithmic scale."""
+    special: tuple[float, ...] = (0.0,)
+    signed: bool = False
+    whole: bool = False
+    top: float = math.inf
+    """The largest value that there is."""
+
+    def allows(self, value: float) -> bool:
+        """Whether the argument may have this value."""
+        whole = not self.whole or value == math.floor(value)
+        positive = value > 0 or (value == 0 and self.low == 0)
+        return (self.signed or positive) and value <= self.top and whole
+
+
+@dataclass(frozen=True, eq=False)
+class Checked:
+    """A function with exact values of its results: balls, truth values or whole numbers.
+
+    A result that is None or NaN has no exact value, and the point is not used for it.
+    """
+
+    id: str
+    arguments: Mapping[str, Argument]
+    results: tuple[str, ...]
+    exact: Exact
+    near: Exact | None
+    """Nearly the same on arrays, fast: it shows where to look, and decides nothing."""
+    scale: Exact | None = None
+    """The size of the terms that cancel in each result, by which an error is measured."""
+    balls: int = 1000
+    """Points at which exact values are computed."""
+    precisions: int = 5
+    """Working precisions that are tried for an exact value."""
+    printed: str = ""
+    """The statement of the paper that prints it."""
+    flat: tuple[str, ...] = ()
+    """Results that count as numbers of ``FLAT``: a maximum hardly depends on where it is."""
+    border: Callable[..., list[Point]] | None = None
+    """Points on both sides of a boundary: arguments, a relative distance and a random generator."""
+    derived: Callable[[dict[str, Any]], dict[str, Any]] = dict
+    """Arguments of what is drawn, such as a frequency of an angle."""
+    refused: Callable[..., bool] = lambda *point: False
+    """Where NaN is no error."""
+    open: tuple[str, ...] = ()
+    """What no point covers, in words."""
 
 
 FLAT = 1e8
 """A number of this size has a unit in the last place of half of the digits of one of size 1."""
 
-
-@dataclass(frozen=True)
-class Checked:
-    """A function with one ball for each result, or truth values, or None where it is not told.
-
-    ``near`` gives nearly the same on arrays, fast: it tells where to look, and decides nothing.
-    ``scale`` is the size that an error is measured by where a result is smaller, as by
-    cancellation; it takes numbers and arrays.
-    """
-
-    id: str
-    ranges: dict[str, Range]
-    results: tuple[str, ...]
-    exact: Exact
-    near: Exact | None
-    scale: Exact | None = None
-    whole: tuple[str, ...] = ()
-    """Arguments that are whole numbers."""
-    balls: int = 2000
-    """Points at which exact values are asked for."""
-    printed: str = ""
-    """The statement of the paper that prints it."""
-    flat: tuple[str, ...] = ()
-    """Results that count as numbers of ``FLAT``: where a maximum is, its height hardly tells."""
+_BITS = (192, 384, 768, 1536, 3072)
+_KNOWN, _ROUGH = 2.0**-80, 1e-5
+"""Radius of an exact value as a share of its size: that is sought, and that is used at all."""
 
 
-B: Range = (0.0, 50.0, (1e-300, 1e-8))
-PERIOD: Range = (1e-4, 1e-2, (1e-3,))
-DELAY: Range = (0.0, 8.0, (1.0,))
-FEW: Range = (0.0, 3.0, (1.0,))
-"""A delay for what takes a polynomial."""
+@lru_cache(maxsize=100_000)
+def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[float, ...]]:
+    """Exact results, as precise as it takes, and the sizes that their errors are measured by."""
+    with np.errstate(all="ignore"):
+        scale = checked.scale(*point) if checked.scale else (0.0,) * len(checked.results)
+    sizes = tuple(map(float, scale))
+    found: tuple[Any, ...] = ()
+    for bits in _BITS[: checked.precisions]:
+        with flint.ctx.workprec(bits):
+            try:
+                found = checked.exact(*point)
+            except ArithmeticError:
+                found = (None,) * len(checked.results)
+                continue
+            if all(_is_known(v, size, _KNOWN) for v, size in zip(found, sizes, strict=True)):
+                break
+    pairs = zip(found, sizes, strict=True)
+    return tuple(v if _is_known(v, size, _ROUGH) else None for v, size in pairs), sizes
 
-FRACTION: Range = (0.0, 0.99, (0.5,))
-"""A part of a period."""
 
-GAMMA: Range = (0.0, 9.8, (1e-300, 1e-16, 1e-8, 1.0, 2.25))
-DELTA: Range = (0.0, 4.0, (1e-300, 1e-16, 1e-8, 2.0, 3.0))
-"""With critical damping at (1, 2) and (2.25, 3)."""
+def _is_known(value: Any, size: float, share: float) -> bool:
+    """Whether the radius of a ball is at most a share of its size."""
+    if not isinstance(value, arb) or not value.is_finite():
+        return True
+    return bool(value.rad() <= share * max(abs(float(value.mid())), size, 1e-300))
 
-SPRING: Range = (0.0, 1.0, (1e-8, 0.0625))
-DAMPER: Range = (0.0, 1.0, (1e-8, 0.5))
-STIFFNESS: Range = (-0.5, 3.0, (0.0, 1e-8))
-DAMPING: Range = (-0.5, 2.0, (0.0, 1e-8))
-ANGLE: Range = (1e-6, 3.14, (1.0,))
-FREQUENCY: Range = (1.0, 300.0, ())
-"""Below the Nyquist frequency of the longest period."""
+
+def shown(right: Any) -> str:
+    """An exact value in 25 digits; ``None`` where there is none."""
+    return str(right) if isinstance(right, int | None) else str(right.str(25, radius=False))

@@ -1,42 +1,62 @@
 """The worst error in units in the last place, where it is, and the plainest place where it is.
 
-All points are compared with the package's own numbers, which takes little, and only where these
-are farthest off, and at as many others, with balls.  Balls alone decide what is wrong.
+All points are compared with the package's own numbers, which takes little.  Exact values, in balls,
+are computed beside boundaries, where the function differs most from these numbers, and at other
+points.  Exact values alone decide what is wrong.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import islice, product
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from time import perf_counter
 from typing import Any
 
 import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench.exact import bits
-from symhaptic.check.callers import Caller
-from symhaptic.check.checked import Checked
+from symhaptic.check.checked import Checked, Point, exact
+from symhaptic.check.points import Points, Range, drawn
 
-Point = tuple[float, ...]
+Caller = Callable[[Sequence[Point]], list[Point]]
+
+POINTS = 10_000
+"""Points at which a function is called."""
+
+_SECONDS = 5.0
+"""Time that a function gets before it is called at fewer points."""
+
+_PLAIN = 2.0
+"""Time in which plainer arguments are sought."""
+
+_FIRST = 50
+"""Points of the first call, and a third of those of the second, and so on."""
+
+_UNKNOWN = -1
+"""A count of roots that is not told, as where rounding decides."""
+
+_TRIED = 10
+"""Wrong truth values whose distance from the boundary is computed."""
 
 
 @dataclass(frozen=True)
 class Found:
-    """What a comparison found; ``worst`` is infinite for NaN and for a wrong truth value."""
+    """What a comparison found; ``worst`` is infinite for NaN, and for what no rounding explains."""
 
     checked: Checked
+    results: tuple[str, ...]
+    """Those that the function gives."""
     ulp: float
-    points: int
-    looked: tuple[tuple[Point, Point, float], ...]
-    """Points that were held against balls, with results and errors."""
+    points: Points
+    called: int
+    """So many of the points the function was called at."""
+    looked: tuple[tuple[int, Point, float], ...]
+    """Numbers of the points that have exact values, with results and errors."""
     worst: float
     at: Point
-    result: str
     got: Point
-    right: tuple[str, ...]
     missing: tuple[Point, ...]
     """Where it gives NaN."""
     names: tuple[str, ...]
@@ -47,165 +67,237 @@ class Found:
         return self.worst <= self.ulp
 
 
-def points(checked: Checked, count: int, seed: int = 20) -> list[Point]:
-    """Edges and hard values in all pairs first, then random ones inside."""
-    ends = [_ends(checked, name) for name in checked.ranges]
-    edges = [
-        [v for v in dict.fromkeys((low, high, *hard)) if low <= v <= high]
-        for (low, high), (*_, hard) in zip(ends, checked.ranges.values(), strict=True)
-    ]
-    found = list(islice(product(*edges), count // 2))
-    rng = np.random.default_rng(seed)
-    inside = [rng.uniform(*pair, count - len(found)) for pair in ends]
-    for i, name in enumerate(checked.ranges):
-        if name in checked.whole:
-            inside[i] = np.round(inside[i])
-    return found + list(zip(*(column.tolist() for column in inside), strict=True))
+def compared(
+    checked: Checked,
+    call: Caller,
+    ulp: float = 8,
+    count: int | None = None,
+    over: Range | None = None,
+    explained: bool = True,
+) -> Found:
+    """Compare at ``count`` points; what is wrong is explained by a plainer point and a cause.
 
-
-def _ends(checked: Checked, name: str) -> tuple[float, float]:
-    """The least and the largest value of an argument, a whole number where it is one."""
-    low, high, _ = checked.ranges[name]
-    if name not in checked.whole:
-        return low, high
-    if math.ceil(low) > math.floor(high):
-        raise ValueError(f"{name}: no whole number lies between {low} and {high}")
-    return float(math.ceil(low)), float(math.floor(high))
-
-
-def compared(checked: Checked, call: Caller, ulp: float, count: int) -> Found:
-    """Compare at ``count`` points, and make the worst of them plainer where it stays wrong.
-
+    Without a count there are ``POINTS``, or as many as the function computes in a few seconds.
     A function that gives the first of several results is held against these.
     """
     if not 0 <= ulp < math.inf:
-        raise ValueError(f"ulp: {ulp} is not allowed; finite numbers >= 0 are")
-    some = points(checked, count)
-    got, many = call(some), len(checked.results)
-    given, most_given = min(map(len, got)), max(map(len, got))
-    if given != most_given:
-        raise ValueError(
-            f"the function gives {given} numbers at one point and {most_given} at another; "
-            "as many everywhere are allowed"
-        )
-    if not given or given > many:
-        names = ", ".join(checked.results)
-        raise ValueError(f"the function gives {given} numbers; {names} are allowed")
-    checked = replace(checked, results=checked.results[:given])
-    got = [g[:given] for g in got]
-    places = _looked(checked, some, got)
-    looked = [(some[i], got[i], off(checked, some[i], got[i])[0]) for i in places]
-    at, last, most = max(looked, key=lambda one: one[2])
+        raise ValueError(f"ulp: {ulp} is not a finite number >= 0; give one")
+    points = drawn(checked, count or (POINTS if checked.near else checked.balls), over)
+    got = _called(call, points.all, math.inf if count else _SECONDS)
+    given = _given(checked, got)
+    nothing = (math.nan,) * given
+    got = [g[:given] or nothing for g in got]
+    places = _looked(checked, points, got)
+    looked = [(i, got[i], error(checked, points.all[i], got[i])[0]) for i in places]
+    looked = _forgiven(checked, points, looked, ulp)
+    place, last, most = max(looked, key=lambda one: one[2])
     if most < 0:
-        raise ValueError(f"{checked.id} has no value that is told at any of {len(some)} points")
-    wrong = most > ulp
-    if wrong:
-        at = plainest(checked, call, at, ulp)
-        last = call([at])[0][:given]
+        raise ValueError(f"{checked.id} has no exact value at any of {len(got)} points")
+    at = points.all[place]
+    names: tuple[str, ...] = ()
+    missing = tuple(p for p, g in zip(points.all, got, strict=False) if any(map(math.isnan, g)))
+    if most > ulp and explained:
+        from symhaptic.check.mistakes import named
+
+        at, last = plainest(checked, call, (at, last), ulp, over or {})
+        some = [i for i in range(len(got)) if points.ordinary[i]]
+        names = named(checked, [points.all[i] for i in some], [got[i] for i in some], missing)
+    results = checked.results[:given]
+    count = len(got)
     return Found(
-        checked,
-        ulp,
-        len(some),
-        tuple(looked),
-        most,
-        at,
-        off(checked, at, last)[1],
-        last,
-        tuple(map(shown, exact(checked, at)[0])),
-        tuple(p for p, g in zip(some, got, strict=True) if any(map(math.isnan, g))),
-        _named(checked, some, got) if wrong else (),
+        checked, results, ulp, points, count, tuple(looked), most, at, last, missing, names
     )
 
 
-def _named(checked: Checked, some: list[Point], got: list[Point]) -> tuple[str, ...]:
-    """Mistakes are read from the paper, which who is right need not wait for."""
-    from symhaptic.check.mistakes import named
+def _called(call: Caller, some: list[Point], seconds: float) -> list[Point]:
+    """Results at the first points, more and more at once, until the time is used up."""
+    found: list[Point] = []
+    size, begin = _FIRST if seconds < math.inf else len(some), perf_counter()
+    while len(found) < len(some):
+        before = perf_counter()
+        batch = some[len(found) : len(found) + size]
+        found += call(batch)
+        each = (perf_counter() - before) / len(batch)
+        left = seconds - (perf_counter() - begin)
+        size = 3 * size if each * 3 * size <= left else int(left / each) if left > 0 else 0
+        if size < _FIRST:
+            break
+    return found
 
-    return named(checked, some, got)
+
+def _given(checked: Checked, got: list[Point]) -> int:
+    """How many results the function gives, everywhere but where it gives none."""
+    counts = [len(g) for g in got if g] or [len(checked.results)]
+    given, most = min(counts), max(counts)
+    if given != most:
+        raise ValueError(
+            f"the function gives {given} numbers at one point and {most} at another; "
+            "give as many at every point"
+        )
+    if not 0 < given <= len(checked.results):
+        names = ", ".join(checked.results)
+        raise ValueError(f"the function gives {given} numbers; give {names}")
+    return given
 
 
-def _looked(checked: Checked, some: list[Point], got: list[Point]) -> list[int]:
-    """Which points are held against balls: where it is farthest off, and as many others."""
-    if len(some) <= checked.balls or checked.near is None:
-        return list(range(0, len(some), max(1, len(some) // checked.balls)))
-    columns = [np.array(column) for column in zip(*some, strict=True)]
+def _looked(checked: Checked, points: Points, got: list[Point]) -> list[int]:
+    """Which points get exact values: beside boundaries, where it is farthest off, and others."""
+    count = len(got)
+    if count <= checked.balls:
+        return list(range(count))
     mine = np.array(got, dtype=float)
-    with np.errstate(all="ignore"):
-        near = np.stack(np.broadcast_arrays(*checked.near(*columns)), axis=1).astype(float)
-        size = np.abs(near)
-        if checked.scale:
-            scale = np.broadcast_arrays(columns[0], *checked.scale(*columns))[1:]
-            size = np.maximum(size, np.stack(scale, axis=1))
-        near, size = near[:, : mine.shape[1]], size[:, : mine.shape[1]]
-        away = np.abs(mine - near) / np.spacing(size)
-    away[np.isnan(mine) & ~np.isnan(near)] = np.inf
+    away = np.where(np.isnan(mine), np.inf, 0.0)
+    if checked.near is not None:
+        columns = [np.array(column) for column in zip(*points.all[:count], strict=True)]
+        with np.errstate(all="ignore"):
+            near = _stacked(columns, checked.near(*columns))[:, : mine.shape[1]]
+            size = np.abs(near)
+            if checked.scale is not None:
+                scale = _stacked(columns, checked.scale(*columns))
+                size = np.maximum(size, scale[:, : mine.shape[1]])
+            away = np.abs(mine - near) / np.spacing(size)
+            away[np.isnan(mine) ^ np.isnan(near) | np.isinf(mine) ^ np.isinf(near)] = np.inf
+            away[np.isnan(mine) & np.isnan(near)] = 0.0
     order = np.argsort(-np.nan_to_num(away, nan=0.0, posinf=np.inf).max(axis=1), kind="stable")
-    half = checked.balls // 2
-    others = order[half :: max(1, (len(order) - half) // half)][:half]
-    return [int(i) for i in (*order[:half], *others)]
+    beside = np.flatnonzero(~np.isnan(points.distance[:count]))
+    chosen = dict.fromkeys([*beside.tolist(), *order[: checked.balls // 2].tolist()])
+    chosen |= dict.fromkeys(order[:: max(1, count // max(1, checked.balls // 2))].tolist())
+    return list(chosen)
 
 
-def off(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
-    """The error of the worst result, and its name; -inf where none has a value that is told."""
+def _stacked(columns: list[Any], values: Sequence[Any]) -> Any:
+    return np.stack(np.broadcast_arrays(columns[0], *values)[1:], axis=1).astype(float)
+
+
+def error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, str]:
+    """The error of the worst result, and its name; -inf where none has an exact value."""
     worst = -math.inf, checked.results[0]
     rights, sizes = exact(checked, point)
-    for name, value, right, size in zip(checked.results, got, rights, sizes, strict=True):
-        worst = max(worst, (_off(value, right, size), name), key=lambda one: one[0])
+    for name, value, right, size in zip(checked.results, got, rights, sizes, strict=False):
+        off = _off(value, right, size)
+        if math.isnan(value) and checked.refused(*point):
+            off = -math.inf
+        worst = max(worst, (off, name), key=lambda one: one[0])
     return worst
 
 
-def exact(checked: Checked, point: Point) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-    """Exact results, and the sizes that their errors are measured by."""
-    tiny = any(0 < abs(v) < 1e-12 for v in point)
-    with flint.ctx.workprec(bits(point) if tiny else 256):
-        found = checked.exact(*point)
-    sizes = checked.scale(*point) if checked.scale else (0.0,) * len(found)
-    given = len(checked.results)
-    return found[:given], sizes[:given]
-
-
 def _off(value: float, right: Any, size: float) -> float:
-    """At least so many units; -inf where the formula has no value or balls do not tell it."""
+    """At least so many units; -inf where there is no exact value."""
     if right is None:
         return -math.inf
-    if isinstance(right, bool):
+    if isinstance(right, int):  # a truth value, or a count
         return 0.0 if value == right else math.inf
-    if not right.is_finite():
+    if right.is_nan():
         return -math.inf
+    if not right.is_finite():
+        infinite = math.inf if right > 0 else -math.inf if right < 0 else math.nan
+        return -math.inf if math.isnan(infinite) else 0.0 if value == infinite else math.inf
     if not math.isfinite(value):
         return math.inf
     with flint.ctx.workprec(256):
         away = float((arb(value) - right).abs_lower())
-    return away / math.ulp(max(abs(float(right.mid())), float(size)))
+    return away / math.ulp(max(abs(float(right.mid())), size))
 
 
-def shown(right: Any) -> str:
-    """An exact value in 25 digits; ``None`` where it is not told."""
-    return str(right) if isinstance(right, bool | None) else str(right.str(25, radius=False))
+# -- truth values and counts ---------------------------------------------------------------------
 
 
-def plainest(checked: Checked, call: Caller, point: Point, ulp: float) -> Point:
-    """The plainest arguments that are reached, one after the other, while it stays wrong."""
+def _forgiven(
+    checked: Checked, points: Points, looked: list[tuple[int, Point, float]], ulp: float
+) -> list[tuple[int, Point, float]]:
+    """Wrong truth values with the distance to the next point where they are right, in units.
+
+    What rounding the arguments explains is told from what is wrong; those that a boundary is far
+    from come first.
+    """
+    if checked.border is None:
+        return looked
+    far = points.distance
+    wrong = [one for one in looked if one[2] == math.inf and math.isfinite(one[1][0])]
+    wrong.sort(key=lambda one: -far[one[0]] if far[one[0]] == far[one[0]] else -math.inf)
+    found = {one[0]: one[2] for one in looked}
+    for n, (i, got, _) in enumerate(wrong):
+        found[i] = distance(checked, points.all[i], got[0], ulp if n >= _TRIED else 0.0)
+        if found[i] > (ulp if n >= _TRIED else 1e300):  # the others change nothing
+            found |= {other: found[i] for other, *_ in wrong[n:]}
+            break
+    return [(i, got, found[i]) for i, got, _ in looked]
+
+
+def distance(checked: Checked, point: Point, value: float, least: float = 0.0) -> float:
+    """The smallest change of the arguments, in units of 2^-52, that makes a truth value right.
+
+    Distances below ``least`` are told as this; infinite where a change of a tenth does not suffice.
+    """
+    units = [u for u in (1.0, 8.0, *(100.0**k for k in range(1, 8))) if u > least]
+    seen = [exact(checked, point)[0][0]]
+    for unit in [least, *units] if least else units:
+        for other in _moved(checked, point, unit * 2.0**-52):
+            seen += [v for v in exact(checked, other)[0] if v is not None]
+            if min(seen) <= value <= max(seen) or (value == _UNKNOWN and len(set(seen)) > 1):
+                return unit
+    return math.inf
+
+
+def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
+    """The point with the wall or one argument larger or smaller by a share."""
+    at = dict(zip(checked.arguments, point, strict=True))
+    wall = max(abs(at.get("alpha", 0.0)), abs(at.get("beta", 0.0)))
+    for sign in (1, -1):
+        scaled = {
+            name: v * (1 + sign * share) for name, v in at.items() if name in ("alpha", "beta")
+        }
+        yield tuple((at | scaled).values())
+        for name, value in at.items():
+            size = wall if name in ("alpha", "beta") else abs(value)
+            other = value + sign * share * size
+            if other != value:
+                yield tuple((at | {name: other}).values())
+
+
+def plainest(
+    checked: Checked,
+    call: Caller,
+    begin: tuple[Point, Point],
+    ulp: float,
+    over: Range,
+    seconds: float = _PLAIN,
+) -> tuple[Point, Point]:
+    """The plainest arguments that are reached, one after the other, while it stays wrong.
+
+    With what the function gives there.
+    """
+    point, last = begin
     before: Point = ()
+    end = perf_counter() + seconds
     while before != point:
         before = point
-        for i, (name, (low, high, _)) in enumerate(checked.ranges.items()):
-            values = [v for v in _plainer(point[i], name in checked.whole) if low <= v <= high]
+        for i, (name, argument) in enumerate(checked.arguments.items()):
+            low, high = over.get(name, (-math.inf, math.inf))
+            values = [v for v in _plainer(point[i]) if low <= v <= high and argument.allows(v)]
             others = [(*point[:i], v, *point[i + 1 :]) for v in values]
-            got = call(others) if others else []
-            wrong = (
-                other
-                for other, g in zip(others, got, strict=True)
-                if off(checked, other, g[: len(checked.results)])[0] > ulp
-            )
-            point = next(wrong, point)
-    return point
+            if perf_counter() > end or not others:
+                continue
+            try:
+                got = [g[: len(last)] or (math.nan,) * len(last) for g in call(others)]
+            except ValueError:  # what is wrong has been found
+                return point, last
+            wrong = (pair for pair in zip(others, got, strict=True) if _wrong(checked, *pair, ulp))
+            point, last = next(wrong, (point, last))
+    return point, last
 
 
-def _plainer(value: float, whole: bool) -> list[float]:
+def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
+    off, _ = error(checked, at, got)
+    if off == math.inf and checked.border is not None and math.isfinite(got[0]):
+        return distance(checked, at, got[0], ulp) > ulp
+    return off > ulp
+
+
+def _plainer(value: float) -> list[float]:
     """Values with less to read, the plainest first."""
     plain = [0.0, 1.0, 2.0, 0.5]
     plain += [10.0 ** math.floor(math.log10(abs(value)))] if value else []
     plain += [float(f"{value:.{n}g}") for n in range(1, 17)]
-    plain = [v for v in dict.fromkeys(plain) if not whole or v.is_integer()]
+    plain = list(dict.fromkeys(plain))
     return plain[: plain.index(value)] if value in plain else plain

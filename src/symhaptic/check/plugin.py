@@ -25,30 +25,25 @@ class Agreement:
         function: Callable[..., Any],
         ulp: float = 8,
         over: Mapping[str, tuple[float, float]] | None = None,
-        points: int = 10000,
+        points: int | None = None,
     ) -> None:
         """Fail the test where the function is off by more than ``ulp`` units in the last place.
 
         ``over`` narrows the ranges of arguments: ``{"b": (0, 10)}``.
         """
-        from dataclasses import replace
-
         from symhaptic.check.callers import called
         from symhaptic.check.compare import compared
         from symhaptic.check.told import Report, text
 
-        if points < 1:
-            raise ValueError(f"points: {points} is not allowed; 1 or more are")
-        ranges = dict(self.checked.ranges)
+        if points is not None and points < 1:
+            raise ValueError(f"points: {points} is not positive; give 1 or more")
         for name, (low, high) in (over or {}).items():
-            if name not in ranges or not -inf < low <= high < inf:
-                known = ", ".join(ranges)
+            if name not in self.checked.arguments or not -inf < low <= high < inf:
+                known = ", ".join(self.checked.arguments)
                 raise ValueError(
-                    f"over: {name!r}: ({low}, {high}) is not allowed; (least, most) of {known} is"
+                    f"over: {name!r}: ({low}, {high}) is no range; give (least, most) of {known}"
                 )
-            ranges[name] = float(low), float(high), ranges[name][2]
-        checked = replace(self.checked, ranges=ranges)
-        found = compared(checked, called(function, len(checked.results)), ulp, points)
+        found = compared(self.checked, called(function), ulp, points, over)
         if not found.agrees:
             name = getattr(function, "__qualname__", repr(function))
             pytest.fail(text(Report(found, name, 0.0)), pytrace=False)

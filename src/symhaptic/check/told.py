@@ -8,9 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from xml.etree import ElementTree as ET
 
-from symhaptic.check.checked import FLAT, Checked
-from symhaptic.check.compare import Found, Point, points, shown
-from symhaptic.check.compare import exact as exact_at
+from symhaptic.check.checked import FLAT, Checked, Point, exact, shown
+from symhaptic.check.compare import Found, error
+from symhaptic.check.covered import covered
+from symhaptic.check.points import drawn
 
 
 @dataclass(frozen=True)
@@ -27,31 +28,58 @@ class Report:
 
 def named(found: Found, point: Point) -> str:
     """Arguments by name, as hexadecimal floats and as one reads them."""
-    pairs = zip(found.checked.ranges, point, strict=True)
+    pairs = zip(found.checked.arguments, point, strict=True)
     return ", ".join(f"{name} = {v.hex()} ({v:.6g})" for name, v in pairs)
-
-
-def values(found: Found) -> str:
-    """What it gives there, and what is exact."""
-    rows = zip(found.checked.results, found.got, found.right, strict=True)
-    return "; ".join(f"{name} is {mine!r}, exact {right}" for name, mine, right in rows)
 
 
 def lines(report: Report) -> list[str]:
     """What was found, a line each."""
     found = report.found
-    worst = f"worst error {found.worst:.3g} ulp of {found.result}"
-    out = [
-        f"{found.checked.id}: {found.points} points, {len(found.looked)} of them in balls, {worst}"
-    ]
-    flat = " and ".join(name for name in found.checked.flat if name in found.checked.results)
-    coarse = [f"in {flat} a unit is {math.ulp(FLAT):.2g}, half of the digits: a maximum is flat"]
+    head = f"{found.checked.id}: {found.called} points, {len(found.looked)} with exact values, "
+    out = [head + _worst(found)]
     if found.agrees:
-        return [f"{out[0]}; agrees", *(coarse if flat else [])]
-    out += [f"at {named(found, found.at)}", values(found)]
-    if found.missing:
+        out[0] += "; agrees"
+    else:
+        rows = zip(found.results, found.got, _right(found), strict=True)
+        out += [f"at {named(found, found.at)}"]
+        out += ["; ".join(f"{name} is {mine!r}, exact {right}" for name, mine, right in rows)]
+    if found.missing and not found.agrees:
         out += [f"NaN at {len(found.missing)} points, such as {named(found, found.missing[0])}"]
-    return [*out, *(coarse if flat else []), *found.names, "differs"]
+    if flat := " and ".join(name for name in found.checked.flat if name in found.results):
+        unit = f"{math.ulp(FLAT):.2g}"
+        out += [f"in {flat} a unit is {unit}, half of the digits: a maximum is flat"]
+    out += _covered(found)
+    return out if found.agrees else [*out, *found.names, "differs"]
+
+
+def _right(found: Found) -> list[str]:
+    values, _ = exact(found.checked, found.at)
+    return list(map(shown, values[: len(found.results)]))
+
+
+def _worst(found: Found) -> str:
+    """The worst error; for truth values and counts, their distance from the boundary."""
+    if found.checked.border is None:
+        name = error(found.checked, found.at, found.got)[1]
+        return f"worst error {found.worst:.3g} ulp of {name}"
+    if found.worst == 0:
+        return "no wrong answer"
+    if math.isinf(found.worst):
+        return "wrong answers that no rounding of the arguments explains"
+    away = f"{found.worst:.3g} ulp ({found.worst * 2.0**-52:.1g} relative)"
+    return f"wrong answers within {away} of the boundary"
+
+
+def _covered(found: Found) -> list[str]:
+    what = covered(found)
+    ranges = (f"{name} {low:.3g} to {high:.3g}" for name, (low, high) in what["ranges"].items())
+    out = [f"covered: {', '.join(ranges)}"]
+    if what["kinds"]:
+        out += ["points with " + ", ".join(f"{words}: {n}" for words, n in what["kinds"].items())]
+    if what["beside"]:
+        by = ", ".join(f"{n} at {distance}" for distance, n in what["beside"].items())
+        out += [f"both sides of the boundary, at relative distances: {by}"]
+    return [*out, f"not covered: {'; '.join(what['missing'])}"] if what["missing"] else out
 
 
 def text(report: Report) -> str:
@@ -66,8 +94,8 @@ def github(report: Report) -> str:
     given = [("title", f"symhaptic check of {report.of}")]
     if report.place is not None:
         given = [("file", report.place[0]), ("line", str(report.place[1])), *given]
-    told = ",".join(f"{name}={_escaped(text, ':,')}" for name, text in given)
-    return f"::error {told}::{_escaped(chr(10).join(lines(report)[:-1]))}\n"
+    properties = ",".join(f"{name}={_escaped(text, ':,')}" for name, text in given)
+    return f"::error {properties}::{_escaped(chr(10).join(lines(report)[:-1]))}\n"
 
 
 def _escaped(text: str, more: str = "") -> str:
@@ -78,13 +106,17 @@ def _escaped(text: str, more: str = "") -> str:
 
 
 def junit(report: Report) -> str:
-    """One test case."""
+    """One test case, with what was covered as properties."""
     found, seconds = report.found, f"{report.seconds:.3f}"
     suite = ET.Element("testsuite", name="symhaptic check", tests="1", time=seconds)
     suite.set("failures", str(int(not found.agrees)))
     case = ET.SubElement(
         suite, "testcase", name=found.checked.id, classname=report.of, time=seconds
     )
+    properties = ET.SubElement(case, "properties")
+    counts = {"points": found.called, "exact_values": len(found.looked)}
+    for name, value in (counts | covered(found)).items():
+        ET.SubElement(properties, "property", name=name, value=json.dumps(value))
     if not found.agrees:
         first, *rest = lines(report)
         ET.SubElement(case, "failure", message=first).text = "\n".join(rest)
@@ -100,14 +132,14 @@ def json_text(report: Report) -> str:
         "formula": found.checked.id,
         "function": report.of,
         "agrees": found.agrees,
-        "points": found.points,
-        "balls": len(found.looked),
-        "worst_ulp": found.worst if found.worst < float("inf") else None,
+        "points": found.called,
+        "exact_values": len(found.looked),
+        "covered": covered(found),
+        "worst_ulp": found.worst if found.worst < math.inf else None,
         "allowed_ulp": found.ulp,
-        "at": {name: v.hex() for name, v in zip(found.checked.ranges, found.at, strict=True)},
-        "result": found.result,
+        "at": {name: v.hex() for name, v in zip(found.checked.arguments, found.at, strict=True)},
         "got": [v.hex() for v in found.got],
-        "exact": list(found.right),
+        "exact": _right(found),
         "nan": len(found.missing),
         "mistakes": list(found.names),
         "seconds": round(report.seconds, 3),
@@ -116,25 +148,27 @@ def json_text(report: Report) -> str:
 
 
 def table(report: Report) -> str:
-    """The points in balls: arguments and results as hexadecimal floats, exact values, error."""
-    found, checked = report.found, report.found.checked
-    mine = [f"{name}_got" for name in checked.results]
-    out = [",".join((*checked.ranges, *checked.results, *mine, "ulp"))]
-    for point, got, off in found.looked:
-        out.append(",".join((*_row(checked, point), *(v.hex() for v in got), f"{max(off, 0):.3g}")))
+    """Points with exact values: arguments, exact values, results and the error."""
+    found = report.found
+    mine = [f"{name}_got" for name in found.results]
+    out = [",".join((*found.checked.arguments, *found.results, *mine, "ulp"))]
+    for i, got, off in found.looked:
+        row = _row(found.checked, found.points.all[i], len(found.results))
+        out.append(",".join((*row, *(v.hex() for v in got), f"{max(off, 0):.3g}")))
     return "\n".join(out) + "\n"
 
 
 def exact_table(checked: Checked, count: int) -> str:
-    """The same of no function, for tests in a language that this package does not speak."""
-    head = ",".join((*checked.ranges, *checked.results))
-    rows = (",".join(_row(checked, point)) for point in points(checked, count))
+    """The same without a function, for tests in a language that this package does not speak."""
+    head = ",".join((*checked.arguments, *checked.results))
+    rows = (",".join(_row(checked, p, len(checked.results))) for p in drawn(checked, count).all)
     return "\n".join((head, *rows)) + "\n"
 
 
-def _row(checked: Checked, point: Point) -> list[str]:
+def _row(checked: Checked, point: Point, results: int) -> list[str]:
     """Arguments as hexadecimal floats, then 25 digits of each result; ``nan`` where it has none."""
-    return [*(v.hex() for v in point), *map(shown, exact_at(checked, point)[0])]
+    values = exact(checked, point)[0][:results]
+    return [*(v.hex() for v in point), *("nan" if v is None else shown(v) for v in values)]
 
 
 FORMATS: dict[str, Callable[[Report], str]] = {

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from time import perf_counter
@@ -12,12 +16,11 @@ import typer
 from symhaptic.cli.shared import app, only_listed, refuse, writable, write
 
 if TYPE_CHECKING:
-    from symhaptic.check.callers import Caller
     from symhaptic.check.checked import Checked
 
 
-_MOST = 10**7
-"""Points that fit into memory, with what is found at them."""
+_MOST = 10**6
+"""Points that fit into memory, with their results and exact values."""
 
 
 class CheckFormat(StrEnum):
@@ -36,7 +39,7 @@ def check(
         str | None, typer.Option("--formula", metavar="ID", help="--list names all.")
     ] = None,
     python: Annotated[
-        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function.")
+        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run.")
     ] = None,
     library: Annotated[
         str | None,
@@ -54,8 +57,25 @@ def check(
     ] = None,
     ulp: Annotated[float, typer.Option("--ulp", metavar="N", help="Largest error allowed.")] = 8,
     points: Annotated[
-        int, typer.Option("--points", metavar="N", min=1, max=_MOST, help="How many.")
-    ] = 10000,
+        int | None,
+        typer.Option(
+            "--points",
+            metavar="N",
+            min=1,
+            max=_MOST,
+            help="How many; 10000, or as many as the function computes in 5 s, if not given.",
+        ),
+    ] = None,
+    over: Annotated[
+        list[str] | None,
+        typer.Option("--over", metavar="X=LOW:HIGH", help="A narrower range; again for others."),
+    ] = None,
+    timeout: Annotated[
+        float, typer.Option("--timeout", metavar="S", help="Seconds that your function may take.")
+    ] = 60,
+    memory: Annotated[
+        float, typer.Option("--memory", metavar="GIB", help="Memory that your function may take.")
+    ] = 4,
     arguments: Annotated[
         str | None,
         typer.Option("--arguments", metavar="X,...", help="The order that your function has."),
@@ -74,8 +94,9 @@ def check(
     listing: Annotated[bool, typer.Option("--list", help="Print what can be checked.")] = False,
 ) -> None:
     """Check a function of your own against exact values: 0 agrees, 1 differs, 2 bad usage."""
-    from symhaptic.check import callers, told
-    from symhaptic.check.compare import compared
+    from symhaptic.check import told
+    from symhaptic.check.callers import Theirs, python_name
+    from symhaptic.check.compare import POINTS, compared
     from symhaptic.check.formulas import CHECKED
     from symhaptic.notation.suggest import suggested
 
@@ -83,7 +104,9 @@ def check(
     if listing:
         only_listed(output=output, formula=formula, python=python, library=library, command=command)
         for name, one in CHECKED.items():
-            typer.echo(f"{name}({', '.join(one.ranges)}) -> {', '.join(one.results)}{_says(one)}")
+            typer.echo(
+                f"{name}({', '.join(one.arguments)}) -> {', '.join(one.results)}{_says(one)}"
+            )
         return
     if formula is None:
         refuse("--formula: is needed; `symhaptic check --list` lists all")
@@ -91,28 +114,89 @@ def check(
         every = "`symhaptic check --list` lists all"
         refuse(f"--formula: {formula!r} is not known; {suggested(formula, CHECKED, every)}")
     checked = CHECKED[formula]
-    given = [way for way in (python, library, command) if way is not None]
+    ways = {"python": python, "library": library, "command": command}
+    given = {kind: name for kind, name in ways.items() if name is not None}
     if format is CheckFormat.table and not given:
-        made = told.exact_table(checked, points)
-        _tell(made, output)
+        _tell(told.exact_table(checked, points or POINTS), output)
         return
     if len(given) != 1:
-        refuse("--python, --library, --command: exactly one of them is needed")
-    if not 0 <= ulp < float("inf"):
-        refuse(f"--ulp: {ulp} is not allowed; finite numbers >= 0 are")
+        refuse("--python, --library, --command: give exactly one of them")
+    if not 0 <= ulp < math.inf:
+        refuse(f"--ulp: {ulp} is not a finite number >= 0; give one")
+    for option, value in (("--timeout", timeout), ("--memory", memory)):
+        if not 0 < value < math.inf:
+            refuse(f"{option}: {value} is not a finite number > 0; give one")
+    ((kind, name),) = given.items()
+    order = _order(checked, arguments)
+    narrower = _narrower(checked, over or [])
     begin = perf_counter()
     try:
-        call = _caller(checked, python, library, command, arguments)
-        if output is not None and output.resolve() in callers.files(python, library, command):
-            refuse(f"-o {output}: is what is read here; another file is allowed")
-        found = compared(checked, call, ulp, points)
+        if kind == "python":
+            python_name(name)
+        numbers = len(order), len(checked.results), timeout, memory
+        theirs = Theirs(kind, name, *numbers)
+        _not_read(output, theirs.files())
+        with ended(), theirs:
+            _not_read(output, theirs.files())
+            found = compared(
+                checked,
+                lambda some: theirs([tuple(p[i] for i in order) for p in some]),
+                ulp,
+                points,
+                narrower,
+            )
+            if found.agrees:
+                theirs.finish()
     except ValueError as wrong:
         refuse(str(wrong))
-    place = callers.place(python) if python is not None else None
-    made = told.FORMATS[format](told.Report(found, given[0], perf_counter() - begin, place))
-    _tell(made, output)
+    report = told.Report(found, name, perf_counter() - begin, theirs.place())
+    _tell(told.FORMATS[format](report), output)
     if not found.agrees:
         raise typer.Exit(1)
+
+
+def _not_read(output: Path | None, files: set[Path]) -> None:
+    if output is not None and output.resolve() in files:
+        refuse(f"-o {output}: this file is read here; give another one")
+
+
+@contextmanager
+def ended() -> Iterator[None]:
+    """End by way of all that has to be ended, too, when this process is asked to end."""
+
+    def end(number: int, _: object) -> None:
+        raise SystemExit(128 + number)
+
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _order(checked: Checked, arguments: str | None) -> list[int]:
+    """Where each argument of somebody's function is among those of the formula."""
+    names = list(checked.arguments)
+    order = [name.strip() for name in (arguments or ",".join(names)).split(",")]
+    if sorted(order) != sorted(names):
+        refuse(f"--arguments: {arguments!r} does not name each argument; order {', '.join(names)}")
+    return [names.index(name) for name in order]
+
+
+def _narrower(checked: Checked, over: list[str]) -> dict[str, tuple[float, float]]:
+    """Ranges such as ``d=0:12`` by the names of their arguments."""
+    found = {}
+    for word in over:
+        name, _, ends = word.partition("=")
+        try:
+            low, high = map(float, ends.split(":"))
+        except ValueError:
+            low, high = 1.0, 0.0
+        if name not in checked.arguments or not -math.inf < low <= high < math.inf:
+            known = ", ".join(checked.arguments)
+            refuse(f"--over: {word!r} is no range; give NAME=LOW:HIGH with one of {known}")
+        found[name] = low, high
+    return found
 
 
 def _says(checked: Checked) -> str:
@@ -129,28 +213,3 @@ def _tell(made: str, output: Path | None) -> None:
     from symhaptic.book.listing import replace
 
     write(replace, output, made)
-
-
-def _caller(
-    checked: Checked,
-    python: str | None,
-    library: str | None,
-    command: str | None,
-    arguments: str | None,
-) -> Caller:
-    """Somebody's function, with its arguments in its own order."""
-    from symhaptic.check import callers
-
-    names = list(checked.ranges)
-    order = [name.strip() for name in (arguments or ",".join(names)).split(",")]
-    if sorted(order) != sorted(names):
-        known = ", ".join(names)
-        raise ValueError(f"--arguments: {arguments!r} is not allowed; an order of {known} is")
-    if python is not None:
-        call = callers.python(python, len(checked.results))
-    elif library is not None:
-        call = callers.library(library, len(order), len(checked.results))
-    else:
-        call = callers.command(str(command))
-    places = [names.index(name) for name in order]
-    return lambda some: call([tuple(p[i] for i in places) for p in some])

@@ -32,9 +32,7 @@ class TraceFormat(StrEnum):
 
 @app.command()
 def bench(
-    quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer points and delays; some two minutes.")
-    ] = False,
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer points and delays.")] = False,
     output: Annotated[Path, typer.Option("-o", metavar="DIR", help="Folder of the record.")] = Path(
         "reports/bench"
     ),
@@ -104,6 +102,61 @@ def trace(
         typer.echo(content, nl=False)
     else:
         write(listing.replace, output, content)
+
+
+class JuryFormat(StrEnum):
+    """How `jury` prints."""
+
+    text = "text"
+    json = "json"
+
+
+@app.command()
+def jury(
+    delay: Annotated[str, typer.Argument(metavar="DELAY", help="Whole sampling periods.")],
+    gamma: Annotated[
+        str | None, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m of the device.")
+    ] = None,
+    delta: Annotated[
+        str | None, typer.Option("--delta", metavar="D", help="Damping b T/m of the device.")
+    ] = None,
+    format: Annotated[JuryFormat, typer.Option("--format", help="How to print.")] = JuryFormat.text,
+    output: Annotated[
+        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+    ] = None,
+) -> None:
+    """Print Jury's inequalities, which hold together exactly where a wall is stable.
+
+    They are in alpha = K T^2/m, beta = B T/m and the numbers n_1, n_0, a and e of the sampled
+    device; with --gamma and --delta in alpha and beta alone, coefficients rounded to 15 digits.
+    """
+    import json
+
+    from symhaptic.book import listing
+    from symhaptic.model import jury as criterion
+
+    if (gamma is None) != (delta is None):
+        refuse(f"--{'delta' if delta is None else 'gamma'}: is missing; give both or none")
+    device = {
+        name: number(name, given)
+        for name, given in (("gamma", gamma), ("delta", delta))
+        if given is not None
+    }
+    if not delay.isdecimal():
+        refuse(f"DELAY: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
+    try:
+        found = criterion.jury(int(delay), **device)
+    except ValueError as wrong:
+        refuse(f"--{wrong}")
+    lines = [str(inequality) for inequality in found]
+    if format is JuryFormat.json:
+        text = json.dumps({"delay": int(delay), "inequalities": lines}, indent=1) + "\n"
+    else:
+        text = "\n".join(lines) + "\n"
+    if output is None:
+        typer.echo(text, nl=False)
+    else:
+        write(listing.replace, output, text)
 
 
 @app.command()

@@ -68,8 +68,8 @@ def verify(
         bool,
         typer.Option(
             "--strict",
-            help="Fail on undecided too, on argued or external where no ledger says so, and of a "
-            "source on another print, condition or correction than its ledger's.",
+            help="Fail on what no chapter settles, on undecided or external where no ledger says "
+            "so, and on another print, condition, correction or counterexample than the ledger's.",
         ),
     ] = False,
     workers: Annotated[
@@ -98,6 +98,9 @@ def verify(
     ] = False,
 ) -> None:
     """Decide the paper's statements; fail where a verdict is not the committed one.
+
+    Of statements that are named the paper's own words, our reading and the proposition are printed
+    before the verdict.
 
     With --derivation those that your own chapters settle, or what is named.  With --source those
     of your own source, whose committed verdicts are in ledger.json beside it.
@@ -166,12 +169,13 @@ def verify(
                 refuse(f"ID: {id!r} is not a statement; {suggested(id, names, LISTED)}")
         entries = [names[id] for id in dict.fromkeys(wanted) if id in names]
     surprises = [] if known is None else committed.surprises(entries, known, whole=everything)
-    surprises += [entry.wrong for entry in found if entry.wrong]
     if strict:
         surprises += committed.unproved(entries, known)
         if source is not None and known is not None:
             surprises += committed.reworded(entries, source / "ledger.json")
-    undecided = [e for e in entries if e.verdict.kind == "undecided"]
+        elif source is None and not own:
+            surprises += committed.reworded(entries, chapters.expected_ledger())
+    undecided = [e for e in entries if e.verdict.kind == "undecided" and e.derivation is None]
     stale(entries)
     for path in own if source is None and surprises else []:
         if (path.parent / chapters.SOURCE_FILE).is_file():
@@ -184,7 +188,7 @@ def verify(
         ListFormat.text: listing.text,
         ListFormat.json: listing.json_text,
         ListFormat.junit: listing.junit,
-    }[format](entries, surprises, strict, bad, perf_counter() - begin)
+    }[format](entries, surprises, strict, bad, perf_counter() - begin, bool(wanted))
     if output is None:
         typer.echo(text, nl=False)
     elif not (bad and format is ListFormat.text):
@@ -196,14 +200,16 @@ def verify(
 
 
 def committed_beside(source: Path) -> dict[str, str] | None:
-    """The verdicts that a user has committed; None where no file is."""
+    """The verdicts that a user has committed; None where there is nothing of that name."""
     from symhaptic.book import committed
 
     path = source / "ledger.json"
+    if not (path.exists() or path.is_symlink()):
+        return None
     try:
-        return committed.expected(path) if path.is_file() else None
-    except (ValueError, KeyError, TypeError):
-        refuse(f"{path}: is no ledger; `symhaptic verify --format json -o` writes one")
+        return committed.expected(path)
+    except committed.NoLedger as wrong:
+        refuse(str(wrong))
 
 
 def name_statements(

@@ -27,8 +27,7 @@ SourceFolder = Annotated[
 
 def chapters_in(folder: Path) -> list[Path]:
     """The chapters of a user's source, which is read before any of them is run."""
-    from symhaptic.book.chapters import SOURCE_FILE, BadChapter, readable
-    from symhaptic.book.parallel import source_apart
+    from symhaptic.book.chapters import SOURCE_FILE, BadChapter, readable, source_beside
 
     if not (folder / SOURCE_FILE).is_file():
         refuse(f"--source {folder}: has no {SOURCE_FILE}; a folder with one is allowed")
@@ -36,7 +35,7 @@ def chapters_in(folder: Path) -> list[Path]:
     if not paths:
         refuse(f"--source {folder}: has no chapter beside {SOURCE_FILE}")
     try:
-        source_apart(paths[0])
+        source_beside(paths[0])
         return [readable(path) for path in paths]
     except BadChapter as wrong:
         refuse(f"--source {wrong}")

@@ -1,4 +1,4 @@
-"""Limits: what walls a device bears, from a file."""
+"""Limits of stable and passive walls for a device, from a file."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from symhaptic.cli.shared import app, can_draw, refuse, writable, write
 if TYPE_CHECKING:
     from symhaptic.scene.device_file import Device
     from symhaptic.scene.safe import SafeWalls
+    from symhaptic.scene.scene import Scene
 
 
 class LimitsFormat(StrEnum):
@@ -53,11 +54,12 @@ def limits(
         ),
     ] = None,
 ) -> None:
-    """Say which walls a device bears: stable with the arm that holds it, passive by itself.
+    """Print which walls are stable with the device and its arm, and passive with the device alone.
 
-    With [arms], a range of arms, it also proves which walls are stable for every one of them.
+    With [arms], a range of arms, also prove which walls are stable for every one of them.
     """
     from symhaptic.book.listing import replace
+    from symhaptic.bounds.safe.find import NothingSafe
     from symhaptic.scene.device_file import BadDevice, read
 
     writable(output)
@@ -72,10 +74,13 @@ def limits(
         refuse(str(wrong))
     safe = None
     try:
-        data = answers(found.held, found.alone, found.wall)
+        data = answers(found.scene, found.wall)
         if found.arms is not None:
-            safe = found.alone.safe_walls(found.arms)
-            data["safe"] = proved(safe, found.wall)
+            try:
+                safe = found.scene.device.safe_walls(found.arms)
+                data["safe"] = proved(safe, found.wall)
+            except NothingSafe as unproved:
+                data["safe"] = {"arms": str(found.arms), "not_proved": str(unproved)}
     except ValueError as wrong:
         refuse(f"{device}: {wrong}")
     words = text(data) if said is LimitsFormat.text else json.dumps(data, indent=1) + "\n"
@@ -92,7 +97,7 @@ def limits(
 def asked(
     output: Path | None, given: LimitsFormat | None
 ) -> tuple[LimitsFormat, LimitsFormat | None]:
-    """How it is said, and what goes into the file: the same, or a picture beside it."""
+    """The format that is printed, and that of the file: the same, or a picture."""
     plain = None if given in DRAWN else given
     if output is None:
         if given in DRAWN:
@@ -109,7 +114,7 @@ def asked(
 
 
 def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> bytes:
-    """The walls of a device, and what is proved of them, drawn."""
+    """Picture of the walls of a device, of the proved ones if there are any."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -119,7 +124,7 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> byte
 
     figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
     if safe is None:
-        draw(axes, found.held, found.alone, found.wall)
+        draw(axes, found.scene, found.wall)
     else:
         draw_safe(axes, safe, found.wall)
     drawn = BytesIO()
@@ -127,39 +132,44 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> byte
     return drawn.getvalue()
 
 
-def answers(held: Any, alone: Any, wall: tuple[float, float] | None) -> dict[str, Any]:
-    """Limits as (K, B, frequency_hz); numbers that are none as None."""
+def answers(scene: Scene, wall: tuple[float, float] | None) -> dict[str, Any]:
+    """Limits as (K, B, frequency_hz), with ``None`` for values that are not finite.
+
+    Stability is that of device and arm together, passivity that of the device alone.
+    """
 
     def limit(found: Any) -> dict[str, float | None]:
         values = {"K": found.K, "B": found.B, "frequency_hz": found.frequency_hz}
-        return {k: v if math.isfinite(v) else None for k, v in values.items()}
+        return {k: finite(v) for k, v in values.items()}
+
+    def finite(value: float) -> float | None:
+        return value if math.isfinite(value) else None
 
     data: dict[str, Any] = {
-        "stiffest_stable": limit(held.max_stable_stiffness()),
-        "stable_without_virtual_damping": limit(held.limit_at(B=0.0)),
-        "stiffest_passive": limit(alone.max_passive_stiffness()) if alone.damping else None,
+        "arm": None if scene.arm is None else str(scene.arm),
+        "stiffest_stable": limit(scene.max_stable_stiffness()),
+        "stable_without_virtual_damping": limit(scene.limit_at(B=0.0)),
+        "stiffest_passive": limit(scene.max_passive_stiffness()) if scene.damping else None,
     }
     if wall is not None:
         K, B = wall
-        margin = alone.passivity_margin(K=K, B=B)
-        largest = held.delay_margin(K=K, B=B)
-        later = largest - float(held.periods) * held.sampling_period
         data["wall"] = {
             "K": K,
             "B": B,
-            "stable": bool(held.is_stable(K=K, B=B)),
-            "stable_up_to": limit(held.max_stable_stiffness(B)),
-            "passive_up_to": limit(alone.max_passive_stiffness(B)) if alone.damping else None,
-            "passive": bool(alone.is_passive(K=K, B=B)),
-            "passivity_margin": margin if math.isfinite(margin) else None,
-            "largest_delay_s": largest if math.isfinite(largest) else None,
-            "more_delay_s": later if 0 <= later < math.inf else None,
+            "stable": bool(scene.is_stable(K=K, B=B)),
+            "stable_up_to": limit(scene.max_stable_stiffness(B)),
+            "passive_up_to": limit(scene.max_passive_stiffness(B)) if scene.damping else None,
+            "passive": bool(scene.is_passive(K=K, B=B)),
+            "passivity_margin": finite(scene.passivity_margin(K=K, B=B)),
+            # both are None if no delay destabilises the wall, the first alone if it is not computed
+            "delay_margin_s": finite(scene.delay_margin(K=K, B=B)),
+            "max_delay_s": finite(scene.max_delay(K=K, B=B)),
         }
     return data
 
 
 def proved(safe: Any, wall: tuple[float, float] | None) -> dict[str, Any]:
-    """What is safe with every arm of a range, in N/m, Ns/m and s."""
+    """Walls that are proved stable for every arm of a range, in N/m, Ns/m and s."""
     K, B = safe.stiffest
     best = safe.best_damping(wall[0]) if wall and safe.softest <= wall[0] <= K else None
     return {
@@ -185,44 +195,59 @@ def text(data: dict[str, Any]) -> str:
         at = "" if limit["frequency_hz"] is None else f", at {limit['frequency_hz']:.4g} Hz"
         return f"{limit['K']:.5g} N/m with B = {limit['B']:.4g} Ns/m{at}"
 
+    arm = f"arm              {data['arm']}; counts for stability, not for passivity"
     lines = [
+        *([arm] if data["arm"] else []),
         f"stable up to     {said(data['stiffest_stable'])}",
         f"  without B      {said(data['stable_without_virtual_damping'])}",
         f"passive up to    {said(data['stiffest_passive'])}",
     ]
     if wall := data.get("wall"):
-        later, margin = wall["more_delay_s"], wall["passivity_margin"]
-        spare = "none, for it pulls" if margin is None else f"{margin:.4g} Ns/m to being passive"
-        if later is not None:
-            more = f"it bears {1000 * later:.4g} ms more delay"
-        elif wall["largest_delay_s"] is None:
-            more = "it bears any delay"
-        else:
-            more = "less delay is unstable"
+        margin = wall["passivity_margin"]
+        spare = "none, because K < 0" if margin is None else f"{margin:.4g} Ns/m"
         lines += [
             f"the wall         {wall['K']:g} N/m with {wall['B']:g} Ns/m is "
             f"{'stable' if wall['stable'] else 'NOT STABLE'} and "
             f"{'passive' if wall['passive'] else 'not passive'}",
             f"  with this B    stable up to {said(wall['stable_up_to'])}",
             f"                 passive up to {said(wall['passive_up_to'])}",
-            f"  its margin     {spare}" + (f"; {more}" if wall["stable"] else ""),
+            f"passivity margin {spare}",
+            f"delay margin     {_delay_said(wall)}",
         ]
     if safe := data.get("safe"):
-        (low, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]
-        stiffest, free = safe["stiffest"], safe["without_virtual_damping"]["K"]
-        lines += [
-            f"with every arm   of {safe['arms']}, proved:",
-            f"  stable up to   {stiffest['K']:.5g} N/m with B = {stiffest['B']:.4g} Ns/m",
-            f"  without B      {f'{free:.4g} N/m' if free else 'no stiffness'}",
-            f"  any wall of    {low:.2g} to {high:.5g} N/m with {left:.4g} to {right:.4g} Ns/m",
-        ]
-        if wall:
-            lines.append(f"  the wall is    {'safe' if safe['wall'] else 'NOT PROVED SAFE'}")
-        if best := safe["best_damping"]:
-            low, high = best["safe_B"]
-            stiff = f"{data['wall']['K']:g}"
-            lines.append(
-                f"  {stiff} N/m bears the most delay with B = {best['B']:.3g} Ns/m; "
-                f"safe are {low:.3g} to {high:.3g}"
-            )
+        lines.append(f"with every arm   of {safe['arms']}:")
+        lines += _safe_said(safe, data.get("wall"))
     return "\n".join(lines) + "\n"
+
+
+def _delay_said(wall: dict[str, Any]) -> str:
+    margin, most = wall["delay_margin_s"], wall["max_delay_s"]
+    if not wall["stable"]:
+        return "none, because the wall is not stable"
+    if most is None:
+        return "unlimited"
+    if margin is None:
+        return "not computed, because the wall is unstable with some smaller delay"
+    return f"{1000 * margin:.4g} ms, up to a delay of {1000 * most:.4g} ms"
+
+
+def _safe_said(safe: dict[str, Any], wall: dict[str, Any] | None) -> list[str]:
+    if "not_proved" in safe:
+        lines = [f"  not proved     {safe['not_proved']}"]
+        return lines + (["  the wall is    NOT PROVED SAFE"] if wall else [])
+    (low, high), (left, right) = safe["rectangle"]["K"], safe["rectangle"]["B"]
+    stiffest, free = safe["stiffest"], safe["without_virtual_damping"]["K"]
+    lines = [
+        f"  proved stable  up to {stiffest['K']:.5g} N/m with B = {stiffest['B']:.4g} Ns/m",
+        f"  without B      {f'{free:.4g} N/m' if free else 'no stiffness'}",
+        f"  any wall of    {low:.2g} to {high:.5g} N/m with {left:.4g} to {right:.4g} Ns/m",
+    ]
+    if wall:
+        lines.append(f"  the wall is    {'safe' if safe['wall'] else 'NOT PROVED SAFE'}")
+    if wall and (best := safe["best_damping"]):
+        low, high = best["safe_B"]
+        lines.append(
+            f"  best damping   {best['B']:.3g} Ns/m gives {wall['K']:g} N/m the largest delay "
+            f"margin; safe are {low:.3g} to {high:.3g} Ns/m"
+        )
+    return lines

@@ -28,7 +28,7 @@ def mutants(
         bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
     ] = False,
 ) -> None:
-    """Change every statement and step in one place; fail where a wrong one is not refused.
+    """Change every statement and table in one place; fail where a wrong one is not refused.
 
     With --derivation those of your chapters are changed, with --source those of your own source,
     and not the paper's.

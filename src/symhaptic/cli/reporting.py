@@ -16,7 +16,6 @@ from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.book.chapters import Chapter
-    from symhaptic.proof.verdict import Kind
 
 
 class ReportFormat(StrEnum):
@@ -180,13 +179,10 @@ def nothing(chapter: Chapter) -> None:
 
 def chapters_of(paths: list[Path], derived: Callable[[Chapter], None]) -> list[Chapter]:
     """Run derivations one after the other, whole with their pages; each is heard of at once."""
-    from symhaptic.book.chapters import BadChapter, folder, run
-    from symhaptic.book.ledger import of_chapter
+    from symhaptic.book.chapters import BadChapter, run
 
     done: list[Chapter] = []
-    foreign = [path for path in paths if path.resolve().parent != folder().resolve()]
     try:
-        apart = verdicts_apart(foreign)
         with progress(len(paths)) as told:
             for path in paths:
                 told(len(done), path)
@@ -194,23 +190,4 @@ def chapters_of(paths: list[Path], derived: Callable[[Chapter], None]) -> list[C
                 derived(done[-1])
     except BadChapter as wrong:
         refuse(f"--derivation {wrong}")
-    for one in done:
-        for entry in of_chapter(one) if one.path in foreign else ():
-            id, kind = entry.statement.id, entry.verdict.kind
-            if (kind, entry.verdict.condition) != apart.get(id):
-                found = apart[id][0] if id in apart else "not there"
-                refuse(f"{one.path}: {id} is {kind} here, and in a process of its own {found}")
     return done
-
-
-def verdicts_apart(paths: list[Path]) -> dict[str, tuple[Kind, str | None]]:
-    """Verdicts and conditions of somebody's chapters, found in processes of their own.
-
-    Side by side a chapter may change the package for the next.
-    """
-    from symhaptic.book import parallel
-
-    entries = parallel.settled(paths, parallel.workers()) if paths else []
-    for wrong in (entry.wrong for entry in entries if entry.wrong):
-        refuse(wrong)
-    return {e.statement.id: (e.verdict.kind, e.verdict.condition) for e in entries}

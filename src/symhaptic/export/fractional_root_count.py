@@ -15,19 +15,31 @@ from sympy import And, Expr, Max, Min, Or, sqrt
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.root_count import _Wall, faint, turns
+from symhaptic.export.root_count import (
+    BEYOND,
+    CENTER,
+    LEADS,
+    LOOP,
+    _Wall,
+    at_the_end,
+    counted,
+    faint,
+    flat,
+    point_off,
+    turned_off,
+    unit,
+)
 from symhaptic.export.routine import Routine, choose
 from symhaptic.export.steps import Steps
 from symhaptic.forms.root_count import FRACTIONAL_ARGUMENTS
 
-alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart = FRACTIONAL_ARGUMENTS
-slope, far, center, beyond = sp.symbols("slope far center beyond")
+alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart, across = FRACTIONAL_ARGUMENTS
+center, beyond = CENTER, BEYOND
 k0, k1, k2, k3 = TERMS = sp.symbols("k0 k1 k2 k3")
 low, high, at_low, at_high, zone = sp.symbols("low high at_low at_high zone")
-n1 = sp.Symbol("n1")
-"""As in the count for whole delays; here m2 - m0."""
 
-_LOOP = (alpha, slope, far, n1, loss, together, apart, center, beyond, d)
+_LOOP = (*LOOP, center, beyond)
+"""As in the count for whole delays, with m2 - m0 for n1."""
 
 _STEPS = 1000
 """At most so many; a root that is far smaller than the piece is approached by halves, and the
@@ -55,17 +67,22 @@ class _Products:
 
 
 def _about(
-    do: Steps, name: str, both: _Products, at: Expr, top: Expr, force: Expr, tilt: Expr
-) -> Terms:
-    """|A|^2 - |M|^2 |W|^2 about an end, from the values of A, M and W there."""
+    do: Steps, name: str, both: _Products, first: Expr, at: Expr, top: Expr, force: Expr, tilt: Expr
+) -> tuple[Terms, Expr]:
+    """|A|^2 - |M|^2 |W|^2 about an end, from its value and those of A, M and W there.
+
+    And the second coefficient with all terms positive.
+    """
     lost, square, even = both.lost, both.square, do("even", top * (m2 + m0))
-    linear, pushed = do("linear", both.size - even), do("pushed", top * force)
-    return (
-        do(f"{name}0", (at - pushed) * (at + pushed)),
-        do(f"{name}1", lost - at * (2 - loss) - linear * force**2 - top**2 * tilt),
-        do(f"{name}2", 1 - loss - square * force**2 - linear * tilt),
+    linear, push = do("linear", both.size - even), do("push", force**2)
+    terms = (
+        do(f"{name}0", first),
+        do(f"{name}1", lost - at * (2 - loss) - linear * push - top**2 * tilt),
+        do(f"{name}2", 1 - loss - square * push - linear * tilt),
         do(f"{name}3", -square * tilt),
     )
+    sizes = lost, at * (2 - loss), (both.size + sp.Abs(even)) * push, top**2 * sp.Abs(tilt)
+    return terms, do("most", sp.Add(*sizes))
 
 
 def _own(do: Steps, both: _Products, middle: Expr, rest: Expr, v: _Wall) -> Terms:
@@ -93,22 +110,52 @@ def _leads(k: Terms) -> Boolean:
     return leads
 
 
+def _blurs(do: Steps, at_one: Expr, last: Expr) -> tuple[Expr, Expr]:
+    """By how much M(-1) and m2 - m0 may be off: the first near half turns, that near whole ones.
+
+    There each term of their sums is as small as the root of A(-1) or of A(1).
+    """
+    size = do("size", m2 + sp.Abs(m0) + together)
+    near_half = do("near_half", sqrt(Min(at_minus_one, 1)))
+    stiff = And(gamma > _STIFF, loss < sp.S.Half)
+    near_whole = choose(stiff, 2 * sqrt(Min(at_one, 1)) / do.nonzero(gamma), size / 8)
+    return do("apart_off", 8 * last * size * near_half), do("n1_off", 16 * last * near_whole)
+
+
+_STIFF = sp.Integer(10)
+"""A device that is stiffer, and is damped little, turns more than half a turn in a period."""
+
+
 def fractional_roots(precision: Precision = DOUBLE) -> Routine:
     """The number of roots outside the unit circle, -1 where floats do not tell it."""
     do = Steps()
-    weak = faint(do, precision)
+    weak, last = faint(do, precision), unit(precision)
     v = _Wall(do("slope", alpha + beta), sp.S.Zero, do("wall_far", alpha + 2 * beta))
     v = _Wall(v.slope, do("force", v.slope * beta), v.far)
-    across = do("across", m2 - m0)
     both = _Products(do("lost", loss * loss), do("square", m2 * m0), do("size", across * across))
-    near = _about(do, "near", both, at_one, together, alpha, v.force)
-    far_ = _about(do, "far", both, at_minus_one, apart, v.far, -v.force)
+    at_one = do("at_one", gamma * together)
+    apart_off, n1_off = _blurs(do, at_one, last)
+    a_off = do("a_off", turned_off(precision, at_minus_one))
+    first = do("apart_one", (gamma - alpha) * (gamma + alpha)) * do("even", together * together)
+    near, most = _about(do, "near", both, first, at_one, together, alpha, v.force)
+    blurred = do("blurred", (2 * sp.Abs(across) + n1_off) * n1_off)
+    unsure = [weak, at_the_end(do, v.far, last, a_off, apart_off)]
+    unsure += [flat(do, near[:3], most, last, blurred * alpha**2)]
+    pushed = do("pushed", apart * v.far)
+    first = (at_minus_one - pushed) * (at_minus_one + pushed)
+    far_, most = _about(do, "far", both, first, at_minus_one, apart, v.far, -v.force)
+    blurred += do("even", apart_off * (m2 + sp.Abs(m0)))
+    more = blurred * v.far**2 + (2 * sp.Abs(apart) + apart_off) * apart_off * sp.Abs(v.force)
+    unsure += [flat(do, far_[:3], most, last, more + 2 * a_off)]
     middle = do("middle", 2 * at_one / (2 - loss))
     rest = do("rest", 2 * at_minus_one / (2 - loss))
     own = _own(do, both, middle, rest, v)
     one, two = do("one", middle / 2), do("two", rest / 2)
     before, after = do("before", _value(own, -one)), do("after", _value(own, two))
-    loop = (alpha, v.slope, v.far, across, loss, together, apart, middle, rest, d)
+    loop = (
+        alpha, v.slope, v.far, d, across, loss, together, apart, apart_off, n1_off, a_off,
+        middle, rest,
+    )  # fmt: skip
     turns = sp.Function("ZoneTurns")
     zones = [do("zone", sp.Integer(number)) for number in (NEAR, OWN, FAR)]
     found = turns(*near, zones[0], one, near[0], before, zones[0], *loop)
@@ -121,8 +168,8 @@ def fractional_roots(precision: Precision = DOUBLE) -> Routine:
     total = do("total", found + choose(_leads(near), begin, 0))
     total = do("total", total - choose(_leads(far_), end, 0))
     return do.routine("FractionalRoots", "roots outside the unit circle behind a fractional delay, "
-                      "-1 where that is not known", FRACTIONAL_ARGUMENTS,
-                      choose(weak, -1, total))  # fmt: skip
+                      "-1 where that is not certain", FRACTIONAL_ARGUMENTS,
+                      counted(do, Or(*unsure), total))  # fmt: skip
 
 
 def _inside(do: Steps, top: Expr, bottom: Expr) -> Expr:
@@ -149,6 +196,11 @@ def zone_turns() -> Routine:
     values = [at_low, *(do("p", _value(TERMS, c)) for c in cuts[1:-1]), at_high]
     piece = sp.Function("PieceTurns")
     found: Expr = sp.S.Zero
+    for extremum in (one, two):
+        value = do("value", _value(TERMS, extremum))
+        here = sp.Function("ZoneTouches")(value, extremum, zone, *_LOOP)
+        touches = choose(extremum > low, here, 0)
+        found = do("found", found + touches)
     for i in range(4):
         ends = (cuts[i], cuts[i + 1], values[i], values[i + 1])
         found = do("found", found + piece(*TERMS, *ends, zone, *_LOOP))
@@ -157,19 +209,39 @@ def zone_turns() -> Routine:
                       takes=("Loop",))  # fmt: skip
 
 
-def piece_turns() -> Routine:
-    """The same for a piece on which the cubic has neither extremum nor inflection."""
+def _point(do: Steps, x: Expr, last: Expr) -> tuple[Expr, ...]:
+    """y, 4 - y and y - center of a point of a zone, and how much these may be off."""
+    near, own = sp.Eq(zone, NEAR), sp.Eq(zone, OWN)
+    y = do("y", choose(near, x, choose(own, center + x, 4 - x)))
+    rest = do("rest", choose(near, 4 - x, choose(own, beyond - x, x)))
+    off = do("off", choose(near, x - center, choose(own, x, beyond - x)))
+    loose = do("loose", choose(own, *point_off(last)))
+    return y, rest, off, loose, do("free", choose(own, 0, last * choose(near, center, beyond)))
+
+
+def zone_touches(precision: Precision = DOUBLE) -> Routine:
+    """At an extremum of the surplus, which may be so small that its sign is not certain."""
+    do, x = Steps(), sp.Symbol("x")
+    return do.routine("ZoneTouches", "NaN where the wall may be as strong as the device at an "
+                      "extremum of both, else 0", (LEADS, x, zone, *_LOOP),
+                      sp.Function("Touches")(LEADS, *_point(do, x, unit(precision)), *LOOP),
+                      takes=("Loop",))  # fmt: skip
+
+
+def piece_turns(precision: Precision = DOUBLE) -> Routine:
+    """The same for a piece on which the cubic has neither extremum nor inflection.
+
+    At an end of the circle it may be 0, which is no crossing.
+    """
     do = Steps()
-    there = And(high > low, sp.Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)))
+    there = And(high > low, sp.Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)),
+                sp.Or(sp.Ne(low, 0), sp.Ne(at_low, 0)))  # fmt: skip
     x = do("x", sp.Function("CubicRoot")(*TERMS, low, high, at_high - at_low))
-    y = do("y", choose(sp.Eq(zone, NEAR), x, choose(sp.Eq(zone, OWN), center + x, 4 - x)))
-    rest = do("rest", choose(sp.Eq(zone, NEAR), 4 - x, choose(sp.Eq(zone, OWN), beyond - x, x)))
-    off = do("off", choose(sp.Eq(zone, NEAR), x - center, choose(sp.Eq(zone, OWN), x, beyond - x)))
-    inner = And(y > 0, rest > 0)
-    loop = alpha, slope, far, d, n1, loss, together, apart
-    found = do("found", turns(y, rest, off, *loop))
+    point = _point(do, x, unit(precision))
+    inner = And(point[0] > 0, point[1] > 0)
+    found = do("found", sp.Function("PhaseTurns")(*point, *LOOP))
     rises = do("rises", choose(at_high > at_low, 1, -1) * choose(sp.Eq(zone, FAR), -1, 1))
-    turned = choose(inner, -2 * rises * found, 0)
+    turned = choose(inner, -2 * rises * found, sp.nan)
     return do.routine("PieceTurns", "what the crossing on a piece, if there is one, adds",
                       (*TERMS, low, high, at_low, at_high, zone, *_LOOP),
                       choose(there, turned, 0), takes=("Loop",))  # fmt: skip
@@ -201,5 +273,5 @@ def cubic_root() -> Routine:
                       (*TERMS, low, high, rise), y)  # fmt: skip
 
 
-ROUTINES = (zone_turns, piece_turns, cubic_root)
-PRECISE = (fractional_roots,)
+ROUTINES = (zone_turns, cubic_root)
+PRECISE = (zone_touches, piece_turns, fractional_roots)

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import sympy as sp
-from sympy import And, Basic, Max, atan2, pi, sqrt
+from sympy import And, Basic, Max, sqrt
 
 from symhaptic.export.once import rewritten
 from symhaptic.export.precision import DOUBLE, Precision
@@ -20,13 +20,17 @@ from symhaptic.export.root_count import (
     alpha,
     apart,
     at_minus_one,
+    at_the_end,
     beta,
     d,
     faint,
+    gamma,
     loss,
     n0,
     n1,
     together,
+    turned_off,
+    unit,
 )
 from symhaptic.export.routine import Routine, choose
 from symhaptic.export.steps import Steps
@@ -45,7 +49,7 @@ def with_free_verdict(form: Form) -> Form:
         roots, *_, spring, _ = verdict.args
         if spring != 0 or not isinstance(roots, WholeRoots):
             return verdict
-        given = (s for i, s in enumerate(roots.args) if i != 5)  # at z = 1 the device has no force
+        given = (s for i, s in enumerate(roots.args) if i != 5)  # there is no spring
         return sp.Function("FreeStable")(*given)
 
     return replace(
@@ -55,29 +59,25 @@ def with_free_verdict(form: Form) -> Form:
 
 
 def free_stable(precision: Precision = DOUBLE) -> Routine:
-    """Of small angles, and beyond y = 2 of what is left to half turns, so that nothing cancels."""
-    do = Steps()
+    """The angle is that of the crossing, and no turn is left of its phase where none is outside."""
+    do, last = Steps(), unit(precision)
     slope, far = do("slope", alpha + beta), do("wall_far", alpha + 2 * beta)
     force, cross = do("force", slope * beta), do("cross", n1 * n0)
-    push, pull = do("push", together * alpha), do("pull", apart * far)
+    push = do("push", together * alpha)
     c, a = do("near0", push * push), do("square", 1 - loss + cross * force)
     b = do("near1", loss * loss + cross * alpha**2 - together**2 * force)
     size = do("size", sp.Abs(b) + sqrt(Max(b * b + 4 * a * c, 0)))
     y = do("y", choose(b < 0, size / (2 * do.divisor(a)), 2 * c / do.divisor(size)))
-    s, r = do("sine", sqrt(y)), do("cosine", sqrt(Max(4 - y, 0)))
-    late, across = y > 2, do("across", 2 * s * r)
-    side = do("side", choose(late, -1, 1))
-    moved = do("moved", atan2(n1 * across, side * (together * r * r - apart * y)))
-    pushed = do("turned", atan2(slope * across, side * (alpha * r * r - far * y)))
-    lost = do("lost", atan2(loss * r, (2 - loss) * s))
-    half = do("half", atan2(choose(late, r, s), choose(late, s, r)))
-    delayed = do("delayed", 2 * (d + 2) * half)
-    turns = do("turns", d + choose(slope < 0, 2, 0))
-    early = do("early", moved + pushed + choose(late, pi * turns - lost, lost) - delayed)
-    early = do("early", choose(early * side > 0, 1, 0))
-    weak = And(alpha > 0, sp.Abs(pull) < at_minus_one, sp.Not(faint(do, precision)))
+    rest = do("rest", Max(4 - y, 0))
+    a_off = do("a_off", turned_off(precision, at_minus_one).xreplace({gamma: sp.S.Zero}))
+    loop = alpha, slope, far, d, n1, loss, together, apart, 0, 0, a_off
+    point = y, rest, y, last / do.nonzero(rest), sp.S.Zero  # the last rounding of 4 - y counts
+    turns = do("turns", sp.Function("PhaseTurns")(*point, *loop))
+    end = at_the_end(do, far, last, a_off)
+    pull = do("weaker", sp.Abs(apart * far) - at_minus_one)
+    weak = And(alpha > 0, pull < 0, sp.Not(end), sp.Not(faint(do, precision, sp.S.Zero)))
     return do.routine("FreeStable", "1 where a loop without a spring is stable, else 0",
-                      ARGUMENTS, choose(weak, early, 0))  # fmt: skip
+                      ARGUMENTS, choose(weak, choose(sp.Eq(turns, 0), 1, 0), 0))  # fmt: skip
 
 
 ROUTINES: tuple[Callable[[], Routine], ...] = ()

@@ -19,7 +19,7 @@ from symhaptic.export.shared import routine
 from symhaptic.forms import fractional_delay
 from symhaptic.forms.entire_device import PlantN0, PlantN1
 from symhaptic.forms.form import Form
-from symhaptic.forms.response import FractionalNumeratorGap
+from symhaptic.forms.response import HalfTurned
 from symhaptic.forms.slopes import Kick
 from symhaptic.model.parts import FULL
 from symhaptic.notation import delta, epsilon, gamma
@@ -50,8 +50,8 @@ def late_device() -> Routine:
 
 def with_late_device(form: Form) -> Form:
     """The form with one call for these numbers, where it asks the parts of a period for no more."""
-    gaps = {p for p in parts(form.expressions) if isinstance(p, FractionalNumeratorGap)}
-    fractions = {gap.args[0] for gap in gaps}
+    gaps = {p for p in parts(form.expressions) if isinstance(p, HalfTurned)}
+    fractions = {gap.args[-1] for gap in gaps}
     if len(fractions) != 1:
         return form
     (part,) = fractions

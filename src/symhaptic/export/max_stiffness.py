@@ -155,10 +155,11 @@ def max_stiffness_angle(precision: Precision = DOUBLE) -> Routine:
     later = sp.Function("LaterAngle")(d, steps, *numbers, across)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, choose(d < 1, early, later)))
+    known = gamma, *numbers[1:]
     roots = choose(
         whole,
-        WholeRoots(*_INSIDE, steps, first, last, *numbers),
-        FractionalRoots(*_INSIDE, steps, first, last, *numbers),
+        WholeRoots(*_INSIDE, steps, first, last, *known),
+        FractionalRoots(*_INSIDE, steps, first, last, *known, first - last),
     )
     found = _bordering(do, top, across, steps, roots, precision)
     return do.routine("MaxStiffnessAngle",
@@ -176,15 +177,19 @@ def _bordering(
     numbers = at_one, at_minus_one, loss, together, apart
     stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
-    # a little inside a wall must be stable, so that the boundary borders the region
-    inside = do("inside", stiffness - 10 * precision.flat * (stiffness + gamma))
-    wall = inside, damping
-    outside = do("outside", roots.xreplace(dict(zip(_INSIDE, wall, strict=True))))
+    # a little inside a wall must be stable, so that the boundary borders the region; farther inside
+    # where the count is not certain
+    counts, stables = [], []
+    for inward in (10 * precision.flat, sp.Rational(1, 2**8)):
+        wall = do("inside", stiffness - inward * (stiffness + gamma)), damping
+        counted = roots.xreplace(dict(zip(_INSIDE, wall, strict=True)))
+        counts.append(do("outside", counted))
+        stables.append(Stable(counts[-1], *wall, gamma, delta))
     soft = sqrt(gamma) * (d + 1) <= pi
     known = And(gamma <= MAX_STIFFNESS_SPRING, Or(soft, d <= 1))
     # with damping and no stiff spring, comparison found no maximum that lies elsewhere
     sure = And(soft, delta > 0, stiffness > -gamma)
-    good = do("good", choose(sure, 1, Stable(outside, *wall, gamma, delta)))
+    good = do("good", choose(sure, 1, choose(counts[0] < 0, *stables[::-1])))
     return choose(known, choose(good > 0, top, sp.nan), sp.nan)
 
 
@@ -196,7 +201,7 @@ def max_stiffness_whole_angle(precision: Precision = DOUBLE) -> Routine:
     later = sp.Function("LaterAngle")(d, d, *numbers, first)
     undelayed = sp.Function("UndelayedAngle")(*numbers)
     top = do("theta", choose(sp.Eq(d, 0), undelayed, later))
-    roots = WholeRoots(*_INSIDE, d, first, last, *numbers)
+    roots = WholeRoots(*_INSIDE, d, first, last, gamma, *numbers[1:])
     found = _bordering(do, top, first, d, roots, precision)
     return do.routine("MaxStiffnessWholeAngle",
                       "the angle of the wall of largest stable stiffness, or NaN",

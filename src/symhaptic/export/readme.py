@@ -85,12 +85,13 @@ def _contract(library: Library) -> list[str]:
     if "is_stable" in names:
         lines += [
             "is_stable is a truth value: true where the loop is stable, false where it",
-            "is not and wherever nobody can tell.",
+            "is not and wherever floats cannot tell.",
         ]
     if "unstable_roots" in names:
         lines += [
             "unstable_roots is a whole number, which is a float since a",
-            "delay may be long; outside the domain it is -1, never 0.",
+            "delay may be long; outside the domain it is -1, never 0, and so it is where a root",
+            "is so close to the unit circle that rounding does not tell on which side.",
         ]
     return [*textwrap.wrap(" ".join(lines), 88), ""]
 

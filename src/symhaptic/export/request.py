@@ -134,6 +134,8 @@ def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
 def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
     known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
     own = known.get(name, name)
+    if re.fullmatch(r"eq([1-9]|[12]\d|3[01])", own):
+        raise Refused(f"FORMULA: {stable.without_form(own)}")
     if own not in stable.FORMS:
         close = suggested(name, [*stable.FORMS, *known], "`symhaptic export --list` lists all")
         raise Refused(f"FORMULA: {name!r} has no stable form; {close}")

@@ -8,7 +8,7 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol, atan2, cos, floor, pi, sin, sqrt
 
-from symhaptic.export.pairs import exact, minus, over, rounded, scaled
+from symhaptic.export.pairs import exact, minus, over, plus, rounded, scaled
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Routine, choose
 from symhaptic.export.search import crossing
@@ -39,6 +39,18 @@ def straight() -> Routine:
                       given, rounded(found))  # fmt: skip
 
 
+def straight_at() -> Routine:
+    """The same of angles that the delay turns many times, too."""
+    do = Steps()
+    stiffness, damping, k, angle = given = sp.symbols("stiffness damping k angle")
+    half = do("half", angle / 2)
+    wave, along = do("wave", SinNext(2 * k, half)), do("along", CosNext(k, angle))
+    kernel = over(do, exact(wave), exact(do("near", 2 * sin(half))))
+    found = minus(do, scaled(do, stiffness, kernel), scaled(do, damping, exact(along)))
+    return do.routine("StraightAt", "what straight motions need at an angle behind k whole periods",
+                      given, rounded(found))  # fmt: skip
+
+
 def between() -> Routine:
     """A mean; the difference is rounded before it is weighted."""
     do = Steps()
@@ -56,6 +68,36 @@ def damping_at() -> Routine:
     return do.routine("DampingAt", "the damping that the wall needs at the angle 2 psi",
                       required_damping.ARGUMENTS,
                       choose(_whole, early, (n + root) / 2))  # fmt: skip
+
+
+def required_at(precision: Precision = DOUBLE) -> Routine:
+    """The same at any angle of (0, pi), where the delay turns many times as well.
+
+    Of a wall whose squares would vanish it is that of a larger one, by a power of two.
+    """
+    do = Steps()
+    lift = do("lift", _lift(precision))
+    stiffness, damping = do("stiffness", lift * alpha), do("damping", lift * beta)
+    cosine, sine = do.several(("cosine", "sine"), "NextWave", l, theta)
+    half = do("half", theta / 2)
+    up, along = do("up", sin(half)), do("along", cos(half))
+    wave = over(do, scaled(do, sine, exact(along)), exact(up))
+    twice = do("twice", 2 * epsilon)
+    push = minus(do, plus(do, wave, scaled(do, twice, exact(cosine))), exact(cosine))
+    middle = plus(do, scaled(do, sine, exact(along)), scaled(do, cosine, exact(up)))
+    later = scaled(do, twice, scaled(do, up, middle))
+    pull = scaled(do, damping, minus(do, exact(cosine), later))
+    mean, mean_low = minus(do, scaled(do, stiffness / 2, push), pull)
+    n = do("n", mean + mean_low)
+    size = do("size", (stiffness * along) ** 2 + ((stiffness + 2 * damping) * up) ** 2)
+    extra = do("extra", epsilon * (1 - epsilon) * size)
+    root = do("root", sqrt(n * n + extra))
+    # the mean of n and the root without a difference, and with no more than a part of the root
+    more = do("more", extra / (2 * do.nonzero(root + sp.Abs(n))))
+    whole = do("whole_need", mean + do("rest", mean_low + more))
+    return do.routine("RequiredAt", "the damping that the wall needs at the angle theta, at a "
+                      "fraction of a period", (alpha, beta, l, epsilon, theta),
+                      choose(n < 0, more, whole) / lift)  # fmt: skip
 
 
 def rising() -> Routine:
@@ -287,11 +329,11 @@ def some_part() -> Routine:
 
 
 ROUTINES = (
-    straight, between, passive_slope, whole_part, fractional_part, some_part, damping_at, rising,
-    steepness, touching, pushed, lead, rated, whole_damping_at,
+    straight, straight_at, between, passive_slope, whole_part, fractional_part, some_part,
+    damping_at, rising, steepness, touching, pushed, lead, rated, whole_damping_at,
     whole_steepness, largest_whole_required_damping, turning,
 )  # fmt: skip
 PRECISE = (
     worst_angle, worst_whole_angle, critical_angle, turn, passive_angle, largest_required_damping,
-    lifted,
+    lifted, required_at,
 )  # fmt: skip

@@ -8,8 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy import Expr, tan
+from sympy import And, Expr, cos, exp, sin, tan
 
+from symhaptic.export.double_word import root_low
 from symhaptic.export.pairs import (
     Pair,
     exact,
@@ -22,7 +23,7 @@ from symhaptic.export.pairs import (
     times,
     two_diff,
 )
-from symhaptic.export.routine import Routine, TwoProdError
+from symhaptic.export.routine import Routine, TwoProdError, choose, expm1
 from symhaptic.export.steps import Steps
 from symhaptic.notation import psi
 
@@ -101,5 +102,62 @@ def fractional_numerator_gap() -> Routine:
     return do.routine("FractionalNumeratorGap", about, given, rounded(left))
 
 
-ROUTINES = (in_phase, ahead, fractional_numerator_gap)
+_GIVEN = sp.symbols("found gamma delta part")
+_MOTION = ("half", "w", "w_low", "root", "reach")
+
+
+def half_turned() -> Routine:
+    """Only a device that swings half a turn and more, hardly damped, has to be looked at."""
+    do = Steps()
+    found, gamma, delta, _ = _GIVEN
+    half, w, _, root, _ = do.several(_MOTION, "DeviceMotion", gamma, delta)
+    swings = And(w < 0, root > 3, half < _LIGHT)
+    return do.routine("HalfTurned", "m2 - m1 + m0 behind a fraction of a period", _GIVEN,
+                      choose(swings, sp.Function("HalfTurnedSwing")(*_GIVEN[1:]), found),
+                      )  # fmt: skip
+
+
+def half_turned_swing() -> Routine:
+    """Of half the angles that the device turns in a period and in its two parts.
+
+    Without damping it is a product, and each other term is as small as the damping.
+    """
+    do = Steps()
+    _, gamma, delta, part = _GIVEN
+    half, w, w_low, root, _ = do.several(_MOTION, "DeviceMotion", gamma, delta)
+    angle = do("angle", root / 2), do("angle_low", root_low(w, w_low, root) / 2)
+    odd, even = _waves(do, angle)
+    rest = fast_two_sum(do, sp.S.One, -part)
+    (sine_1, cosine_1), (sine_2, cosine_2) = (
+        _waves(do, times(do, angle, share)) for share in (rest, exact(part))
+    )
+    along = do("along", cosine_1 * cosine_2 + sine_1 * sine_2)
+    across = do("across", sine_1 * cosine_2 - cosine_1 * sine_2)
+    before = do("before", sp.S.Half - part)
+    step = do("step", expm1(half / 2))
+    weak = do("weak", (step + step / (1 + step)) / 2)
+    more = do("more", step * step / (1 + step) / 2)  # by which the cosine is larger than 1
+    strong = do("strong", 1 + more)
+    fallen = do("fallen", expm1(-half * before))
+    grown = do("grown", 1 + fallen)
+    ratio = do("ratio", half / do.divisor(root))
+    lost = do("lost", weak * weak - even * along * (fallen * strong + more))
+    turned = do("turned", grown * weak * odd * (across - ratio * along))
+    kept = do("kept", grown * strong * even * ratio * across)
+    total = do("total", lost + (turned - kept) - 2 * even * sine_1 * sine_2)
+    return do.routine("HalfTurnedSwing", "m2 - m1 + m0 of a device that swings, hardly damped",
+                      _GIVEN[1:], 4 * exp(-half) * total / do.divisor(gamma))  # fmt: skip
+
+
+_LIGHT = sp.Rational(1, 4)
+"""Half the damping up to which the sum of small terms rounds less."""
+
+
+def _waves(do: Steps, angle: Pair) -> tuple[Expr, Expr]:
+    """Sine and cosine of an angle, and of what its float misses."""
+    wave, still = do("wave", sin(angle[0])), do("still", cos(angle[0]))
+    return do("sine", wave + angle[1] * still), do("cosine", still - angle[1] * wave)
+
+
+ROUTINES = (in_phase, ahead, fractional_numerator_gap, half_turned, half_turned_swing)
 PRECISE = ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -62,7 +63,8 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
     if expr is sp.pi:
         return +mpmath.pi, +mpmath.pi
     if isinstance(expr, Compensated):
-        return sized(closed(expr), at)
+        exact, size = sized(closed(expr), at)
+        return exact, max([size, *(sized(term, at)[1] for term in expr.terms(*expr.args))])
     if isinstance(expr, Entire):
         cls: Any = type(expr)
         args = [sized(arg, at)[0] for arg in expr.args]
@@ -93,11 +95,25 @@ def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
         (base, size), power = parts[0], int(expr.args[1])
         return base**power, size**power if power > 0 else abs(base) ** (power - 1) * size
     if expr.is_Pow:
-        root = mpmath.sqrt(parts[0][0])
-        root = root if expr.args[1] > 0 else 1 / root
-        return root, root
+        root, lost = mpmath.sqrt(parts[0][0]), squares(expr.args[0], lambda e: sized(e, at))
+        if expr.args[1] > 0:
+            return root, max(root, lost / (2 * root) if root else root)
+        return 1 / root, max(1 / root, lost / (2 * root**3))
     exact = _PLAIN[expr.func](parts[0][0])
     return exact, abs(exact) + _spoiled(expr, exact, at)
+
+
+def squares(base: Expr, term: Callable[[Expr], tuple[Any, Any]]) -> Any:
+    """What the last places of the terms below a root count: of a square, twice those of its side.
+
+    A root grows by what the sum below it lost, as a quotient does.
+    """
+    found: Any = 0
+    for part in sp.Add.make_args(base):
+        side, power = part.as_base_exp()
+        value, size = term(side)
+        found += 2 * abs(value) * size if power == 2 else term(part)[1]
+    return found
 
 
 def _leans(expr: ImplicitFunction, exact: mpf, at: Sizes) -> mpf:

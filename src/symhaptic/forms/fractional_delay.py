@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Rational, exp
+from sympy import Expr, Rational, cosh, exp, sinh
 
 from symhaptic.forms.entire import Creep, Decay, Fade, Lag, S
 from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1
-from symhaptic.forms.response import FractionalNumeratorGap, KickLow, closed
+from symhaptic.forms.response import FractionalNumeratorGap, HalfTurned, KickLow, closed
 from symhaptic.forms.slopes import Kick
 from symhaptic.model import boundary, fractional, plant
 from symhaptic.model.fractional import Late
@@ -95,7 +95,30 @@ def at_minus_one(parts: Parts, first: Brief, last: Brief) -> Expr:
     slowed = damper * last.kick + spring * last.rise
     turned = slowed * first.fall - first.loss * last.fall + spring * first.rise * last.rise
     kicks = first.kick / (1 - epsilon), first.kick_low, last.kick / epsilon, last.kick_low
-    return FractionalNumeratorGap(epsilon, *kicks, first.apart, last.apart, turned)
+    found = FractionalNumeratorGap(epsilon, *kicks, first.apart, last.apart, turned)
+    return HalfTurned(found, gamma, damper, epsilon) if parts.stiffness else found
+
+
+def half_turned(parts: Parts) -> Expr:
+    """m_2 - m_1 + m_0 as a sum of terms that vanish with the damping or with cosh(c/4).
+
+    c is the difference of the poles: cosh(c/4) is the cosine of half of what an undamped device
+    turns in a period, and 0 at an odd number of half turns.
+    """
+    half = delta / 2 if parts.damping else sp.S.Zero
+    before = HALF - epsilon
+    grown, strong, weak = exp(-half * before), cosh(half / 2), sinh(half / 2)
+    even, odd = cosh(c / 4), sinh(c / 4)
+    along, across = cosh(c * before / 2), sinh(c * before / 2)
+    ratio = 2 * half / c
+    total = (
+        2 * even * sinh(c * (1 - epsilon) / 4) * sinh(c * epsilon / 4)
+        + weak**2
+        - even * along * (grown * strong - 1)
+        - grown * strong * even * ratio * across
+        - grown * weak * odd * (across + ratio * along)
+    )
+    return 4 * exp(-half) * total / gamma
 
 
 def across(parts: Parts, rest: Brief, together: Expr, apart: Expr, loss: Expr, kick: Expr) -> Expr:
@@ -134,13 +157,15 @@ def derived(parts: Parts) -> tuple[tuple[Expr, Expr], ...]:
     kept = exp(-delta * (1 - epsilon)) if parts.damping else sp.S.One
     impulse = plant.normalised(parts).transition(sp.S.One, split)[0, 1]
     own = whole.n1 + whole.n0, whole.n1 - whole.n0, 1 - whole.e, impulse
-    pairs = (
+    pairs: tuple[tuple[Expr, Expr], ...] = (
         (first.rise, late.m2),
         (kept * last.fall, late.m0),
         (whole.n1 + whole.n0, late.m2 + late.m1 + late.m0),
         (closed(at_minus_one(parts, first, last)), late.m2 - late.m1 + late.m0),
         (across(parts, first, *own), 2 * (late.m2 - late.m0)),
     )
+    if parts.stiffness:
+        pairs = (*pairs, (half_turned(parts), late.m2 - late.m1 + late.m0))
     found = tuple((ours.xreplace(given), exact.xreplace(given)) for ours, exact in pairs)
     impulse = plant.normalised(parts).transition(sp.S.One)[0, 1]
     return (*found, (brief(parts, sp.S.One).kick, impulse))

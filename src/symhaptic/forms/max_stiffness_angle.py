@@ -99,7 +99,7 @@ class MaxStiffnessAngle(ImplicitFunction):
             raise ArithmeticError("a device that no wall stops")
         inside = alpha - (alpha + gamma) / 10**6
         if whole <= 12 and fractional_outside(
-            inside, beta, whole, m2, m0, at_one, mpf(0), loss, together, mpf(0)
+            inside, beta, whole, m2, m0, gamma, mpf(0), loss, together, mpf(0), mpf(0)
         ):
             raise ArithmeticError("it does not border the region")
         return +theta

@@ -6,10 +6,10 @@ from collections.abc import Callable
 from functools import partial
 
 import sympy as sp
-from sympy import Expr, cos, pi, sin
+from sympy import Expr, cos, pi
 
 from symhaptic.forms import required_damping, stiffest_passive
-from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext, Spread, at_numbers
+from symhaptic.forms.entire import Chord, Sinc, SinNext, Spread, at_numbers
 from symhaptic.forms.form import HALF, Form, NoForm, Pairs, domain, either, present, undelayed
 from symhaptic.forms.implicit import (
     FractionalPart,
@@ -20,6 +20,7 @@ from symhaptic.forms.implicit import (
     Rated,
     Touching,
 )
+from symhaptic.forms.response import closed
 from symhaptic.model import passivity
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import (
@@ -51,27 +52,36 @@ def _needs_damping(parts: Parts, name: str) -> None:
 
 
 def passivity_margin_at(parts: Parts = FULL) -> Form:
-    """delta minus the damping that the wall needs at one angle, (5) of the paper.
+    """delta minus the damping that the wall needs at one angle, for every real delay.
 
-    sin((d+1/2) theta) is that of (2d+1) halves of theta, and sin(theta/2) does not vanish.
+    For whole delays (5) of the paper, where sin((d+1/2) theta) is that of (2d+1) halves of theta
+    and sin(theta/2) does not vanish; for fractions chapter s6d_fractional_passivity.
     """
     _needs_damping(parts, "passivity_margin_at")
-    half = theta / 2
+    damping = beta if parts.virtual_damping else sp.S.Zero
     if parts.delay:
-        kernel = SinNext(2 * d, half) / (2 * sin(half))
-        swing = CosNext(d, theta)
+        whole = delta - required_damping.StraightAt(alpha, damping, d, theta)
     else:
-        kernel, swing = HALF, cos(theta)
-    margin = delta - alpha * kernel + (beta * swing if parts.virtual_damping else 0)
+        whole = delta - alpha * HALF + damping * cos(theta)
+    margin = whole
     symbols = tuple(s for s in (theta, alpha, beta, delta, d) if margin.has(s))
+    if parts.delay:
+        need = required_damping.RequiredAt(alpha, damping, l, epsilon, theta)
+        margin = either(whole, delta - need)
+
+    def equal() -> Pairs:
+        printed = _normalised(parts, passivity.margin())
+        late = required_damping.derived_at() if parts.delay else ()
+        return ((closed(whole), printed), *late)
+
     return Form(
         "passivity_margin_at",
         "physical damping minus the damping that the wall needs at the angle theta = omega T; "
-        "the wall is passive where it is positive at every angle",
+        "a wall with alpha >= 0 is passive where this is not negative at any angle",
         symbols,
         (("margin", margin),),
-        lambda: ((margin, _normalised(parts, passivity.margin())),),
-        domain(symbols, *(("d whole, or fractional on the principal sheet",) * parts.delay)),
+        equal,
+        domain(symbols),
     )
 
 

@@ -27,10 +27,10 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Symbol, cos, sin
 
-from symhaptic.forms.entire import Chord, CosNext, Sinc
+from symhaptic.forms.entire import Chord, CosNext, Sinc, SinNext
 from symhaptic.forms.response import Compensated, closed
 from symhaptic.model import fractional, passivity
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta
+from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, epsilon, l, phi, psi, theta, w
 
 
 def straight(k: Expr) -> Expr:
@@ -63,6 +63,20 @@ class Straight(Compensated):
         """The need."""
         stiffness, damping, k, angle = args
         return straight(k).xreplace({alpha: stiffness, beta: damping, psi: angle})
+
+
+class StraightAt(Compensated):
+    """The same at an angle theta of (0, pi), where the delay turns many times as well."""
+
+    nargs = 4
+    meaning = "alpha sin((k + 1/2) theta)/(2 sin(theta/2)) - beta cos((k + 1) theta)"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The need; sin((k + 1/2) theta) is that of 2 k + 1 halves of theta."""
+        stiffness, damping, k, angle = args
+        kernel = SinNext(2 * k, angle / 2) / (2 * sin(angle / 2))
+        return stiffness * kernel - damping * CosNext(k, angle)
 
 
 class Between(Compensated):
@@ -101,6 +115,49 @@ def required(straight_needs: Expr | None = None) -> Expr:
     return (n + sp.sqrt(n * n + extra())) / 2
 
 
+def straight_at() -> Expr:
+    """What straight motions need between two whole delays, of one sine and one cosine.
+
+    With S and C of (l + 1) theta the mean of sin((2 l + 1) psi) and sin((2 l + 3) psi) is
+    S cos(psi) + (2 epsilon - 1) C sin(psi).
+    """
+    sine, cosine = SinNext(l, theta), CosNext(l, theta)
+    half = theta / 2
+    push = 2 * cos(half) ** 2 * sine / sin(theta) + (2 * epsilon - 1) * cosine
+    later = cos(theta) * cosine - sin(theta) * sine
+    return alpha * push / 2 - beta * between(cosine, later)
+
+
+class RequiredAt(Compensated):
+    """The damping that all motions need at an angle of (0, pi), at a fraction of a period.
+
+    A function of (alpha, beta, l, epsilon, theta).
+    """
+
+    nargs = 5
+    meaning = (
+        "(n + sqrt(n^2 + epsilon (1 - epsilon) ((alpha cos(theta/2))^2 + "
+        "((alpha + 2 beta) sin(theta/2))^2)))/2, n = alpha ((1 - epsilon) sin((l + 1/2) theta) + "
+        "epsilon sin((l + 3/2) theta))/(2 sin(theta/2)) - beta ((1 - epsilon) cos((l + 1) theta) + "
+        "epsilon cos((l + 2) theta))"
+    )
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The positive solution b of b^2 - b n - epsilon (1 - epsilon) s/4 = 0."""
+        found = required(w).xreplace({psi: theta / 2, w: straight_at()})
+        return found.xreplace(cls._known(args))
+
+    @classmethod
+    def terms(cls, *args: Expr) -> tuple[Expr, ...]:
+        """n, as at a whole delay; its two halves are one of n and one of a root."""
+        return (straight_at().xreplace(cls._known(args)),)
+
+    @staticmethod
+    def _known(args: tuple[Expr, ...]) -> dict[Expr, Expr]:
+        return dict(zip((alpha, beta, l, epsilon, theta), args, strict=True))
+
+
 def favours(need: Expr) -> Expr:
     """Has the sign of the derivative of the need with respect to beta."""
     along = between(CosNext(l, 2 * psi), CosNext(l + 1, 2 * psi))
@@ -121,6 +178,20 @@ def derived() -> tuple[tuple[Expr, Expr], ...]:
         (delta**2 - delta * n - extra() / 4, margin),
         (psi * rising(delta, steep), -margin.diff(psi)),
         (favours(delta), -margin.diff(beta)),
+    )
+
+
+@cache
+def derived_at() -> tuple[tuple[Expr, Expr], ...]:
+    """Pairs that are equal: n at an angle, and what the need at this angle leaves of the energy."""
+    units = {K: alpha, B: beta, T: sp.S.One, b: delta}
+    whole, later = (passivity.dirichlet_form().xreplace(units).subs(d, k) for k in (l, l + 1))
+    size = extra().xreplace({psi: theta / 2})
+    need = required(w).xreplace({psi: theta / 2})
+    return (
+        (straight_at(), between(whole, later)),
+        (delta**2 - delta * straight_at() - size / 4, fractional.margin().xreplace(units)),
+        (need**2 - need * w - size / 4, sp.S.Zero),
     )
 
 

@@ -25,6 +25,11 @@ class Compensated(Function):  # type: ignore[misc]
         """The closed form."""
         raise NotImplementedError
 
+    @classmethod
+    def terms(cls, *args: Expr) -> tuple[Expr, ...]:
+        """Terms of it that its closed form only has in parts: its last place is that of these."""
+        return ()
+
 
 class Response(Compensated):
     """A part of the force, of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.
@@ -89,6 +94,22 @@ class FractionalNumeratorGap(Compensated):
     def eval(cls, *args: Expr) -> Expr | None:
         """The sum, for a device that an impulse moves by a mere number."""
         return cls.definition(*args) if args[1].is_number else None
+
+
+class HalfTurned(Compensated):
+    """M at z = -1 as it is found otherwise, of (found, gamma, delta, epsilon).
+
+    Near an odd number of half turns in a period its terms cancel; the routine takes the formula
+    :func:`symhaptic.forms.fractional_delay.half_turned` there, which is a sum of small terms.
+    """
+
+    nargs = 4
+    meaning = "the first number, which is M(-1) of the device behind a fraction of a period"
+
+    @classmethod
+    def definition(cls, *args: Expr) -> Expr:
+        """The number itself."""
+        return args[0]
 
 
 class KickLow(Compensated):

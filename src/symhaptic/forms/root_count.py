@@ -27,7 +27,7 @@ class WholeRoots(Function):  # type: ignore[misc]
 class FractionalRoots(Function):  # type: ignore[misc]
     """The same for a fractional delay, of arguments that :data:`FRACTIONAL_ARGUMENTS` names."""
 
-    nargs = 10
+    nargs = 11
     meaning = (
         "roots outside the unit circle behind a delay of l whole periods and a fraction, whose "
         "device is "
@@ -42,12 +42,20 @@ class Stable(Function):  # type: ignore[misc]
     meaning = "1 if roots is 0, alpha > -gamma, and the device is not left swinging, else 0"
 
 
-ARGUMENTS = sp.symbols("alpha beta d n1 n0 at_one at_minus_one loss together apart")
-"""Of WholeRoots: the wall, the whole delay, and the device with its values at 1 and -1."""
+ARGUMENTS = sp.symbols("alpha beta d n1 n0 gamma at_minus_one loss together apart")
+"""Of WholeRoots: the wall, the whole delay, and the device with its values at 1 and -1.
+
+At 1 they are gamma (n1 + n0) and n1 + n0.
+"""
 
 
-FRACTIONAL_ARGUMENTS = sp.symbols("alpha beta d m2 m0 at_one at_minus_one loss together apart")
-"""Of FractionalRoots: the wall, the whole periods, and the device behind the fraction."""
+FRACTIONAL_ARGUMENTS = sp.symbols(
+    "alpha beta d m2 m0 gamma at_minus_one loss together apart across"
+)
+"""Of FractionalRoots: the wall, the whole periods, and the device behind the fraction.
+
+The last two are m2 - m1 + m0 and m2 - m0.
+"""
 
 
 def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
@@ -55,14 +63,15 @@ def outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
 
     Raises :class:`ArithmeticError` for long delays and for roots on the circle.
     """
-    alpha, beta, delay, n1, n0, at_one, _, loss, *_ = numbers
-    return _outside((n1, n0), alpha, beta, delay + 1, at_one, loss, near)
+    alpha, beta, delay, n1, n0, gamma, _, loss, together, _ = numbers
+    return _outside((n1, n0), alpha, beta, delay + 1, gamma * together, loss, near)
 
 
 def fractional_outside(*numbers: mpf, near: mpf = _NEAR) -> mpf:
     """The same behind a fractional delay."""
-    alpha, beta, delay, m2, m0, at_one, _, loss, together, _ = numbers
-    return _outside((m2, together - m2 - m0, m0), alpha, beta, delay + 2, at_one, loss, near)
+    alpha, beta, delay, m2, m0, gamma, _, loss, together, *_ = numbers
+    top = m2, together - m2 - m0, m0
+    return _outside(top, alpha, beta, delay + 2, gamma * together, loss, near)
 
 
 def _outside(

@@ -200,12 +200,12 @@ def _counted(parts: Parts) -> list[tuple[Expr, Expr]]:
     wall = alpha, beta if parts.virtual_damping else sp.S.Zero
     given = gamma if parts.stiffness else sp.S.Zero, delta if parts.damping else sp.S.Zero
     x = device_of(parts)
-    numbers = x.n1, x.n0, x.at_one, x.at_minus_one, x.loss, x.together, x.apart
+    numbers = x.n1, x.n0, given[0], x.at_minus_one, x.loss, x.together, x.apart
     counts: list[Expr] = [WholeRoots(*wall, d if parts.delay else sp.S.Zero, *numbers)]
     if parts.delay:
-        x = fractional_of(parts)
-        numbers = *fractional_delay.ends(parts), *numbers[2:-1], x.apart
-        counts.append(FractionalRoots(*wall, l, *numbers))
+        late = fractional_of(parts).apart, across_of(parts) / 2
+        ends = fractional_delay.ends(parts)
+        counts.append(FractionalRoots(*wall, l, *ends, *numbers[2:-1], *late))
     return [(count, Stable(count, *wall, *given)) for count in counts]
 
 
@@ -218,7 +218,8 @@ def _counting(parts: Parts, name: str, title: str, which: int, outside: sp.Basic
         return (*same_device(parts), *(fractional_delay.derived(parts) if parts.delay else ()))
 
     sizes = " + ".join(f"|{s}|" if s in (alpha, beta) else s.name for s in symbols if s in faint)
-    seen = f"no wall with {sizes} < 2^-400 (single: 2^-40)"
+    largest = "max(|alpha|, gamma)" if parts.stiffness else "|alpha|"
+    seen = f"no wall with {sizes} < 2^-400 or 0 < {largest} < 2^-400 (single: 2^-40)"
     hidden = ["delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi"]
     return Form(
         name,

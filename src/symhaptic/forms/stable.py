@@ -53,14 +53,33 @@ FORMS: dict[str, Callable[..., Form]] = {
 }
 
 STATEMENTS = {
-    "discretize": ("eq14",),
+    "discretize": ("eq14", "eq12"),
     "characteristic_polynomial": ("eq18",),
     "passivity_margin_at": ("eq5",),
-    "passivity_boundary": ("eq27",),
+    "passivity_boundary": ("eq27", "eq7"),
     "max_passive_stiffness": ("eq11",),
-    "linear_limit": ("eq25",),
+    "linear_limit": ("eq25", "eq24", "eq9"),
 }
-"""Formulas of the paper that the forms compute."""
+"""Formulas of the paper that the forms compute, in the dimensionless parameters of Table I.
+
+(7), (12), (24) and (9) are (27), (14) and (25) in SI units: K = alpha m/T^2, B = beta m/T.
+"""
+
+AS_DERIVED = ("eq31",)
+"""Formulas in which nothing cancels: their derived form, in SI units, keeps its digits."""
+
+INSTEAD = {
+    "eq4": "it is a condition on any H(z); 'eq5' is the one for a delayed wall",
+    "eq31": "lambdify('eq31') gives it in Python, of T in s, b in Ns/m and m in kg",
+}
+"""What to ask for in place of a formula that has no stable form."""
+
+
+def without_form(id: str) -> str:
+    """What to do about a numbered formula of the paper that has no stable form."""
+    derived = f"lambdify({id!r}, form='derived') gives it in Python, of its own arguments"
+    return f"{id!r} has no stable form; {INSTEAD.get(id, derived)}"
+
 
 FOR_ONE_DELAY = ("characteristic_polynomial", "stability_conditions")
 """Forms that are made for one whole delay."""
@@ -84,4 +103,13 @@ def forms(parts: Parts = FULL, delay: int | None = None) -> Iterator[Form]:
             continue
 
 
-__all__ = ["FORMS", "FOR_ONE_DELAY", "STATEMENTS", "Form", "NoForm", "form", "forms"]
+__all__ = [
+    "FORMS",
+    "FOR_ONE_DELAY",
+    "STATEMENTS",
+    "Form",
+    "NoForm",
+    "form",
+    "forms",
+    "without_form",
+]

@@ -17,8 +17,6 @@ from symhaptic.forms.implicit import (
 from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle, of_whole
 from symhaptic.notation import d, epsilon
 
-_FRACTIONS = "d whole, or fractional on the principal sheet"
-
 
 def of_whole_delays(form: Form) -> Form:
     """The form for whole delays, outside which a fractional one is then.
@@ -34,7 +32,7 @@ def of_whole_delays(form: Form) -> Form:
         form,
         results=tuple((name, _whole(expr)) for name, expr in form.results),
         smooth=tuple(map(_whole, form.smooth)),
-        domain=(*(words for words in form.domain if words != _FRACTIONS), "d whole"),
+        domain=(*form.domain, "d whole"),
         whole=True,
     )
 

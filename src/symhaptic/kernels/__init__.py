@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "e4cdb70f667542d8"
+STAMP = "1245e1dab2daff62"
 """Of the sources in C, as the module that is compiled of them has it."""

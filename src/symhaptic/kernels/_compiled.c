@@ -97,7 +97,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n"
     "False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(unstable_roots, 5, 1, 0,
     "roots of (alpha, beta, gamma, delta, d)\n"
@@ -108,7 +108,7 @@ static Entry entries[] = {
     "gamma: physical stiffness, k T^2/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).\n"
+    "Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is, rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|, gamma) < 2^-400 (single: 2^-40).\n"
     "-1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.\n"),
     ENTRY(stability_boundary, 4, 2, 0,
     "alpha, beta of (theta, gamma, delta, d)\n"
@@ -134,13 +134,13 @@ static Entry entries[] = {
     ENTRY(passivity_margin_at, 5, 1, 0,
     "margin of (theta, alpha, beta, delta, d)\n"
     "\n"
-    "physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is passive where it is positive at every angle.\n"
+    "physical damping minus the damping that the wall needs at the angle theta = omega T; a wall with alpha >= 0 is passive where this is not negative at any angle.\n"
     "theta: angle on the unit circle, omega T [1]\n"
     "alpha: virtual stiffness, K T^2/m [1]\n"
     "beta: virtual damping, B T/m [1]\n"
     "delta: physical damping, b T/m [1]\n"
     "d: delay in sampling periods, t_d/T [1]\n"
-    "Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.\n"
+    "Domain: 0 < theta < pi, delta >= 0, d >= 0.\n"
     "NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.\n"),
     ENTRY(passivity_margin, 4, 1, 0,
     "margin of (alpha, beta, delta, d)\n"
@@ -209,7 +209,7 @@ static int filled(PyObject *module) {
 static int loaded(PyObject *module) {
     import_array1(-1);
     import_umath1(-1);
-    if (PyModule_AddStringConstant(module, "STAMP", "e4cdb70f667542d8")) return -1;
+    if (PyModule_AddStringConstant(module, "STAMP", "1245e1dab2daff62")) return -1;
     return filled(module);
 }
 

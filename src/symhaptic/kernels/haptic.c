@@ -28,15 +28,18 @@ typedef struct { double near, risen, sunk, moved; } Turns;
 typedef struct { double envelope; Pair even, wave; double near, risen, sunk, moved; } Swinging;
 typedef struct { double n0, n1, trace; } Device;
 typedef struct { double together, trace; } Device2;
-typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device3;
-typedef struct { double halves, rest; } Angle;
+typedef struct { double at_minus_one, kick, together, n_gap, n0, n1; } Device3;
+typedef struct { double halves, rest, size, per, off, blur, slope, fast, bend, turn, spread; } Part;
 typedef struct { Pair kick; double n_gap, n0, n1; } Device4;
 typedef struct { double apart, m2, kicked, m0; } Delayed;
+typedef struct { double at, still, away, loose, free, there; } Point;
 typedef struct { double low, high; } Roots;
 typedef struct { double ahead, in_phase; } Response;
 typedef struct { double at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { double cosine, sine; } CosSin;
-typedef struct { double alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
+typedef struct { double at_minus_one, together, n_gap, n0, n1; } Device6;
+typedef struct { double alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
+    center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline double decay_series(double x) {
@@ -493,13 +496,14 @@ static inline double numerator_gap_swing(const Motion *motion, const Swinging *s
         wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0}));
 }
 
-// at_minus_one, together, n_gap, n0 and n1 of the device
-static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta) {
+// at_minus_one, kick, together, n_gap, n0 and n1 of the device
+static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(double gamma, double delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
         return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
@@ -508,6 +512,7 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(double gamma, dou
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
     return (Device3){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -529,42 +534,128 @@ static inline double cubic_root(double k0, double k1, double k2, double k3, doub
     return y;
 }
 
-// the angle of x + j y in half turns, and the rest
-static inline Angle turn_angle(double x, double y) {
-    return (Angle){x < 0.0 ? (y < 0.0 ? -1.0 : 1.0) : 0.0, atan2(x < 0.0 ? -y : y, fabs(x))};
+// of x + j u: half turns and the rest of the angle, the size and its inverse, how far both may be
+// off, and how they change with y
+static inline Part crossing_part(double x, double u, double x_off, double u_off, double steep,
+    double low, double high) {
+    const double most = fmax(fabs(u), fabs(x)), least = fmin(fabs(u), fabs(x));
+    const double whole = most == 0.0 ? 1.0 : most, ratio = least/whole;
+    const double longer = sqrt(ratio*ratio + 1.0), size = longer*most;
+    const double whole2 = size == 0.0 ? 1.0 : size, per = 1.0/whole2, real = per*x, up = per*u;
+    const double along = per*x_off, across = per*u_off, away = across + along, one = fabs(real);
+    const double two = fabs(up), blur = (2.0*away + 1.0)*(across*one + along*two);
+    const double rest = atan2(x < 0.0 ? -u : u, fabs(x)), falls = per*steep;
+    const double tilt = 0.5*low - 0.5*high, square = up*up;
+    const double fast = square*(high + low) + 2.0*fabs(falls);
+    return (Part){x < 0.0 ? (u < 0.0 ? -1.0 : 1.0) : 0.0, rest, size, per, size > 0.0 ? across*
+        two + along*one + away*away : 1.0, away < 0.25 ? blur + 4.440892098500626e-16*fabs(rest) :
+        4.0, 2.0*falls*real + 2.0*square*tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*
+        square, up*(real*tilt - falls), two*(one*fabs(tilt) + fabs(falls))};
 }
 
-// the nearest whole number of turns in the phase at a crossing
-static inline double phase_turns(const Loop *loop, double y, double rest, double off) {
+// the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
+static inline double phase_turns(const Loop *loop, double y, double rest, double off, double loose,
+    double free) {
     const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
-    const Angle angle = turn_angle(off*(2.0*loop->loss - 4.0), loop->loss*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
+    const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
+    const double made = loose + 1.3322676295501878e-15, edge = fmin(at, still);
+    const double whole = at == 0.0 ? 1.0 : at, low = edge/whole;
+    const double whole2 = still == 0.0 ? 1.0 : still, high = edge/whole2;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*
+        (made*fabs(loop->n1) + loop->n1_off), edge*(-loop->apart - loop->together), low, high);
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope), edge*
+        (-loop->alpha - loop->far), low, high);
+    const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, -2.0*edge*total, low,
+        high);
+    const double ratio = part.per*part2.size, gap_ = 1.0 - 0.25*ratio*part3.size;
+    const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
+    const double distant = fabs(gap_), miss = 3.0*part.off + 8.881784197001252e-16;
+    const double miss2 = 3.0*part2.off + 8.881784197001252e-16;
+    const double miss3 = 3.0*part3.off + 8.881784197001252e-16;
+    const double sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
+        fabs(part2.slope - part.slope + part3.slope);
+    const double whole3 = sure == 0.0 ? 1.0 : sure, reach = 0.25*(9.0*distant + 9.0*rough)/whole3;
+    const double bends = part.bend + part2.bend + part3.bend;
     const double half = atan2(at > 2.0 ? sqrt(still) : sqrt(at), at > 2.0 ? sqrt(at) : sqrt(still));
     const double late = loop->d + 2.0;
-    const double halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0 ? late : 0.0);
-    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - angle.rest + angle2.rest +
-        angle3.rest)/3.141592653589793;
+    const double halves4 = part2.halves - part.halves + part3.halves - (at > 2.0 ? late : 0.0);
+    const double share = 0.5*(-late*(at > 2.0 ? -2.0*half : 2.0*half) - part.rest + part2.rest +
+        part3.rest)/3.141592653589793;
     const double even = floor(0.5*halves4), left = 0.5*halves4 - even;
-    return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
+    const double near = fabs(share - floor(share + 0.5));
+    const double distance = left == 0.5 ? near : 0.5 - near, whole4 = sine == 0.0 ? 1.0 : sine;
+    const double delayed = 2.0*edge*late/whole4;
+    const double most = delayed + part.spread + part2.spread + part3.spread;
+    const double blur_ = part.blur + part2.blur + part3.blur + half*late*
+        (loose + 8.881784197001252e-16) + reach*
+        (8.881784197001252e-16*delayed + miss*part.spread + miss2*part2.spread + miss3*
+        part3.spread + 2.0*most*reach*(part.fast + part2.fast + part3.fast + 2.0) +
+        fabs(delayed + part.turn - part2.turn - part3.turn));
+    const double good = blur_ < 6.0*distance && reach < 0.25 && sure > 0.0 && sure > 8.0*bends*
+        reach ? 1.0 : 0.0;
+    if (good > 0.0) {
+        return even + (left == 0.5 ? floor(share) + 1.0 : floor(left + share + 0.5));
+    }
+    return NAN;
 }
 
 // what the crossing on a piece, if there is one, adds
 static inline double piece_turns(const Loop *loop, double k0, double k1, double k2, double k3,
     double low, double high, double at_low, double at_high, double zone) {
-    if (((at_high >= 0.0 && at_low < 0.0) || (at_high < 0.0 && at_low >= 0.0)) && high > low) {
+    if (((at_high >= 0.0 && at_low < 0.0) || (at_high < 0.0 && at_low >= 0.0)) &&
+        (at_low != 0.0 || low != 0.0) && high > low) {
         const double x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
         const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
         if (rest > 0.0 && y > 0.0) {
             const double off = zone == 0.0 ? x - loop->center :
                 (zone == 1.0 ? x : loop->beyond - x);
-            const double found = phase_turns(loop, y, rest, off);
+            const double loose = zone == 1.0 ? 1.7763568394002505e-15 : 2.220446049250313e-16;
+            const double free = zone == 1.0 ? 0.0 : 8.881784197001252e-16*
+                (zone == 0.0 ? loop->center : loop->beyond);
+            const double found = phase_turns(loop, y, rest, off, loose, free);
             const double rises = (zone == 2.0 ? -1.0 : 1.0)*(at_high > at_low ? 1.0 : -1.0);
             return -2.0*found*rises;
         }
+        return NAN;
     }
     return 0.0;
+}
+
+// NaN where it is not certain that the device is stronger if leads is positive, and else the wall,
+// else 0
+static inline double touches(const Loop *loop, double leads, double y, double rest, double off,
+    double loose, double free) {
+    const double at = fmax(0.0, y), still = fmax(0.0, rest), sine = 2.0*sqrt(at*still);
+    const double total = 2.0 - loop->loss, plain = loose + 4.440892098500626e-16;
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabs(loop->far) + still*fabs(loop->alpha)), plain*sine*fabs(loop->slope), 0.0, 0.0,
+        0.0);
+    const double made = loose + 1.3322676295501878e-15;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabs(loop->apart) + still*loop->together), sine*
+        (made*fabs(loop->n1) + loop->n1_off), 0.0, 0.0, 0.0);
+    const Part part = crossing_part(-2.0*off*total, loop->loss*sine, 4.0*loop->a_off + total*
+        (2.0*free + 8.881784197001252e-16*fabs(off)), loop->loss*made*sine, 0.0, 0.0, 0.0);
+    const double ratio = part.per*part2.size, gap_ = 1.0 - 0.25*ratio*part3.size;
+    const double rough = part.off + part2.off + part3.off + 1.3322676295501878e-15;
+    const double signed_ = leads > 0.0 ? gap_ : -gap_, good = signed_ > 2.0*rough ? 1.0 : 0.0;
+    if (good < 1.0 && rest > 0.0 && y > 0.0) { return NAN; }
+    return 0.0;
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline double zone_touches(const Loop *loop, double leads, double x, double zone) {
+    const double y = zone == 0.0 ? x : (zone == 1.0 ? loop->center + x : 4.0 - x);
+    const double rest = zone == 0.0 ? 4.0 - x : (zone == 1.0 ? loop->beyond - x : x);
+    const double off = zone == 0.0 ? x - loop->center : (zone == 1.0 ? x : loop->beyond - x);
+    const double loose = zone == 1.0 ? 1.7763568394002505e-15 : 2.220446049250313e-16;
+    const double free = zone == 1.0 ? 0.0 : 8.881784197001252e-16*
+        (zone == 0.0 ? loop->center : loop->beyond);
+    return touches(loop, leads, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -583,30 +674,62 @@ static inline double zone_turns(const Loop *loop, double k0, double k1, double k
     const double p = first*(first*(first*k3 + k2) + k1) + k0;
     const double p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const double p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const double found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
-    const double found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
-    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
+    const double value2 = cut3*(cut3*(cut3*k3 + k2) + k1) + k0;
+    double found = 0.0;
+    if (cut2 > low) {
+        const double value = cut2*(cut2*(cut2*k3 + k2) + k1) + k0;
+        found = zone_touches(loop, value, cut2, zone);
+    }
+    const double found2 = found + (cut3 > low ? zone_touches(loop, value2, cut3, zone) : 0.0);
+    const double found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const double found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const double found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found5 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
-// roots outside the unit circle behind a fractional delay, -1 where that is not known
+// roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline double fractional_roots(double alpha, double beta, double d, double m2, double m0,
-    double at_one, double at_minus_one, double loss, double together, double apart) {
-    const double strength = fabs(alpha) + fabs(beta);
-    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
+    double gamma, double at_minus_one, double loss, double together, double apart, double across) {
+    if (alpha == 0.0 && beta == 0.0) { return 0.0; }
+    const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
     const double slope = alpha + beta, wall_far = alpha + 2.0*beta, force = beta*slope;
-    const double across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
-    const double even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
-    const double near0 = (at_one - pushed_)*(at_one + pushed_);
-    const double near1 = -(alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together) +
-        lost;
-    const double near2 = -(alpha*alpha)*square - force*linear - loss + 1.0, near3 = -force*square;
-    const double even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
-    const double far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
-    const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*
-        (wall_far*wall_far) + lost;
-    const double far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0;
-    const double far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
+    const double lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
+    const double size2 = m2 + together + fabs(m0), near_half = sqrt(fmin(1.0, at_minus_one));
+    const double whole = gamma == 0.0 ? 1.0 : gamma;
+    const double apart_off = 7.105427357601002e-15*near_half*size2;
+    const double n1_off = 1.4210854715202004e-14*
+        (gamma > 10.0 && loss < 0.5 ? 2.0*sqrt(fmin(1.0, at_one))/whole : 0.125*size2);
+    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
+    const double apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
+    const double even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
+    const double near0 = apart_one*even;
+    const double near1 = -at_one*(2.0 - loss) - force*(together*together) - linear*push + lost;
+    const double near2 = -force*linear - loss - push*square + 1.0;
+    const double most = at_one*(2.0 - loss) + lost + push*(size + fabs(even2)) +
+        (together*together)*fabs(force);
+    const double blurred = n1_off*(n1_off + 2.0*fabs(across)), pull = fabs(apart*wall_far);
+    const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
+        1.7763568394002505e-15*pull;
+    const double room = (alpha*alpha)*blurred + 3.552713678800501e-15*most;
+    const double product = 4.0*near0*near2, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
+    const double linear2 = size - even3, push2 = wall_far*wall_far;
+    const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
+    const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*push2 + lost;
+    const double far2 = force*linear2 - loss - push2*square + 1.0;
+    const double most2 = (apart*apart)*fabs(force) + at_minus_one*(2.0 - loss) + lost + push2*
+        (size + fabs(even3));
+    const double even4 = apart_off*(m2 + fabs(m0));
+    const double room2 = 2.0*a_off + apart_off*(apart_off + 2.0*fabs(apart))*fabs(force) +
+        3.552713678800501e-15*most2 + (wall_far*wall_far)*(blurred + even4);
+    const double product2 = 4.0*far0*far2;
+    if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
+        strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
+        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
+        end_off >= fabs(at_minus_one - pull)) {
+        return -1.0;
+    }
+    const double near3 = -force*square, far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
     const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
     const double tilt = 0.25*rest - 0.25*middle, real = 0.25*rest*together - 0.25*apart*middle;
     const double one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
@@ -620,14 +743,16 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (across >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
+        a_off, middle, rest};
     const double total = ((((((near2 == 0.0 && near3 < 0.0) || near2 < 0.0) && near1 == 0.0) ||
         near1 < 0.0) && near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0) +
         zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0);
-    return total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) && far1 == 0.0) ||
-        far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    const double total2 = total - ((((((far2 == 0.0 && far3 < 0.0) || far2 < 0.0) &&
+        far1 == 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    return (total2 >= 0.0 ? total2 : -1.0);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -637,6 +762,38 @@ static inline double fractional_numerator_gap(double epsilon, Pair x, Pair y, do
         pair_prod(x, y));
     return rounded(pair_sum(pair_diff(pair_diff((Pair){first, 0.0},
         (Pair){2.0*prod3.hi, 2.0*prod3.lo}), (Pair){last, 0.0}), (Pair){turned, 0.0}));
+}
+
+// m2 - m1 + m0 of a device that swings, hardly damped
+static inline double half_turned_swing(double gamma, double delta, double part) {
+    const Motion motion = device_motion(gamma, delta);
+    const double angle = 0.5*motion.root, angle_low = 0.5*root_miss(motion.w, motion.root);
+    const Pair prod = pair_prod((Pair){angle, angle_low}, fast_two_sum(1.0, -part));
+    const Pair prod2 = pair_prod((Pair){angle, angle_low}, (Pair){part, 0.0});
+    const double wave = sin(angle), still = cos(angle), sine = angle_low*still + wave;
+    const double cosine = still - angle_low*wave, wave2 = sin(prod.hi), still2 = cos(prod.hi);
+    const double sine2 = prod.lo*still2 + wave2, cosine2 = still2 - prod.lo*wave2;
+    const double wave3 = sin(prod2.hi), still3 = cos(prod2.hi), sine3 = prod2.lo*still3 + wave3;
+    const double cosine3 = still3 - prod2.lo*wave3, along = cosine2*cosine3 + sine2*sine3;
+    const double across = cosine3*sine2 - cosine2*sine3, before = 0.5 - part;
+    const double step = expm1(0.5*motion.half), weak = 0.5*step + 0.5*step/(step + 1.0);
+    const double more = 0.5*(step*step)/(step + 1.0), strong = more + 1.0;
+    const double fallen = expm1(-before*motion.half), grown = fallen + 1.0;
+    const double ratio = motion.half/motion.root;
+    const double lost = weak*weak - along*cosine*(fallen*strong + more);
+    const double turned = grown*sine*weak*(across - along*ratio);
+    const double kept = across*cosine*grown*ratio*strong;
+    const double total2 = -2.0*cosine*sine2*sine3 - kept + lost + turned;
+    return 4.0*total2*exp(-motion.half)/gamma;
+}
+
+// m2 - m1 + m0 behind a fraction of a period
+static inline double half_turned(double found, double gamma, double delta, double part) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.half < 0.25 && motion.root > 3.0 && motion.w.hi < 0.0) {
+        return half_turned_swing(gamma, delta, part);
+    }
+    return found;
 }
 
 // kick, kick_low, n_gap, n0 and n1 of the device
@@ -665,10 +822,10 @@ static inline Delayed late_device(double gamma, double delta, double part) {
     const double t5 = part*part, t6 = gamma*t5, t7 = delta*part;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
     const double t9 = device2.n0*t5;
-    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
-        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+    return (Delayed){half_turned(fractional_numerator_gap(part, device.kick, device2.kick, delta*
+        device.n_gap*(t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
         (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
-        device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
+        gamma, delta, part), device.n1*t1, device.kick.hi*t0, t9*exp(-t3)};
 }
 
 // 1 where the loop is stable, else 0
@@ -682,17 +839,40 @@ static inline double stable(double roots, double alpha, double beta, double gamm
     return 0.0;
 }
 
+// a point that is known about three, and whether it is on the circle
+static inline Point nearest_point(const Loop *loop, double y, double rest, double off) {
+    const double edge = rest > y ? y : rest;
+    const double inside = edge > fabs(off) && loop->beyond - off > 0.0 && loop->center +
+        off > 0.0 ? 1.0 : 0.0;
+    return (Point){inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest), inside > 0.0 ?
+        loop->beyond - off : (rest > y ? 4.0 - y : rest), inside > 0.0 ? off :
+        (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0 ?
+        1.7763568394002505e-15 : 2.220446049250313e-16, inside > 0.0 ? 0.0 : 8.881784197001252e-16*
+        (rest > y ? loop->center : loop->beyond), fmin(rest, y) < 4.0 && rest > 0.0 && y > 0.0 ?
+        1.0 : 0.0};
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline double bottom_touches(const Loop *loop, double leads, double y, double rest,
+    double off) {
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
+            loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
+            .apart_off = 0.0, .n1_off = 0.0, .a_off = loop->a_off};
+        return touches(&loop2, leads, point.at, point.still, point.away, point.loose, point.free);
+    }
+    return 0.0;
+}
+
 // the turns at a crossing, if there is one
 static inline double crossing_turns(const Loop *loop, double y, double rest, double off) {
-    const double edge = rest > y ? y : rest;
-    if (edge < 4.0 && rest > 0.0 && y > 0.0) {
-        const double inside = edge > fabs(off) && loop->beyond - off > 0.0 && loop->center +
-            off > 0.0 ? 1.0 : 0.0;
-        const double at = inside > 0.0 ? loop->center + off : (rest > y ? y : 4.0 - rest);
-        const double still = inside > 0.0 ? loop->beyond - off : (rest > y ? 4.0 - y : rest);
-        const double away = inside > 0.0 ? off :
-            (rest > y ? y - loop->center : loop->beyond - rest);
-        return phase_turns(loop, at, still, away);
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .d =
+            loop->d, .n1 = loop->n1, .loss = loop->loss, .together = loop->together, .apart =
+            loop->apart, .apart_off = 0.0, .n1_off = 0.0, .a_off = loop->a_off};
+        return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0;
 }
@@ -706,47 +886,87 @@ static inline Roots quadratic_roots(double c, double b, double a, double root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle, -1 where that is not known
+// roots outside the unit circle, -1 where that is not certain
 static inline double whole_roots(double alpha, double beta, double d, double n1, double n0,
-    double at_one, double at_minus_one, double loss, double together, double apart) {
-    const double strength = fabs(alpha) + fabs(beta);
-    if (loss + strength < 3.8725919148493183e-121 && strength > 0.0) { return -1.0; }
+    double gamma, double at_minus_one, double loss, double together, double apart) {
+    if (alpha == 0.0 && beta == 0.0) { return 0.0; }
+    const double strength = fabs(alpha) + fabs(beta), stiffest = fmax(gamma, fabs(alpha));
     const double e = 1.0 - loss, slope = alpha + beta, wall_far = alpha + 2.0*beta;
     const double force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
-    const double push = alpha*together, pull = apart*wall_far;
-    const double near0 = (at_one - push)*(at_one + push);
-    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost;
-    const double far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const double at_one = gamma*together, even = together*together, pull = apart*wall_far;
+    const double near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost;
+    const double near1_size = fabs(lost) + fabs((alpha*alpha)*cross) + fabs(at_one*(e + 1.0)) +
+        fabs(even*force);
+    const double apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
     const double far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) +
         lost;
-    const double center = 2.0*at_one/(e + 1.0), beyond = 2.0*at_minus_one/(e + 1.0);
-    const double sine = 0.25*beyond*center, tilt = 0.25*beyond - 0.25*center;
-    const double real = 0.25*beyond*together - 0.25*apart*center, m0 = (n1*n1)*sine + real*real;
-    const double m1 = (n1*n1)*tilt - n1*real, wave = 0.25*alpha*beyond - 0.25*center*wall_far;
+    const double far1_size = fabs(lost) + fabs((apart*apart)*force) +
+        fabs(at_minus_one*(e + 1.0)) + fabs(cross*(wall_far*wall_far));
+    const double far0 = (at_minus_one - pull)*(at_minus_one + pull), center = 2.0*at_one/(e + 1.0);
+    const double beyond = 2.0*at_minus_one/(e + 1.0), sine = 0.25*beyond*center;
+    const double tilt = 0.25*beyond - 0.25*center, real = 0.25*beyond*together - 0.25*apart*center;
+    const double m0 = (n1*n1)*sine + real*real, m1 = (n1*n1)*tilt - n1*real;
+    const double wave = 0.25*alpha*beyond - 0.25*center*wall_far;
     const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const double product = 4.0*near0*square, size = square2 + fabs(product), square3 = own1*own1;
-    const double product2 = 4.0*own0*own2, size2 = square3 + fabs(product2), square4 = far1*far1;
-    const double product3 = 4.0*far0*square, size3 = square4 + fabs(product3);
+    const double own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
+    const double a_off = 1.5777218104420236e-30*sqrt(at_minus_one*gamma);
+    const double pull2 = fabs(apart*wall_far);
+    const double end_off = a_off + 1.7763568394002505e-15*at_minus_one + 1.7763568394002505e-15*
+        pull2;
+    const double room = 3.552713678800501e-15*near1_size, product = 4.0*near0*square;
+    const double room2 = 2.0*a_off + 3.552713678800501e-15*far1_size, product2 = 4.0*far0*square;
+    const double square2 = near1*near1, product3 = 4.0*near0*square;
+    const double size = square2 + fabs(product3), square3 = own1*own1, product4 = 4.0*own0*own2;
+    const double size2 = square3 + fabs(product4), square4 = far1*far1, product5 = 4.0*far0*square;
+    const double size3 = square4 + fabs(product5);
+    const double odd2 = fabs(((((far1 == 0.0 && square < 0.0) || far1 < 0.0) && far0 == 0.0) ||
+        far0 < 0.0 ? 1.0 : 0.0) - ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
+        near0 == 0.0) || near0 < 0.0 ? 1.0 : 0.0));
+    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
+    const double positive = disc4 >= 0.0 ? disc4 : 0.0, root = sqrt(positive);
+    const Roots roots = quadratic_roots(near0, near1, square, root);
+    const Roots roots3 = quadratic_roots(far0, far1, square, root);
+    const double odd = fabs((disc4 >= 0.0 && fmin(roots.high, roots3.low) < 4.0 &&
+        roots.high > 0.0 && roots3.low > 0.0 ? 1.0 : 0.0) -
+        (disc4 >= 0.0 && fmin(roots3.high, roots.low) < 4.0 && roots.low > 0.0 &&
+        roots3.high > 0.0 ? 1.0 : 0.0));
+    if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
+        strength < 3.8725919148493183e-121) && strength > 0.0) ||
+        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
+        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
+        end_off >= fabs(at_minus_one - pull2) || odd != odd2) {
+        return -1.0;
+    }
     const double side = slope >= 0.0 ? 1.0 : -1.0;
     const double end = (wall_far > 0.0 ? side : 0.0) - d +
         (apart > 0.0 ? (n1 >= 0.0 ? 1.0 : -1.0) : 0.0) - 3.0;
-    const double disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
-        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
-    double total = 0.0;
+    double total;
     if (disc4 >= 0.0) {
-        const double root = sqrt(disc4);
-        const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
-        const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
+            .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
+            .beyond = beyond};
         total = 2.0*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
+    } else {
+        double bottom, bottom2;
+        if (square == 0.0) {
+            bottom = -1.0; bottom2 = -1.0;
+        } else {
+            bottom = -0.5*near1/square; bottom2 = -0.5*far1/square;
+        }
+        const double bottom3 = own2 == 0.0 ? -1.0 : -0.5*own1/own2;
+        const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
+            loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
+            beyond};
+        total = bottom_touches(&loop2, square, bottom, bottom2, bottom3);
     }
     const double total2 = total + ((((near1 == 0.0 && square < 0.0) || near1 < 0.0) &&
         near0 == 0.0) || near0 < 0.0 ? (alpha > 0.0 ? 0.0 : side) : 0.0);
-    return total2 - ((((far1 == 0.0 && square < 0.0) || far1 < 0.0) && far0 == 0.0) || far0 < 0.0 ?
-        end : 0.0);
+    const double total3 = total2 - ((((far1 == 0.0 && square < 0.0) || far1 < 0.0) &&
+        far0 == 0.0) || far0 < 0.0 ? end : 0.0);
+    return (total3 >= 0.0 ? total3 : -1.0);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -792,6 +1012,26 @@ static inline CosSin next_wave(double k, double x) {
         return (CosSin){cosine - off*sine, cosine*off + sine};
     }
     return (CosSin){cosine*cos(off) - sine*sin(off), cosine*sin(off) + sine*cos(off)};
+}
+
+// at_minus_one, together, n_gap, n0 and n1 of the device
+static inline Device6 device_at_minus_one_together_n_gap_n0_n1(double gamma, double delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0) {
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (Device6){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
+    }
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (Device6){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -988,14 +1228,54 @@ static inline double max_stiffness_angle(double gamma, double delta, double d, d
         } else {
             const double inside = 0.9999999953433871*stiffness - 4.6566128730773926e-09*gamma;
             const double outside = part == 0.0 ?
-                whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
-                apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart);
-            good = stable(outside, inside, t14, gamma, delta);
+                whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
+                apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
+                together, apart, first - last);
+            if (outside < 0.0) {
+                const double inside2 = 0.99609375*stiffness - 0.00390625*gamma;
+                const double outside2 = part == 0.0 ?
+                    whole_roots(inside2, t14, l, first, last, gamma, at_minus_one, loss, together,
+                    apart) : fractional_roots(inside2, t14, l, first, last, gamma, at_minus_one,
+                    loss, together, apart, first - last);
+                good = stable(outside2, inside2, t14, gamma, delta);
+            } else {
+                good = stable(outside, inside, t14, gamma, delta);
+            }
         }
         if (good > 0.0) { return theta; }
     }
     return NAN;
+}
+
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline double required_at(double alpha, double beta, double l, double epsilon,
+    double theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const double lift = fabs(alpha) + fabs(beta) < 3.8725919148493183e-121 ?
+        6.668014432879854e+240 : 1.0;
+    const double stiffness = alpha*lift, damping = beta*lift, half = 0.5*theta, up = sin(half);
+    const double along = cos(half), twice = 2.0*epsilon;
+    const Pair diff3 = pair_diff(wide_prod(0.5*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(cossin.sine, along), (Pair){up, 0.0}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up)))))));
+    const double n = diff3.hi + diff3.lo;
+    const double size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness));
+    const double extra = epsilon*size*(1.0 - epsilon), root = sqrt(extra + n*n);
+    const double whole = root + fabs(n) == 0.0 ? 1.0 : root + fabs(n), more = 0.5*extra/whole;
+    const double rest = diff3.lo + more, whole_need = diff3.hi + rest;
+    return (n < 0.0 ? more : whole_need)/lift;
+}
+
+// what straight motions need at an angle behind k whole periods
+static inline double straight_at(double stiffness, double damping, double k, double angle) {
+    const double half = 0.5*angle;
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot((Pair){next_wave(2.0*k, half).sine, 0.0}, (Pair){2.0*sin(half), 0.0})),
+        two_prod(damping, next_wave(k, angle).cosine)));
 }
 
 // (x - sin(x))/x^3
@@ -1246,16 +1526,18 @@ bool haptic_is_stable(double alpha, double beta, double gamma, double delta, dou
         fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return false;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
-    const double t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = delta*decay(delta);
+    const double t3 = delta*device.n_gap;
     if (part == 0.0) {
-        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
-            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
+            t1, device.together, t3), alpha, beta, gamma, delta) != 0.0;
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
-        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma, delta) != 0.0;
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
+        device.at_minus_one, t1, device.together, delayed.apart, 0.5*device.kick*
+        (delta*delayed.m2 + 2.0*delayed.kicked) + 0.5*delayed.m2*(gamma*device.together + t1) - 0.5*
+        device.together + 0.5*t3), alpha, beta, gamma, delta) != 0.0;
 }
 
 double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d) {
@@ -1263,16 +1545,18 @@ double haptic_unstable_roots(double alpha, double beta, double gamma, double del
         fabs(beta) <= 1e+70 && gamma >= 0.0 && gamma <= 1e+15)) {
         return -1.0;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
-    const double t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const double whole = floor(d), part = d - whole, t1 = delta*decay(delta);
+    const double t3 = delta*device.n_gap;
     if (part == 0.0) {
-        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
-            device.together, delta*device.n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one, t1,
+            device.together, t3);
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
-        t3, device.together, delayed.apart);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma, device.at_minus_one,
+        t1, device.together, delayed.apart, 0.5*device.kick*
+        (delta*delayed.m2 + 2.0*delayed.kicked) + 0.5*delayed.m2*(gamma*device.together + t1) - 0.5*
+        device.together + 0.5*t3);
 }
 
 void haptic_stability_boundary(double theta, double gamma, double delta, double d,
@@ -1308,7 +1592,7 @@ void haptic_max_stable_stiffness(double gamma, double delta, double d, double *a
         gamma <= 1e+15)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device6 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const double whole = floor(d), part = d - whole, t1 = gamma*device.together;
     const double t3 = delta*decay(delta), t16 = 2.0*t3;
     if (part == 0.0) {
@@ -1343,9 +1627,9 @@ double haptic_passivity_margin_at(double theta, double alpha, double beta, doubl
         fabs(beta) <= 1e+70 && theta > 0.0 && theta <= 3.141592653589793)) {
         return NAN;
     }
-    const double t0 = 0.5*theta, cosine = next_wave(d, theta).cosine;
-    const double sine = next_wave(2.0*d, t0).sine;
-    return beta*cosine - 0.5*alpha*sine/sin(t0) + delta;
+    const double whole = floor(d), part = d - whole;
+    if (part == 0.0) { return delta - straight_at(alpha, beta, d, theta); }
+    return delta - required_at(alpha, beta, whole, part, theta);
 }
 
 double haptic_passivity_margin(double alpha, double beta, double delta, double d) {

@@ -1007,8 +1007,8 @@ def numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma, del
         (delta, envelope, gamma, wave, wave_low))
 
 
-def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
-    """at_minus_one, together, n_gap, n0 and n1 of the device"""
+def device_at_minus_one_kick_together_n_gap_n0_n1(xp, gamma, delta):
+    """at_minus_one, kick, together, n_gap, n0 and n1 of the device"""
     half, w, w_low, root, reach = device_motion(xp, gamma, delta)
 
     def yes(delta, gamma, half, reach, root, w, w_low):
@@ -1017,6 +1017,7 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
+            rounded(xp, *wide_prod(xp, envelope, wave, wave_low)),
             numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
             gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
             delta), plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low,
@@ -1031,6 +1032,7 @@ def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
         decayed, decayed_low = slow_fade(xp, reach, half)
         return (
             denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            rounded(xp, *pair_prod(xp, slow, slow_low, far, far_low)),
             numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
             mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
             mean_low, ratio, far, far_low, delta),
@@ -1066,23 +1068,82 @@ def cubic_root(xp, k0, k1, k2, k3, low, high, rise):
     return y
 
 
-def turn_angle(xp, x, y):
-    """the angle of x + j y in half turns, and the rest"""
+def crossing_part(xp, x, u, x_off, u_off, steep, low, high):
+    """of x + j u: half turns and the rest of the angle, the size and its inverse, how far both
+    may be off, and how they change with y
+    """
+    close = 2.384185791015625e-07 if x.dtype == xp.float32 else 4.440892098500626e-16
+    most_ = xp.where(xp.abs(u) > xp.abs(x), xp.abs(u), xp.abs(x))
+    least = xp.where(xp.abs(u) < xp.abs(x), xp.abs(u), xp.abs(x))
+    whole = xp.where(most_ == 0.0, 1.0, most_)
+    ratio = least/whole
+    longer = square_root(xp, ratio*ratio + 1.0)
+    size = longer*most_
+    whole = xp.where(size == 0.0, 1.0, size)
+    per = 1.0/whole
+    real = per*x
+    up = per*u
+    along = per*x_off
+    across = per*u_off
+    away = across + along
+    one = xp.abs(real)
+    two = xp.abs(up)
+    blur = (2.0*away + 1.0)*(across*one + along*two)
     case1 = x < 0.0
+    rest = xp.atan2(xp.where(case1, -u, u), xp.abs(x))
+    falls = per*steep
+    tilt = 0.5*low - 0.5*high
+    square = (up*up)
+    fast = square*(high + low) + 2.0*xp.abs(falls)
     return (
-        xp.where(case1, xp.where(y < 0.0, xp.full_like(y, -1.0), 1.0), 0.0),
-        xp.atan2(xp.where(case1, -y, y), xp.abs(x))
+        xp.where(case1, xp.where(u < 0.0, xp.full_like(u, -1.0), 1.0), 0.0), rest, size, per,
+        xp.where(size > 0.0, across*two + along*one + away*away, 1.0),
+        xp.where(away < 0.25, blur + close*xp.abs(rest), 4.0), 2.0*falls*real + 2.0*square*
+        tilt, fast, 2.0*(falls*falls) + fast*fast + 2.0*high*low*square, up*
+        (real*tilt - falls), two*(one*xp.abs(tilt) + xp.abs(falls))
     )
 
 
-def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apart):
-    """the nearest whole number of turns in the phase at a crossing"""
+def phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+    apart_off, n1_off, a_off):
+    """the nearest whole number of turns in the phase at a crossing, NaN where that is not
+    certain
+    """
+    close, number, number2 = (2.384185791015625e-07, 7.152557373046875e-07,
+        4.76837158203125e-07) if y.dtype == xp.float32 else (4.440892098500626e-16,
+        1.3322676295501878e-15, 8.881784197001252e-16)
     at = xp.where(0.0 > y, 0.0, y)
     still = xp.where(0.0 > rest, 0.0, rest)
     sine = 2.0*square_root(xp, at*still)
-    halves_, turned = turn_angle(xp, off*(2.0*loss - 4.0), loss*sine)
-    halves2, turned2 = turn_angle(xp, still*together - apart*at, n1*sine)
-    halves3, turned3 = turn_angle(xp, alpha*still - at*far, sine*slope)
+    total = 2.0 - loss
+    plain = loose + close
+    made = loose + number
+    edge = xp.where(at < still, at, still)
+    whole = xp.where(at == 0.0, 1.0, at)
+    low = edge/whole
+    whole = xp.where(still == 0.0, 1.0, still)
+    high = edge/whole
+    halves2, turned2, size2, _, away2, blur2, rise2, fast2, bend2, turn2, spread2 = crossing_part(
+        xp, still*together - apart*at, n1*sine, apart_off*at + made*
+        (at*xp.abs(apart) + still*together), sine*(made*xp.abs(n1) + n1_off), edge*
+        (-apart - together), low, high)
+    halves3, turned3, size3, _, away3, blur3, rise3, fast3, bend3, turn3, spread3 = crossing_part(
+        xp, alpha*still - at*far, sine*slope, plain*(at*xp.abs(far) + still*xp.abs(alpha)), plain*
+        sine*xp.abs(slope), edge*(-alpha - far), low, high)
+    halves_, turned, _, per, away, blur, rise, fast, bend_, turn_, spread_ = crossing_part(xp, -2.0*
+        off*total, loss*sine, 4.0*a_off + total*(2.0*free + number2*xp.abs(off)), loss*made*sine,
+        -2.0*edge*total, low, high)
+    ratio = per*size2
+    gap_ = 1.0 - 0.25*ratio*size3
+    rough = away + away2 + away3 + number
+    distant = xp.abs(gap_)
+    miss = 3.0*away + number2
+    miss2 = 3.0*away2 + number2
+    miss3 = 3.0*away3 + number2
+    sure = xp.abs(rise2 - rise + rise3) - fast*miss - fast2*miss2 - fast3*miss3
+    whole = xp.where(sure == 0.0, 1.0, sure)
+    reach = 0.25*(9.0*distant + 9.0*rough)/whole
+    bends = bend_ + bend2 + bend3
     case1 = at > 2.0
     half = xp.atan2(xp.where(case1, square_root(xp, still), square_root(xp, at)),
         xp.where(case1, square_root(xp, at), square_root(xp, still)))
@@ -1094,24 +1155,45 @@ def phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apar
     )
     even = xp.floor(0.5*halves3)
     left = 0.5*halves3 - even
-    return even + xp.where(left == 0.5, xp.floor(share) + 1.0, xp.floor(left + share + 0.5))
+    near = xp.abs(share - xp.floor(share + 0.5))
+    distance = xp.where(left == 0.5, near, 0.5 - near)
+    whole = xp.where(sine == 0.0, 1.0, sine)
+    delayed = 2.0*edge*late/whole
+    most_ = delayed + spread_ + spread2 + spread3
+    blur_ = (
+        blur + blur2 + blur3 + half*late*(loose + number2) + reach*
+        (number2*delayed + miss*spread_ + miss2*spread2 + miss3*spread3 + 2.0*most_*reach*
+        (fast + fast2 + fast3 + 2.0) + xp.abs(delayed + turn_ - turn2 - turn3))
+    )
+    good = xp.where((blur_ < 6.0*distance) & (reach < 0.25) & (sure > 0.0) &
+        (sure > 8.0*bends*reach), xp.full_like(bends, 1.0), 0.0)
+    return xp.where(good > 0.0, even + xp.where(left == 0.5, xp.floor(share) + 1.0,
+        xp.floor(left + share + 0.5)), xp.nan)
 
 
-def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
-    together, apart, center, beyond, d):
+def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1,
+    loss, together, apart, apart_off, n1_off, a_off, center, beyond):
     """what the crossing on a piece, if there is one, adds"""
-    def yes(alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1, k2, k3, loss, low,
-        n1, slope, together, zone):
+    number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
+        4.76837158203125e-07) if k0.dtype == xp.float32 else (1.7763568394002505e-15,
+        2.220446049250313e-16, 8.881784197001252e-16)
+    def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, high, k0, k1,
+        k2, k3, loss, low, n1, n1_off, slope, together, zone):
         x = cubic_root(xp, k0, k1, k2, k3, low, high, at_high - at_low)
         case1 = zone == 1.0
         case2 = zone == 0.0
         y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
         rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
 
-        def yes(alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
-            together, x, y, zone):
-            off = xp.where(zone == 0.0, x - center, xp.where(zone == 1.0, x, beyond - x))
-            found = phase_turns(xp, y, rest, off, alpha, slope, far, d, n1, loss, together, apart)
+        def yes(a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, loss, n1,
+            n1_off, rest, slope, together, x, y, zone):
+            case1 = zone == 1.0
+            case2 = zone == 0.0
+            off = xp.where(case2, x - center, xp.where(case1, x, beyond - x))
+            loose = xp.where(case1, xp.full_like(zone, number), last)
+            free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
+            found = phase_turns(xp, y, rest, off, loose, free, alpha, slope, far, d, n1, loss,
+                together, apart, apart_off, n1_off, a_off)
             rises = (
                 xp.where(zone == 2.0, xp.full_like(zone, -1.0), 1.0)*
                 xp.where(at_high > at_low, xp.full_like(at_high, 1.0), -1.0)
@@ -1119,16 +1201,65 @@ def piece_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slo
             return -2.0*found*rises
 
         return select(xp, (rest > 0.0) & (y > 0.0), yes,
-            (alpha, apart, at_high, at_low, beyond, center, d, far, loss, n1, rest, slope,
-            together, x, y, zone), lambda rest: 0.0, (rest,))
+            (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, loss, n1,
+            n1_off, rest, slope, together, x, y, zone), lambda rest: xp.nan, (rest,))
 
     return select(xp, (((at_high >= 0.0) & (at_low < 0.0)) | ((at_high < 0.0) & (at_low >= 0.0))) &
-        (high > low), yes, (alpha, apart, at_high, at_low, beyond, center, d, far, high, k0, k1,
-        k2, k3, loss, low, n1, slope, together, zone), lambda at_high: 0.0, (at_high,))
+        ((at_low != 0.0) | (low != 0.0)) & (high > low), yes,
+        (a_off, alpha, apart, apart_off, at_high, at_low, beyond, center, d, far, high, k0, k1, k2,
+        k3, loss, low, n1, n1_off, slope, together, zone), lambda at_high: 0.0, (at_high,))
 
 
-def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, n1, loss,
-    together, apart, center, beyond, d):
+def touches(xp, leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+    apart_off, n1_off, a_off):
+    """NaN where it is not certain that the device is stronger if leads is positive, and else
+    the wall, else 0
+    """
+    close, number, number2 = (2.384185791015625e-07, 7.152557373046875e-07,
+        4.76837158203125e-07) if leads.dtype == xp.float32 else (4.440892098500626e-16,
+        1.3322676295501878e-15, 8.881784197001252e-16)
+    at = xp.where(0.0 > y, 0.0, y)
+    still = xp.where(0.0 > rest, 0.0, rest)
+    sine = 2.0*square_root(xp, at*still)
+    total = 2.0 - loss
+    plain = loose + close
+    _, _, size3, _, away3, _, _, _, _, _, _ = crossing_part(xp, alpha*still - at*far, sine*slope,
+        plain*(at*xp.abs(far) + still*xp.abs(alpha)), plain*sine*xp.abs(slope),
+        xp.full_like(alpha, 0.0), xp.full_like(alpha, 0.0), xp.full_like(alpha, 0.0))
+    made = loose + number
+    _, _, size2, _, away2, _, _, _, _, _, _ = crossing_part(xp, still*together - apart*at, n1*sine,
+        apart_off*at + made*(at*xp.abs(apart) + still*together), sine*(made*xp.abs(n1) + n1_off),
+        xp.full_like(apart, 0.0), xp.full_like(apart, 0.0), xp.full_like(apart, 0.0))
+    _, _, _, per, away, _, _, _, _, _, _ = crossing_part(xp, -2.0*off*total, loss*sine, 4.0*a_off +
+        total*(2.0*free + number2*xp.abs(off)), loss*made*sine, xp.full_like(a_off, 0.0),
+        xp.full_like(a_off, 0.0), xp.full_like(a_off, 0.0))
+    ratio = per*size2
+    gap_ = 1.0 - 0.25*ratio*size3
+    rough = away + away2 + away3 + number
+    signed = xp.where(leads > 0.0, gap_, -gap_)
+    good = xp.where(signed > 2.0*rough, xp.full_like(rough, 1.0), 0.0)
+    return xp.where((good < 1.0) & (rest > 0.0) & (y > 0.0), xp.full_like(good, xp.nan), 0.0)
+
+
+def zone_touches(xp, leads, x, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off,
+    n1_off, a_off, center, beyond):
+    """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
+    number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
+        4.76837158203125e-07) if leads.dtype == xp.float32 else (1.7763568394002505e-15,
+        2.220446049250313e-16, 8.881784197001252e-16)
+    case1 = zone == 1.0
+    case2 = zone == 0.0
+    y = xp.where(case2, x, xp.where(case1, center + x, 4.0 - x))
+    rest = xp.where(case2, 4.0 - x, xp.where(case1, beyond - x, x))
+    off = xp.where(case2, x - center, xp.where(case1, x, beyond - x))
+    loose = xp.where(case1, xp.full_like(zone, number), last)
+    free = xp.where(case1, 0.0, number2*xp.where(case2, center, beyond))
+    return touches(xp, leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together,
+        apart, apart_off, n1_off, a_off)
+
+
+def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1,
+    loss, together, apart, apart_off, n1_off, a_off, center, beyond):
     """what the crossings between two points add to the count"""
     disc = k2*k2 - 3.0*k1*k3
     root = square_root(xp, xp.where(0.0 > disc, 0.0, disc))
@@ -1151,83 +1282,146 @@ def zone_turns(xp, k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slop
     p = first*(first*(first*k3 + k2) + k1) + k0
     p2 = k0 + middle*(k1 + middle*(k2 + k3*middle))
     p3 = k0 + last*(k1 + last*(k2 + k3*last))
-    found = piece_turns(xp, k0, k1, k2, k3, low, first, at_low, p, zone, alpha, slope, far, n1,
-        loss, together, apart, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, first, middle, p, p2, zone, alpha, slope, far,
-        n1, loss, together, apart, center, beyond, d)
-    found = found + piece_turns(xp, k0, k1, k2, k3, middle, last, p2, p3, zone, alpha, slope, far,
-        n1, loss, together, apart, center, beyond, d)
-    return found + piece_turns(xp, k0, k1, k2, k3, last, high, p3, at_high, zone, alpha, slope,
-        far, n1, loss, together, apart, center, beyond, d)
+    value_ = cut3*(cut3*(cut3*k3 + k2) + k1) + k0
+
+    def yes(a_off, alpha, apart, apart_off, beyond, center, cut2, d, far, k0, k1, k2, k3, loss, n1,
+        n1_off, slope, together, zone):
+        value_ = cut2*(cut2*(cut2*k3 + k2) + k1) + k0
+        return zone_touches(xp, value_, cut2, zone, alpha, slope, far, d, n1, loss, together,
+            apart, apart_off, n1_off, a_off, center, beyond)
+
+    found = select(xp, cut2 > low, yes, (a_off, alpha, apart, apart_off, beyond, center, cut2, d,
+        far, k0, k1, k2, k3, loss, n1, n1_off, slope, together, zone), lambda cut2: 0.0, (cut2,))
+    found2 = found + xp.where(cut3 > low, zone_touches(xp, value_, cut3, zone, alpha, slope, far,
+        d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond), 0.0)
+    found2 = found2 + piece_turns(xp, k0, k1, k2, k3, low, first, at_low, p, zone, alpha, slope,
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+    found2 = found2 + piece_turns(xp, k0, k1, k2, k3, first, middle, p, p2, zone, alpha, slope,
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+    found2 = found2 + piece_turns(xp, k0, k1, k2, k3, middle, last, p2, p3, zone, alpha, slope,
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
+    return found2 + piece_turns(xp, k0, k1, k2, k3, last, high, p3, at_high, zone, alpha, slope,
+        far, d, n1, loss, together, apart, apart_off, n1_off, a_off, center, beyond)
 
 
-def fractional_roots(xp, alpha, beta, d, m2, m0, at_one, at_minus_one, loss, together, apart):
-    """roots outside the unit circle behind a fractional delay, -1 where that is not known"""
-    number = 9.094947017729282e-13 if alpha.dtype == xp.float32 else 3.8725919148493183e-121
-    strength = xp.abs(alpha) + xp.abs(beta)
-
-    def no(alpha, apart, at_minus_one, at_one, beta, d, loss, m0, m2, together):
+def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart,
+    across):
+    """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
+    number, number2, number3, number4, number5, number6 = (
+        (3.814697265625e-06, 7.62939453125e-06, 4.547473508864641e-13, 9.5367431640625e-07,
+        1.9073486328125e-06, 9.094947017729282e-13) if alpha.dtype == xp.float32 else (
+        7.105427357601002e-15, 1.4210854715202004e-14, 1.5777218104420236e-30,
+        1.7763568394002505e-15, 3.552713678800501e-15, 3.8725919148493183e-121)
+    )
+    def no(across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together):
+        strength = xp.abs(alpha) + xp.abs(beta)
+        stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
         slope = alpha + beta
         wall_far = alpha + 2.0*beta
         force = beta*slope
-        across = m2 - m0
         lost = (loss*loss)
         square = m0*m2
         size = (across*across)
-        even = together*(m0 + m2)
-        linear = size - even
-        pushed_ = alpha*together
-        near0 = (at_one - pushed_)*(at_one + pushed_)
-        near1 = lost - (alpha*alpha)*linear - at_one*(2.0 - loss) - force*(together*together)
-        near2 = 1.0 - (alpha*alpha)*square - force*linear - loss
-        near3 = -force*square
-        even = apart*(m0 + m2)
-        linear = size - even
+        at_one = gamma*together
+        size2 = m2 + together + xp.abs(m0)
+        near_half = square_root(xp, xp.where(1.0 < at_minus_one, 1.0, at_minus_one))
+        whole = xp.where(gamma == 0.0, 1.0, gamma)
+        apart_off = number*near_half*size2
+        n1_off = number2*xp.where((gamma > 10.0) & (loss < 0.5), 2.0*
+            square_root(xp, xp.where(1.0 < at_one, 1.0, at_one))/whole, 0.125*size2)
+        a_off = number3*square_root(xp, at_minus_one*gamma)
+        apart_one = (gamma - alpha)*(alpha + gamma)
+        even = (together*together)
+        even2 = together*(m0 + m2)
+        linear = size - even2
+        push = (alpha*alpha)
+        near0 = apart_one*even
+        near1 = lost - at_one*(2.0 - loss) - force*(together*together) - linear*push
+        near2 = 1.0 - force*linear - loss - push*square
+        most_ = (
+            at_one*(2.0 - loss) + lost + push*(size + xp.abs(even2)) + (together*together)*
+            xp.abs(force)
+        )
+        blurred = n1_off*(n1_off + 2.0*xp.abs(across))
+        pull = xp.abs(apart*wall_far)
+        end_off = a_off + apart_off*xp.abs(wall_far) + number4*at_minus_one + number4*pull
+        room = (alpha*alpha)*blurred + number5*most_
+        product = 4.0*near0*near2
         pushed_ = apart*wall_far
+        even2 = apart*(m0 + m2)
+        linear = size - even2
+        push = (wall_far*wall_far)
         far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
-        far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*(wall_far*wall_far) + lost
-        far2 = force*linear - loss - square*(wall_far*wall_far) + 1.0
-        far3 = force*square
-        middle = 2.0*at_one/(2.0 - loss)
-        rest = 2.0*at_minus_one/(2.0 - loss)
-        sine = 0.25*middle*rest
-        tilt = 0.25*rest - 0.25*middle
-        real = 0.25*rest*together - 0.25*apart*middle
-        one = real*real + sine*size
-        two = size*tilt - real*(m0 + m2)
-        wave = 0.25*alpha*rest - 0.25*middle*wall_far
-        wall = sine*(slope*slope) + wave*wave
-        own0 = lost*sine - one*wall
-        own1 = lost*tilt - force*one - two*wall
-        own2 = 1.0 - force*two - loss - square*wall
-        own3 = -force*square
-        one = 0.5*middle
-        two = 0.5*rest
-        before = own0 - one*(own1 - one*(own2 - one*own3))
-        after = own0 + two*(own1 + two*(own2 + own3*two))
-        side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-        end = (
-            xp.where(wall_far > 0.0, side, 0.0) - d +
-            xp.where(apart > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0),
-            0.0) - 3.0
+        far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*push + lost
+        far2 = force*linear - loss - push*square + 1.0
+        most_ = (
+            (apart*apart)*xp.abs(force) + at_minus_one*(2.0 - loss) + lost + push*
+            (size + xp.abs(even2))
         )
-        total = (
-            xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
-            (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side),
-            0.0) + zone_turns(xp, far0, far1, far2, far3, xp.full_like(across, 0.0), two, far0,
-            after, xp.full_like(across, 2.0), alpha, slope, wall_far, across, loss, together,
-            apart, middle, rest, d) + zone_turns(xp, near0, near1, near2, near3,
-            xp.full_like(across, 0.0), one, near0, before, xp.full_like(across, 0.0), alpha,
-            slope, wall_far, across, loss, together, apart, middle, rest, d) +
-            zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
-            xp.full_like(across, 1.0), alpha, slope, wall_far, across, loss, together, apart,
-            middle, rest, d)
+        even2 = apart_off*(m2 + xp.abs(m0))
+        room2 = (
+            2.0*a_off + apart_off*(apart_off + 2.0*xp.abs(apart))*xp.abs(force) + number5*most_ +
+            (wall_far*wall_far)*(blurred + even2)
         )
-        return total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) &
-            (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+        product2 = 4.0*far0*far2
 
-    return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
-        no, (alpha, apart, at_minus_one, at_one, beta, d, loss, m0, m2, together))
+        def no(a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
+            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
+            wall_far):
+            near3 = -force*square
+            far3 = force*square
+            middle = 2.0*at_one/(2.0 - loss)
+            rest = 2.0*at_minus_one/(2.0 - loss)
+            sine = 0.25*middle*rest
+            tilt = 0.25*rest - 0.25*middle
+            real = 0.25*rest*together - 0.25*apart*middle
+            one = real*real + sine*size
+            two = size*tilt - real*(m0 + m2)
+            wave = 0.25*alpha*rest - 0.25*middle*wall_far
+            wall = sine*(slope*slope) + wave*wave
+            own0 = lost*sine - one*wall
+            own1 = lost*tilt - force*one - two*wall
+            own2 = 1.0 - force*two - loss - square*wall
+            own3 = -force*square
+            one = 0.5*middle
+            two = 0.5*rest
+            before = own0 - one*(own1 - one*(own2 - one*own3))
+            after = own0 + two*(own1 + two*(own2 + own3*two))
+            side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
+            end = (
+                xp.where(wall_far > 0.0, side, 0.0) - d +
+                xp.where(apart > 0.0, xp.where(across >= 0.0, xp.full_like(across, 1.0), -1.0),
+                0.0) - 3.0
+            )
+            total = (
+                xp.where(((((((near2 == 0.0) & (near3 < 0.0)) | (near2 < 0.0)) & (near1 == 0.0)) |
+                (near1 < 0.0)) & (near0 == 0.0)) | (near0 < 0.0),
+                xp.where(alpha > 0.0, 0.0, side), 0.0) +
+                zone_turns(xp, far0, far1, far2, far3, xp.full_like(a_off, 0.0), two, far0,
+                after, xp.full_like(a_off, 2.0), alpha, slope, wall_far, d, across, loss,
+                together, apart, apart_off, n1_off, a_off, middle, rest) +
+                zone_turns(xp, near0, near1, near2, near3, xp.full_like(a_off, 0.0), one,
+                near0, before, xp.full_like(a_off, 0.0), alpha, slope, wall_far, d, across,
+                loss, together, apart, apart_off, n1_off, a_off, middle, rest) +
+                zone_turns(xp, own0, own1, own2, own3, -one, two, before, after,
+                xp.full_like(a_off, 1.0), alpha, slope, wall_far, d, across, loss, together,
+                apart, apart_off, n1_off, a_off, middle, rest)
+            )
+            total = total - xp.where(((((((far2 == 0.0) & (far3 < 0.0)) | (far2 < 0.0)) &
+                (far1 == 0.0)) | (far1 < 0.0)) & (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+            return xp.where(total >= 0.0, total, -1.0)
+
+        return select(xp, ((((stiffest > 0.0) & (stiffest < number6)) |
+            (loss + strength < number6)) & (strength > 0.0)) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
+            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
+            (end_off >= xp.abs(at_minus_one - pull)), lambda at_minus_one: -1.0, (at_minus_one,),
+            no, (a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
+            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
+            wall_far))
+
+    return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
+        (across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together))
 
 
 def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turned):
@@ -1236,6 +1430,51 @@ def fractional_numerator_gap(xp, epsilon, x, x_low, y, y_low, first, last, turne
         *pair_prod(xp, x, x_low, y, y_low))
     return rounded(xp, *pair_sum(xp, *pair_diff(xp,
         *pair_diff(xp, first, 0.0, 2.0*prod2, 2.0*prod_low2), last, 0.0), turned, 0.0))
+
+
+def half_turned_swing(xp, gamma, delta, part):
+    """m2 - m1 + m0 of a device that swings, hardly damped"""
+    half, w, w_low, root, _ = device_motion(xp, gamma, delta)
+    angle = 0.5*root
+    angle_low = 0.5*root_miss(xp, w, w_low, root)
+    prod, prod_low = pair_prod(xp, angle, angle_low, *fast_two_sum(xp, 1.0, -part))
+    prod2, prod_low2 = pair_prod(xp, angle, angle_low, part, xp.full_like(angle, 0.0))
+    wave = xp.sin(angle)
+    still = xp.cos(angle)
+    sine = angle_low*still + wave
+    cosine = still - angle_low*wave
+    wave = xp.sin(prod)
+    still = xp.cos(prod)
+    sine2 = prod_low*still + wave
+    cosine2 = still - prod_low*wave
+    wave = xp.sin(prod2)
+    still = xp.cos(prod2)
+    sine3 = prod_low2*still + wave
+    cosine3 = still - prod_low2*wave
+    along = cosine2*cosine3 + sine2*sine3
+    across = cosine3*sine2 - cosine2*sine3
+    before = 0.5 - part
+    step_ = xp.expm1(0.5*half)
+    weak = 0.5*step_ + 0.5*step_/(step_ + 1.0)
+    more = 0.5*(step_*step_)/(step_ + 1.0)
+    strong = more + 1.0
+    fallen = xp.expm1(-before*half)
+    grown = fallen + 1.0
+    whole = xp.where(root == 0.0, 1.0, root)
+    ratio = half/whole
+    lost = weak*weak - along*cosine*(fallen*strong + more)
+    turned = grown*sine*weak*(across - along*ratio)
+    kept = across*cosine*grown*ratio*strong
+    total = lost - 2.0*cosine*sine2*sine3 - kept + turned
+    whole = xp.where(gamma == 0.0, 1.0, gamma)
+    return 4.0*total*xp.exp(-half)/whole
+
+
+def half_turned(xp, found, gamma, delta, part):
+    """m2 - m1 + m0 behind a fraction of a period"""
+    half, w, _, root, _ = device_motion(xp, gamma, delta)
+    return select(xp, (half < 0.25) & (root > 3.0) & (w < 0.0),
+        lambda *v: half_turned_swing(xp, *v), (gamma, delta, part), lambda found: found, (found,))
 
 
 def device_kick_kick_low_n_gap_n0_n1(xp, gamma, delta):
@@ -1283,9 +1522,12 @@ def late_device(xp, gamma, delta, part):
     t7 = delta*part
     kick_of2, kick_low_of2, n_gap_2, n0, n1_2 = device_kick_kick_low_n_gap_n0_n1(xp, t6, t7)
     t9 = n0*t5
-    return fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2, kick_low_of2, delta*
-        n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*(kick_of2*t7 + n1_2*t6) + n1*n1_2*
-        t2*t5 - t3*t9*decay(xp, t3)), n1*t1, kick_of*t0, t9*xp.exp(-t3)
+    return (
+        half_turned(xp, fractional_numerator_gap(xp, part, kick_of, kick_low_of, kick_of2,
+        kick_low_of2, delta*n_gap*(t0*t0*t0), delta*n_gap_2*(part*part*part), n0_2*t1*
+        (kick_of2*t7 + n1_2*t6) + n1*n1_2*t2*t5 - t3*t9*decay(xp, t3)), gamma, delta, part), n1*
+        t1, kick_of*t0, t9*xp.exp(-t3)
+    )
 
 
 def stable(xp, roots, alpha, beta, gamma, delta):
@@ -1299,24 +1541,43 @@ def stable(xp, roots, alpha, beta, gamma, delta):
         xp.full_like(alpha, 1.0), 0.0)
 
 
+def nearest_point(xp, y, rest, off, center, beyond):
+    """a point that is known about three, and whether it is on the circle"""
+    number, last, number2 = (9.5367431640625e-07, 1.1920928955078125e-07,
+        4.76837158203125e-07) if y.dtype == xp.float32 else (1.7763568394002505e-15,
+        2.220446049250313e-16, 8.881784197001252e-16)
+    case1 = rest > y
+    edge = xp.where(case1, y, rest)
+    inside_ = xp.where((beyond - off > 0.0) & (center + off > 0.0) & (edge > xp.abs(off)),
+        xp.full_like(beyond, 1.0), 0.0)
+    case2 = inside_ > 0.0
+    return (
+        xp.where(case2, center + off, xp.where(case1, y, 4.0 - rest)),
+        xp.where(case2, beyond - off, xp.where(case1, 4.0 - y, rest)),
+        xp.where(case2, off, xp.where(case1, y - center, beyond - rest)),
+        xp.where(case2, xp.full_like(inside_, number), last),
+        xp.where(case2, 0.0, number2*xp.where(case1, center, beyond)),
+        xp.where((rest > 0.0) & (xp.where(rest < y, rest, y) < 4.0) & (y > 0.0),
+        xp.full_like(rest, 1.0), 0.0)
+    )
+
+
+def bottom_touches(xp, leads, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss,
+    together, apart, apart_off, n1_off, a_off):
+    """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
+    at, still, away, loose, free, there = nearest_point(xp, y, rest, off, center, beyond)
+    return select(xp, there > 0.0, lambda *v: touches(xp, *v),
+        (leads, at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart,
+        apart_off, n1_off, a_off), lambda there: 0.0, (there,))
+
+
 def crossing_turns(xp, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
-    apart):
+    apart, apart_off, n1_off, a_off):
     """the turns at a crossing, if there is one"""
-    edge = xp.where(rest > y, y, rest)
-
-    def yes(alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y):
-        inside_ = xp.where((beyond - off > 0.0) & (center + off > 0.0) & (edge > xp.abs(off)),
-            xp.full_like(beyond, 1.0), 0.0)
-        case1 = rest > y
-        case2 = inside_ > 0.0
-        at = xp.where(case2, center + off, xp.where(case1, y, 4.0 - rest))
-        still = xp.where(case2, beyond - off, xp.where(case1, 4.0 - y, rest))
-        away = xp.where(case2, off, xp.where(case1, y - center, beyond - rest))
-        return phase_turns(xp, at, still, away, alpha, slope, far, d, n1, loss, together, apart)
-
-    return select(xp, (edge < 4.0) & (rest > 0.0) & (y > 0.0), yes,
-        (alpha, apart, beyond, center, d, edge, far, loss, n1, off, rest, slope, together, y),
-        lambda edge: 0.0, (edge,))
+    at, still, away, loose, free, there = nearest_point(xp, y, rest, off, center, beyond)
+    return select(xp, there > 0.0, lambda *v: phase_turns(xp, *v),
+        (at, still, away, loose, free, alpha, slope, far, d, n1, loss, together, apart, apart_off,
+        n1_off, a_off), lambda there: 0.0, (there,))
 
 
 def quadratic_roots(xp, c, b, a, root):
@@ -1332,12 +1593,15 @@ def quadratic_roots(xp, c, b, a, root):
         two: (two, one))
 
 
-def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together, apart):
-    """roots outside the unit circle, -1 where that is not known"""
-    number = 9.094947017729282e-13 if alpha.dtype == xp.float32 else 3.8725919148493183e-121
-    strength = xp.abs(alpha) + xp.abs(beta)
-
-    def no(alpha, apart, at_minus_one, at_one, beta, d, loss, n0, n1, together):
+def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apart):
+    """roots outside the unit circle, -1 where that is not certain"""
+    number, number2, number3, number4 = (4.547473508864641e-13, 9.5367431640625e-07,
+        1.9073486328125e-06, 9.094947017729282e-13) if alpha.dtype == xp.float32 else (
+        1.5777218104420236e-30, 1.7763568394002505e-15, 3.552713678800501e-15,
+        3.8725919148493183e-121)
+    def no(alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together):
+        strength = xp.abs(alpha) + xp.abs(beta)
+        stiffest = xp.where(gamma > xp.abs(alpha), gamma, xp.abs(alpha))
         e = 1.0 - loss
         slope = alpha + beta
         wall_far = alpha + 2.0*beta
@@ -1345,12 +1609,22 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         cross = n0*n1
         lost = (loss*loss)
         square = cross*force + e
-        push = alpha*together
+        at_one = gamma*together
+        even = (together*together)
         pull = apart*wall_far
-        near0 = (at_one - push)*(at_one + push)
-        near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - force*(together*together) + lost
-        far0 = (at_minus_one - pull)*(at_minus_one + pull)
+        near1 = (alpha*alpha)*cross - at_one*(e + 1.0) - even*force + lost
+        near1_size = (
+            xp.abs(lost) + xp.abs((alpha*alpha)*cross) + xp.abs(at_one*(e + 1.0)) +
+            xp.abs(even*force)
+        )
+        apart_one = (gamma - alpha)*(alpha + gamma)
+        near0 = apart_one*even
         far1 = (apart*apart)*force - at_minus_one*(e + 1.0) - cross*(wall_far*wall_far) + lost
+        far1_size = (
+            xp.abs(lost) + xp.abs((apart*apart)*force) + xp.abs(at_minus_one*(e + 1.0)) +
+            xp.abs(cross*(wall_far*wall_far))
+        )
+        far0 = (at_minus_one - pull)*(at_minus_one + pull)
         center = 2.0*at_one/(e + 1.0)
         beyond = 2.0*at_minus_one/(e + 1.0)
         sine = 0.25*beyond*center
@@ -1363,53 +1637,100 @@ def whole_roots(xp, alpha, beta, d, n1, n0, at_one, at_minus_one, loss, together
         own0 = lost*sine - m0*wall
         own1 = lost*tilt - force*m0 - m1*wall
         own2 = e - force*m1
-        square2 = (near1*near1)
+        a_off = number*square_root(xp, at_minus_one*gamma)
+        pull = xp.abs(apart*wall_far)
+        end_off = a_off + number2*at_minus_one + number2*pull
+        room = number3*near1_size
         product = 4.0*near0*square
-        size = square2 + xp.abs(product)
+        room2 = 2.0*a_off + number3*far1_size
+        product2 = 4.0*far0*square
+        square2 = (near1*near1)
+        product3 = 4.0*near0*square
+        size = square2 + xp.abs(product3)
         square3 = (own1*own1)
-        product2 = 4.0*own0*own2
-        size2 = square3 + xp.abs(product2)
+        product4 = 4.0*own0*own2
+        size2 = square3 + xp.abs(product4)
         square4 = (far1*far1)
-        product3 = 4.0*far0*square
-        size3 = square4 + xp.abs(product3)
-        side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
-        end = (
-            xp.where(wall_far > 0.0, side, 0.0) - d +
-            xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) - 3.0
-        )
+        product5 = 4.0*far0*square
+        size3 = square4 + xp.abs(product5)
+        odd2 = xp.abs(xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+            (far0 == 0.0)) | (far0 < 0.0), xp.full_like(far0, 1.0), 0.0) -
+            xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) & (near0 == 0.0)) |
+            (near0 < 0.0), xp.full_like(near0, 1.0), 0.0))
 
-        def no(product, product3, size, size2, size3, square2, square4):
-            return select(xp, (size > size3) & (size2 > size3), lambda product3, square4: square4 -
-                product3, (product3, square4), lambda product, square2: square2 - product,
-                (product, square2))
+        def no(product3, product5, size, size2, size3, square2, square4):
+            return select(xp, (size > size3) & (size2 > size3), lambda product5, square4: square4 -
+                product5, (product5, square4), lambda product3, square2: square2 - product3,
+                (product3, square2))
 
-        disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product2, square3: square3 -
-            product2, (product2, square3), no, (product, product3, size, size2, size3, square2,
+        disc4 = select(xp, (size >= size2) & (size2 <= size3), lambda product4, square3: square3 -
+            product4, (product4, square3), no, (product3, product5, size, size2, size3, square2,
             square4))
+        positive = xp.where(disc4 >= 0.0, disc4, 0.0)
+        root = square_root(xp, positive)
+        low, high = quadratic_roots(xp, near0, near1, square, root)
+        low3, high3 = quadratic_roots(xp, far0, far1, square, root)
+        odd = xp.abs(xp.where((disc4 >= 0.0) & (high > 0.0) & (low3 > 0.0) &
+            (xp.where(high < low3, high, low3) < 4.0), xp.full_like(disc4, 1.0), 0.0) -
+            xp.where((disc4 >= 0.0) & (high3 > 0.0) & (low > 0.0) &
+            (xp.where(high3 < low, high3, low) < 4.0), xp.full_like(disc4, 1.0), 0.0))
 
-        def yes(alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
-            own1, own2, slope, square, together, wall_far):
-            root = square_root(xp, disc4)
-            low, high = quadratic_roots(xp, near0, near1, square, root)
-            low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
-            low3, high3 = quadratic_roots(xp, far0, far1, square, root)
-            return (
-                2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope, wall_far, d,
-                n1, loss, together, apart) - 2.0*
-                crossing_turns(xp, high, low3, high2, center, beyond, alpha, slope, wall_far,
-                d, n1, loss, together, apart)
+        def no(a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high, high3, loss, low,
+            low3, n1, near0, near1, own0, own1, own2, root, slope, square, together, wall_far):
+            side = xp.where(slope >= 0.0, xp.full_like(slope, 1.0), -1.0)
+            end = (
+                xp.where(wall_far > 0.0, side, 0.0) - d +
+                xp.where(apart > 0.0, xp.where(n1 >= 0.0, xp.full_like(n1, 1.0), -1.0), 0.0) -
+                3.0
             )
 
-        total = select(xp, disc4 >= 0.0, yes,
-            (alpha, apart, beyond, center, d, disc4, far0, far1, loss, n1, near0, near1, own0,
-            own1, own2, slope, square, together, wall_far), lambda disc4: 0.0, (disc4,))
-        total = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
-            (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
-        return total - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
-            (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+            def yes(a_off, alpha, apart, beyond, center, d, high, high3, loss, low, low3, n1, own0,
+                own1, own2, root, slope, together, wall_far):
+                low2, high2 = quadratic_roots(xp, own0, own1, own2, root)
+                return (
+                    2.0*crossing_turns(xp, low, high3, low2, center, beyond, alpha, slope,
+                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    xp.full_like(a_off, 0.0), a_off) - 2.0*
+                    crossing_turns(xp, high, low3, high2, center, beyond, alpha, slope,
+                    wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    xp.full_like(a_off, 0.0), a_off)
+                )
 
-    return select(xp, (loss + strength < number) & (strength > 0.0), lambda loss: -1.0, (loss,),
-        no, (alpha, apart, at_minus_one, at_one, beta, d, loss, n0, n1, together))
+            def no(a_off, alpha, apart, beyond, center, d, far1, loss, n1, near1, own1, own2,
+                slope, square, together, wall_far):
+                def no(far1, near1, square):
+                    return -0.5*near1/square, -0.5*far1/square
+
+                bottom, bottom2 = select(xp, square == 0.0, lambda square: (-1.0, -1.0), (square,),
+                    no, (far1, near1, square))
+                bottom3 = select(xp, own2 == 0.0, lambda own2: -1.0, (own2,), lambda own1,
+                    own2: -0.5*own1/own2, (own1, own2))
+                return bottom_touches(xp, square, bottom, bottom2, bottom3, center, beyond, alpha,
+                    slope, wall_far, d, n1, loss, together, apart, xp.full_like(a_off, 0.0),
+                    xp.full_like(a_off, 0.0), a_off)
+
+            total = select(xp, disc4 >= 0.0, yes,
+                (a_off, alpha, apart, beyond, center, d, high, high3, loss, low, low3, n1, own0,
+                own1, own2, root, slope, together, wall_far), no,
+                (a_off, alpha, apart, beyond, center, d, far1, loss, n1, near1, own1, own2, slope,
+                square, together, wall_far))
+            total2 = total + xp.where(((((near1 == 0.0) & (square < 0.0)) | (near1 < 0.0)) &
+                (near0 == 0.0)) | (near0 < 0.0), xp.where(alpha > 0.0, 0.0, side), 0.0)
+            total2 = total2 - xp.where(((((far1 == 0.0) & (square < 0.0)) | (far1 < 0.0)) &
+                (far0 == 0.0)) | (far0 < 0.0), end, 0.0)
+            return xp.where(total2 >= 0.0, total2, -1.0)
+
+        return select(xp, ((((stiffest > 0.0) & (stiffest < number4)) |
+            (loss + strength < number4)) & (strength > 0.0)) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
+            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
+            (end_off >= xp.abs(at_minus_one - pull)) | (odd != odd2), lambda at_minus_one: -1.0,
+            (at_minus_one,), no, (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high,
+            high3, loss, low, low3, n1, near0, near1, own0, own1, own2, root, slope, square,
+            together, wall_far))
+
+    return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
+        (alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together))
 
 
 def ahead_in_phase(xp, psi, at_one, at_minus_one, loss, together, apart, across):
@@ -1522,6 +1843,42 @@ def next_wave(xp, k, x):
 
     return select(xp, xp.abs(off) < 7.450580596923828e-09, lambda cosine, off,
         sine: (cosine - off*sine, cosine*off + sine), (cosine, off, sine), no)
+
+
+def device_at_minus_one_together_n_gap_n0_n1(xp, gamma, delta):
+    """at_minus_one, together, n_gap, n0 and n1 of the device"""
+    half, w, w_low, root, reach = device_motion(xp, gamma, delta)
+
+    def yes(delta, gamma, half, reach, root, w, w_low):
+        envelope, even, even_low, wave, wave_low, near, risen, sunk, moved = swinging_device(xp,
+            gamma, half, w, w_low, root)
+        decayed, decayed_low = slow_fade(xp, reach, half)
+        return (
+            denominator_at_minus_one_swing(xp, half, w, w_low, root, envelope, even, even_low),
+            numerator_at_one_swing(xp, reach, half, w, w_low, root, envelope, near, moved,
+            gamma), numerator_gap_swing(xp, reach, half, w, envelope, wave, wave_low, gamma,
+            delta), plant_n0_swing(xp, reach, half, envelope, even, even_low, wave, wave_low,
+            near, sunk, decayed, decayed_low, gamma),
+            plant_n1_swing(xp, reach, half, w, envelope, even, even_low, wave, wave_low, near,
+            risen, decayed, decayed_low, gamma)
+        )
+
+    def no(delta, gamma, half, reach, root, w, w_low):
+        p, p_low, slow, slow_low, mean, mean_low, ratio, ratio_low, far, far_low = creeping_device(
+            xp, gamma, half, w, w_low, root)
+        decayed, decayed_low = slow_fade(xp, reach, half)
+        return (
+            denominator_at_minus_one_creep(xp, slow, slow_low, ratio, ratio_low),
+            numerator_at_one_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean,
+            mean_low, ratio, ratio_low), numerator_gap_creep(xp, reach, half, w, p, slow, mean,
+            mean_low, ratio, far, far_low, delta),
+            plant_n0_creep(xp, reach, p, p_low, slow, slow_low, mean, mean_low, ratio,
+            ratio_low, far, far_low, decayed, decayed_low, gamma, delta),
+            plant_n1_creep(xp, reach, half, w, p, p_low, slow, slow_low, mean, mean_low, far,
+            far_low, decayed, decayed_low)
+        )
+
+    return select(xp, w < 0.0, yes, (delta, gamma, half, reach, root, w, w_low), no)
 
 
 def cos_next(xp, k, x):
@@ -1814,23 +2171,85 @@ def max_stiffness_angle(xp, gamma, delta, d, l, part, first, last, at_one, at_mi
         t7 = -t*t5*t9/xp.sin(theta) - 0.5*t11*t8
         stiffness = t*t11*t3*t2*t9 - t5*t8 - 2.0*t7*t6
 
-        def no(apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness,
-            t14, together):
+        def no(apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
+            together):
             inside_ = number*stiffness - number2*gamma
+
+            def no(apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together):
+                return fractional_roots(xp, inside_, t14, l, first, last, gamma, at_minus_one,
+                    loss, together, apart, first - last)
+
             outside = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
-                (inside_, t14, l, first, last, at_one, at_minus_one, loss, together, apart),
-                lambda *v: fractional_roots(xp, *v))
-            return stable(xp, outside, inside_, t14, gamma, delta)
+                (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
+                (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
+
+            def yes(apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
+                together):
+                inside_ = 0.99609375*stiffness - 0.00390625*gamma
+
+                def no(apart, at_minus_one, first, gamma, inside2, l, last, loss, t14, together):
+                    return fractional_roots(xp, inside2, t14, l, first, last, gamma, at_minus_one,
+                        loss, together, apart, first - last)
+
+                outside2 = select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
+                    (inside_, t14, l, first, last, gamma, at_minus_one, loss, together, apart), no,
+                    (apart, at_minus_one, first, gamma, inside_, l, last, loss, t14, together))
+                return stable(xp, outside2, inside_, t14, gamma, delta)
+
+            return select(xp, outside < 0.0, yes,
+                (apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t14,
+                together), lambda *v: stable(xp, *v), (outside, inside_, t14, gamma, delta))
 
         good = select(xp, (delta > 0.0) & (gamma > -stiffness) &
             (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793), lambda d: 1.0, (d,), no,
-            (apart, at_minus_one, at_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
+            (apart, at_minus_one, delta, first, gamma, l, last, loss, part, stiffness, t7,
             together))
         return xp.where(good > 0.0, theta, xp.nan)
 
     return select(xp, ((d <= 1.0) | (square_root(xp, gamma)*(d + 1.0) <= 3.141592653589793)) &
         (gamma <= 9.8), yes, (apart, at_minus_one, at_one, d, delta, first, gamma, l, last, loss,
         part, together), lambda d: xp.nan, (d,))
+
+
+def required_at(xp, alpha, beta, l, epsilon, theta):
+    """the damping that the wall needs at the angle theta, at a fraction of a period"""
+    number, number2 = (9.094947017729282e-13,
+        1.2089258196146292e+24) if alpha.dtype == xp.float32 else (3.8725919148493183e-121,
+        6.668014432879854e+240)
+    cosine, sine = next_wave(xp, l, theta)
+    lift = xp.where(xp.abs(alpha) + xp.abs(beta) < number, xp.full_like(alpha, number2), 1.0)
+    stiffness = alpha*lift
+    damping = beta*lift
+    half = 0.5*theta
+    up = xp.sin(half)
+    along = xp.cos(half)
+    twice = 2.0*epsilon
+    diff, diff_low = pair_diff(xp, *wide_prod(xp, 0.5*stiffness,
+        *pair_diff(xp, *pair_sum(xp, *pair_quot(xp, *two_prod(xp, sine, along), up,
+        xp.full_like(along, 0.0)), *two_prod(xp, twice, cosine)), cosine, 0.0)),
+        *wide_prod(xp, damping, *pair_diff(xp, cosine, 0.0,
+        *wide_prod(xp, twice, *wide_prod(xp, up,
+        *pair_sum(xp, *two_prod(xp, sine, along), *two_prod(xp, cosine, up)))))))
+    n = diff + diff_low
+    size = (
+        (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0*damping + stiffness)*(2.0*damping + stiffness))
+    )
+    extra = epsilon*size*(1.0 - epsilon)
+    root = square_root(xp, extra + n*n)
+    whole = xp.where(root + xp.abs(n) == 0.0, 1.0, root + xp.abs(n))
+    more = 0.5*extra/whole
+    rest = diff_low + more
+    whole_need = diff + rest
+    return xp.where(n < 0.0, more, whole_need)/lift
+
+
+def straight_at(xp, stiffness, damping, k, angle):
+    """what straight motions need at an angle behind k whole periods"""
+    half = 0.5*angle
+    return rounded(xp, *pair_diff(xp, *wide_prod(xp, stiffness,
+        *pair_quot(xp, sin_next(xp, 2.0*k, half), xp.full_like(half, 0.0), 2.0*xp.sin(half),
+        xp.full_like(half, 0.0))), *two_prod(xp, damping, cos_next(xp, k, angle))))
 
 
 def gap(xp, x):
@@ -2152,7 +2571,8 @@ def is_stable(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
-    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 <
+    max(|alpha|, gamma) < 2^-400 (single: 2^-40).
     False outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than
     1e15.
     """
@@ -2175,38 +2595,37 @@ def unstable_roots(alpha, beta, gamma, delta, d):
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
     Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
-    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+    rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 <
+    max(|alpha|, gamma) < 2^-400 (single: 2^-40).
     -1 outside, and where an argument is NaN or larger than 1e70 or gamma or d larger than 1e15.
     """
     xp, alpha, beta, gamma, delta, d = arrays(alpha, beta, gamma, delta, d)
 
     def plant(gamma, delta):
-        at_minus_one, together, n_gap, n0, n1 = device_at_minus_one_together_n_gap_n0_n1(xp, gamma,
-            delta)
-        return at_minus_one, together, n_gap, n0, n1, gamma*together, delta*decay(xp, delta)
+        at_minus_one, kick_of, together, n_gap, n0, n1 = (
+            device_at_minus_one_kick_together_n_gap_n0_n1(xp, gamma, delta)
+        )
+        return at_minus_one, kick_of, together, n0, n1, delta*decay(xp, delta), delta*n_gap
 
-    at_minus_one, together, n_gap, n0, n1, t1, t3 = guarded(xp, plant, "gamma delta", 7, math.nan,
-        gamma, delta)
+    at_minus_one, kick_of, together, n0, n1, t1, t3 = guarded(xp, plant, "gamma delta", 7,
+        math.nan, gamma, delta)
 
-    def work(alpha, beta, gamma, delta, d, at_minus_one, together, n_gap, n0, n1, t1, t3):
+    def work(alpha, beta, gamma, delta, d, at_minus_one, kick_of, together, n0, n1, t1, t3):
         whole = xp.floor(d)
         part = d - whole
 
-        def yes(alpha, beta, d, delta, at_minus_one, together, n_gap, n0, n1, t1, t3):
-            return whole_roots(xp, alpha, beta, d, n1, n0, t1, at_minus_one, t3, together, delta*
-                n_gap)
+        def no(alpha, beta, delta, at_minus_one, gamma, kick_of, together, part, t1, t3, whole):
+            apart, m2, kicked, m0 = late_device(xp, gamma, delta, part)
+            return fractional_roots(xp, alpha, beta, whole, m2, m0, gamma, at_minus_one, t1,
+                together, apart, 0.5*kick_of*(delta*m2 + 2.0*kicked) + 0.5*m2*
+                (gamma*together + t1) - 0.5*together + 0.5*t3)
 
-        def no(alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3, whole):
-            apart, m2, _, m0 = late_device(xp, gamma, delta, part)
-            return fractional_roots(xp, alpha, beta, whole, m2, m0, t1, at_minus_one, t3, together,
-                apart)
-
-        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, at_minus_one, together, n_gap,
-            n0, n1, t1, t3), no, (alpha, beta, delta, at_minus_one, gamma, together, part, t1, t3,
-            whole))
+        return select(xp, part == 0.0, lambda *v: whole_roots(xp, *v),
+            (alpha, beta, d, n1, n0, gamma, at_minus_one, t1, together, t3), no,
+            (alpha, beta, delta, at_minus_one, gamma, kick_of, together, part, t1, t3, whole))
 
     return guarded(xp, work, "alpha beta gamma delta d", 1, -1, alpha, beta, gamma, delta, d,
-        at_minus_one, together, n_gap, n0, n1, t1, t3)
+        at_minus_one, kick_of, together, n0, n1, t1, t3)
 
 
 @by_value
@@ -2334,24 +2753,31 @@ def max_stable_stiffness(gamma, delta, d):
 
 @by_value
 def passivity_margin_at(theta, alpha, beta, delta, d):
-    """physical damping minus the damping that the wall needs at the angle theta = omega T; the
-    wall is passive where it is positive at every angle.
+    """physical damping minus the damping that the wall needs at the angle theta = omega T; a
+    wall with alpha >= 0 is passive where this is not negative at any angle.
 
     theta: angle on the unit circle, omega T [1]
     alpha: virtual stiffness, K T^2/m [1]
     beta: virtual damping, B T/m [1]
     delta: physical damping, b T/m [1]
     d: delay in sampling periods, t_d/T [1]
-    Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+    Domain: 0 < theta < pi, delta >= 0, d >= 0.
     NaN outside, and where an argument is NaN or larger than 1e70 or d larger than 1e15.
     """
     xp, theta, alpha, beta, delta, d = arrays(theta, alpha, beta, delta, d)
 
     def work(theta, alpha, beta, delta, d):
-        t0 = 0.5*theta
-        cosine = cos_next(xp, d, theta)
-        sine = sin_next(xp, 2.0*d, t0)
-        return beta*cosine - 0.5*alpha*sine/xp.sin(t0) + delta
+        whole = xp.floor(d)
+        part = d - whole
+
+        def yes(alpha, beta, d, delta, theta):
+            return delta - straight_at(xp, alpha, beta, d, theta)
+
+        def no(alpha, beta, delta, part, theta, whole):
+            return delta - required_at(xp, alpha, beta, whole, part, theta)
+
+        return select(xp, part == 0.0, yes, (alpha, beta, d, delta, theta), no,
+            (alpha, beta, delta, part, theta, whole))
 
     return guarded(xp, work, "theta alpha beta delta d", 1, math.nan, theta, alpha, beta, delta, d)
 

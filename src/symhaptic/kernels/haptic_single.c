@@ -25,15 +25,18 @@ typedef struct { float near, risen, sunk, moved; } Turns;
 typedef struct { float envelope; Pair even, wave; float near, risen, sunk, moved; } Swinging;
 typedef struct { float n0, n1, trace; } Device;
 typedef struct { float together, trace; } Device2;
-typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device3;
-typedef struct { float halves, rest; } Angle;
+typedef struct { float at_minus_one, kick, together, n_gap, n0, n1; } Device3;
+typedef struct { float halves, rest, size, per, off, blur, slope, fast, bend, turn, spread; } Part;
 typedef struct { Pair kick; float n_gap, n0, n1; } Device4;
 typedef struct { float apart, m2, kicked, m0; } Delayed;
+typedef struct { float at, still, away, loose, free, there; } Point;
 typedef struct { float low, high; } Roots;
 typedef struct { float ahead, in_phase; } Response;
 typedef struct { float at_minus_one, kick, together, n_gap; } Device5;
 typedef struct { float cosine, sine; } CosSin;
-typedef struct { float alpha, slope, far, d, n1, loss, together, apart, center, beyond; } Loop;
+typedef struct { float at_minus_one, together, n_gap, n0, n1; } Device6;
+typedef struct { float alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off,
+    center, beyond; } Loop;
 
 // ((1 - exp(-x))/x - 1 + x/2)/x^2
 static inline float decay_series(float x) {
@@ -490,13 +493,14 @@ static inline float numerator_gap_swing(const Motion *motion, const Swinging *sw
         wide_prod(swinging->envelope, swinging->wave)), (Pair){gamma, 0.0f}));
 }
 
-// at_minus_one, together, n_gap, n0 and n1 of the device
-static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta) {
+// at_minus_one, kick, together, n_gap, n0 and n1 of the device
+static inline Device3 device_at_minus_one_kick_together_n_gap_n0_n1(float gamma, float delta) {
     const Motion motion = device_motion(gamma, delta);
     if (motion.w.hi < 0.0f) {
         const Swinging swinging = swinging_device(&motion, gamma);
         const Pair decayed = slow_fade(&motion);
         return (Device3){denominator_at_minus_one_swing(&motion, &swinging),
+            rounded(wide_prod(swinging.envelope, swinging.wave)),
             numerator_at_one_swing(&motion, &swinging, gamma),
             numerator_gap_swing(&motion, &swinging, gamma, delta),
             plant_n0_swing(&motion, &swinging, decayed, gamma),
@@ -505,6 +509,7 @@ static inline Device3 device_at_minus_one_together_n_gap_n0_n1(float gamma, floa
     const Creeping creeping = creeping_device(&motion, gamma);
     const Pair decayed = slow_fade(&motion);
     return (Device3){denominator_at_minus_one_creep(&creeping),
+        rounded(pair_prod(creeping.slow, creeping.far)),
         numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
         plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
         plant_n1_creep(&motion, &creeping, decayed)};
@@ -526,44 +531,127 @@ static inline float cubic_root(float k0, float k1, float k2, float k3, float low
     return y;
 }
 
-// the angle of x + j y in half turns, and the rest
-static inline Angle turn_angle(float x, float y) {
-    return (Angle){x < 0.0f ? (y < 0.0f ? -1.0f : 1.0f) : 0.0f,
-        atan2f(x < 0.0f ? -y : y, fabsf(x))};
+// of x + j u: half turns and the rest of the angle, the size and its inverse, how far both may be
+// off, and how they change with y
+static inline Part crossing_part(float x, float u, float x_off, float u_off, float steep,
+    float low, float high) {
+    const float most = fmaxf(fabsf(u), fabsf(x)), least = fminf(fabsf(u), fabsf(x));
+    const float whole = most == 0.0f ? 1.0f : most, ratio = least/whole;
+    const float longer = sqrtf(ratio*ratio + 1.0f), size = longer*most;
+    const float whole2 = size == 0.0f ? 1.0f : size, per = 1.0f/whole2, real = per*x, up = per*u;
+    const float along = per*x_off, across = per*u_off, away = across + along, one = fabsf(real);
+    const float two = fabsf(up), blur = (2.0f*away + 1.0f)*(across*one + along*two);
+    const float rest = atan2f(x < 0.0f ? -u : u, fabsf(x)), falls = per*steep;
+    const float tilt = 0.5f*low - 0.5f*high, square = up*up;
+    const float fast = square*(high + low) + 2.0f*fabsf(falls);
+    return (Part){x < 0.0f ? (u < 0.0f ? -1.0f : 1.0f) : 0.0f, rest, size, per, size > 0.0f ?
+        across*two + along*one + away*away : 1.0f, away < 0.25f ? blur + 2.3841858e-07f*
+        fabsf(rest) : 4.0f, 2.0f*falls*real + 2.0f*square*tilt, fast, 2.0f*(falls*falls) + fast*
+        fast + 2.0f*high*low*square, up*(real*tilt - falls), two*(one*fabsf(tilt) + fabsf(falls))};
 }
 
-// the nearest whole number of turns in the phase at a crossing
-static inline float phase_turns(const Loop *loop, float y, float rest, float off) {
+// the nearest whole number of turns in the phase at a crossing, NaN where that is not certain
+static inline float phase_turns(const Loop *loop, float y, float rest, float off, float loose,
+    float free) {
     const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
-    const Angle angle = turn_angle(off*(2.0f*loop->loss - 4.0f), loop->loss*sine);
-    const Angle angle2 = turn_angle(still*loop->together - loop->apart*at, loop->n1*sine);
-    const Angle angle3 = turn_angle(loop->alpha*still - at*loop->far, sine*loop->slope);
+    const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
+    const float made = loose + 7.1525574e-07f, edge = fminf(at, still);
+    const float whole = at == 0.0f ? 1.0f : at, low = edge/whole;
+    const float whole2 = still == 0.0f ? 1.0f : still, high = edge/whole2;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*
+        (made*fabsf(loop->n1) + loop->n1_off), edge*(-loop->apart - loop->together), low, high);
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope), edge*
+        (-loop->alpha - loop->far), low, high);
+    const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, -2.0f*edge*total, low, high);
+    const float ratio = part.per*part2.size, gap_ = 1.0f - 0.25f*ratio*part3.size;
+    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f, distant = fabsf(gap_);
+    const float miss = 3.0f*part.off + 4.7683716e-07f, miss2 = 3.0f*part2.off + 4.7683716e-07f;
+    const float miss3 = 3.0f*part3.off + 4.7683716e-07f;
+    const float sure = -part.fast*miss - part2.fast*miss2 - part3.fast*miss3 +
+        fabsf(part2.slope - part.slope + part3.slope);
+    const float whole3 = sure == 0.0f ? 1.0f : sure;
+    const float reach = 0.25f*(9.0f*distant + 9.0f*rough)/whole3;
+    const float bends = part.bend + part2.bend + part3.bend;
     const float half = atan2f(at > 2.0f ? sqrtf(still) : sqrtf(at), at > 2.0f ? sqrtf(at) :
         sqrtf(still));
     const float late = loop->d + 2.0f;
-    const float halves4 = angle2.halves - angle.halves + angle3.halves - (at > 2.0f ? late : 0.0f);
-    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - angle.rest +
-        angle2.rest + angle3.rest)/3.1415927f;
+    const float halves4 = part2.halves - part.halves + part3.halves - (at > 2.0f ? late : 0.0f);
+    const float share = 0.5f*(-late*(at > 2.0f ? -2.0f*half : 2.0f*half) - part.rest + part2.rest +
+        part3.rest)/3.1415927f;
     const float even = floorf(0.5f*halves4), left = 0.5f*halves4 - even;
-    return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
+    const float near = fabsf(share - floorf(share + 0.5f));
+    const float distance = left == 0.5f ? near : 0.5f - near, whole4 = sine == 0.0f ? 1.0f : sine;
+    const float delayed = 2.0f*edge*late/whole4;
+    const float most = delayed + part.spread + part2.spread + part3.spread;
+    const float blur_ = part.blur + part2.blur + part3.blur + half*late*(loose + 4.7683716e-07f) +
+        reach*(4.7683716e-07f*delayed + miss*part.spread + miss2*part2.spread + miss3*
+        part3.spread + 2.0f*most*reach*(part.fast + part2.fast + part3.fast + 2.0f) +
+        fabsf(delayed + part.turn - part2.turn - part3.turn));
+    const float good = blur_ < 6.0f*distance && reach < 0.25f && sure > 0.0f && sure > 8.0f*bends*
+        reach ? 1.0f : 0.0f;
+    if (good > 0.0f) {
+        return even + (left == 0.5f ? floorf(share) + 1.0f : floorf(left + share + 0.5f));
+    }
+    return NAN;
 }
 
 // what the crossing on a piece, if there is one, adds
 static inline float piece_turns(const Loop *loop, float k0, float k1, float k2, float k3,
     float low, float high, float at_low, float at_high, float zone) {
-    if (((at_high >= 0.0f && at_low < 0.0f) || (at_high < 0.0f && at_low >= 0.0f)) && high > low) {
+    if (((at_high >= 0.0f && at_low < 0.0f) || (at_high < 0.0f && at_low >= 0.0f)) &&
+        (at_low != 0.0f || low != 0.0f) && high > low) {
         const float x = cubic_root(k0, k1, k2, k3, low, high, at_high - at_low);
         const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
         const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
         if (rest > 0.0f && y > 0.0f) {
             const float off = zone == 0.0f ? x - loop->center :
                 (zone == 1.0f ? x : loop->beyond - x);
-            const float found = phase_turns(loop, y, rest, off);
+            const float loose = zone == 1.0f ? 9.536743e-07f : 1.1920929e-07f;
+            const float free = zone == 1.0f ? 0.0f : 4.7683716e-07f*
+                (zone == 0.0f ? loop->center : loop->beyond);
+            const float found = phase_turns(loop, y, rest, off, loose, free);
             const float rises = (zone == 2.0f ? -1.0f : 1.0f)*(at_high > at_low ? 1.0f : -1.0f);
             return -2.0f*found*rises;
         }
+        return NAN;
     }
     return 0.0f;
+}
+
+// NaN where it is not certain that the device is stronger if leads is positive, and else the wall,
+// else 0
+static inline float touches(const Loop *loop, float leads, float y, float rest, float off,
+    float loose, float free) {
+    const float at = fmaxf(0.0f, y), still = fmaxf(0.0f, rest), sine = 2.0f*sqrtf(at*still);
+    const float total = 2.0f - loop->loss, plain = loose + 2.3841858e-07f;
+    const Part part3 = crossing_part(loop->alpha*still - at*loop->far, sine*loop->slope, plain*
+        (at*fabsf(loop->far) + still*fabsf(loop->alpha)), plain*sine*fabsf(loop->slope), 0.0f,
+        0.0f, 0.0f);
+    const float made = loose + 7.1525574e-07f;
+    const Part part2 = crossing_part(still*loop->together - loop->apart*at, loop->n1*sine,
+        loop->apart_off*at + made*(at*fabsf(loop->apart) + still*loop->together), sine*
+        (made*fabsf(loop->n1) + loop->n1_off), 0.0f, 0.0f, 0.0f);
+    const Part part = crossing_part(-2.0f*off*total, loop->loss*sine, 4.0f*loop->a_off + total*
+        (2.0f*free + 4.7683716e-07f*fabsf(off)), loop->loss*made*sine, 0.0f, 0.0f, 0.0f);
+    const float ratio = part.per*part2.size, gap_ = 1.0f - 0.25f*ratio*part3.size;
+    const float rough = part.off + part2.off + part3.off + 7.1525574e-07f;
+    const float signed_ = leads > 0.0f ? gap_ : -gap_, good = signed_ > 2.0f*rough ? 1.0f : 0.0f;
+    if (good < 1.0f && rest > 0.0f && y > 0.0f) { return NAN; }
+    return 0.0f;
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline float zone_touches(const Loop *loop, float leads, float x, float zone) {
+    const float y = zone == 0.0f ? x : (zone == 1.0f ? loop->center + x : 4.0f - x);
+    const float rest = zone == 0.0f ? 4.0f - x : (zone == 1.0f ? loop->beyond - x : x);
+    const float off = zone == 0.0f ? x - loop->center : (zone == 1.0f ? x : loop->beyond - x);
+    const float loose = zone == 1.0f ? 9.536743e-07f : 1.1920929e-07f;
+    const float free = zone == 1.0f ? 0.0f : 4.7683716e-07f*
+        (zone == 0.0f ? loop->center : loop->beyond);
+    return touches(loop, leads, y, rest, off, loose, free);
 }
 
 // what the crossings between two points add to the count
@@ -582,30 +670,59 @@ static inline float zone_turns(const Loop *loop, float k0, float k1, float k2, f
     const float middle2 = fminf(middle, more), p = first*(first*(first*k3 + k2) + k1) + k0;
     const float p2 = k0 + middle2*(k1 + middle2*(k2 + k3*middle2));
     const float p3 = k0 + last*(k1 + last*(k2 + k3*last));
-    const float found = piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
-    const float found2 = found + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
-    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
-    return found3 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
+    const float value2 = cut3*(cut3*(cut3*k3 + k2) + k1) + k0;
+    float found = 0.0f;
+    if (cut2 > low) {
+        const float value = cut2*(cut2*(cut2*k3 + k2) + k1) + k0;
+        found = zone_touches(loop, value, cut2, zone);
+    }
+    const float found2 = found + (cut3 > low ? zone_touches(loop, value2, cut3, zone) : 0.0f);
+    const float found3 = found2 + piece_turns(loop, k0, k1, k2, k3, low, first, at_low, p, zone);
+    const float found4 = found3 + piece_turns(loop, k0, k1, k2, k3, first, middle2, p, p2, zone);
+    const float found5 = found4 + piece_turns(loop, k0, k1, k2, k3, middle2, last, p2, p3, zone);
+    return found5 + piece_turns(loop, k0, k1, k2, k3, last, high, p3, at_high, zone);
 }
 
-// roots outside the unit circle behind a fractional delay, -1 where that is not known
+// roots outside the unit circle behind a fractional delay, -1 where that is not certain
 static inline float fractional_roots(float alpha, float beta, float d, float m2, float m0,
-    float at_one, float at_minus_one, float loss, float together, float apart) {
-    const float strength = fabsf(alpha) + fabsf(beta);
-    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
+    float gamma, float at_minus_one, float loss, float together, float apart, float across) {
+    if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
+    const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
     const float slope = alpha + beta, wall_far = alpha + 2.0f*beta, force = beta*slope;
-    const float across = m2 - m0, lost = loss*loss, square = m0*m2, size = across*across;
-    const float even = together*(m0 + m2), linear = size - even, pushed_ = alpha*together;
-    const float near0 = (at_one - pushed_)*(at_one + pushed_);
-    const float near1 = -(alpha*alpha)*linear - at_one*(2.0f - loss) - force*(together*together) +
-        lost;
-    const float near2 = -(alpha*alpha)*square - force*linear - loss + 1.0f, near3 = -force*square;
-    const float even2 = apart*(m0 + m2), linear2 = size - even2, pushed2 = apart*wall_far;
-    const float far0 = (at_minus_one - pushed2)*(at_minus_one + pushed2);
-    const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*
-        (wall_far*wall_far) + lost;
-    const float far2 = force*linear2 - loss - square*(wall_far*wall_far) + 1.0f;
-    const float far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
+    const float lost = loss*loss, square = m0*m2, size = across*across, at_one = gamma*together;
+    const float size2 = m2 + together + fabsf(m0), near_half = sqrtf(fminf(1.0f, at_minus_one));
+    const float whole = gamma == 0.0f ? 1.0f : gamma, apart_off = 3.8146973e-06f*near_half*size2;
+    const float n1_off = 7.6293945e-06f*(gamma > 10.0f && loss < 0.5f ? 2.0f*
+        sqrtf(fminf(1.0f, at_one))/whole : 0.125f*size2);
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma);
+    const float apart_one = (gamma - alpha)*(alpha + gamma), even = together*together;
+    const float even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
+    const float near0 = apart_one*even;
+    const float near1 = -at_one*(2.0f - loss) - force*(together*together) - linear*push + lost;
+    const float near2 = -force*linear - loss - push*square + 1.0f;
+    const float most = at_one*(2.0f - loss) + lost + push*(size + fabsf(even2)) +
+        (together*together)*fabsf(force);
+    const float blurred = n1_off*(n1_off + 2.0f*fabsf(across)), pull = fabsf(apart*wall_far);
+    const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
+        9.536743e-07f*pull;
+    const float room = (alpha*alpha)*blurred + 1.9073486e-06f*most, product = 4.0f*near0*near2;
+    const float pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
+    const float push2 = wall_far*wall_far, far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
+    const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*push2 + lost;
+    const float far2 = force*linear2 - loss - push2*square + 1.0f;
+    const float most2 = (apart*apart)*fabsf(force) + at_minus_one*(2.0f - loss) + lost + push2*
+        (size + fabsf(even3));
+    const float even4 = apart_off*(m2 + fabsf(m0));
+    const float room2 = 2.0f*a_off + apart_off*(apart_off + 2.0f*fabsf(apart))*fabsf(force) +
+        1.9073486e-06f*most2 + (wall_far*wall_far)*(blurred + even4);
+    const float product2 = 4.0f*far0*far2;
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
+        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        end_off >= fabsf(at_minus_one - pull)) {
+        return -1.0f;
+    }
+    const float near3 = -force*square, far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
     const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
     const float tilt = 0.25f*rest - 0.25f*middle, real = 0.25f*rest*together - 0.25f*apart*middle;
     const float one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
@@ -619,14 +736,16 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (across >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, middle, rest};
+    const Loop loop = {alpha, slope, wall_far, d, across, loss, together, apart, apart_off, n1_off,
+        a_off, middle, rest};
     const float total = ((((((near2 == 0.0f && near3 < 0.0f) || near2 < 0.0f) && near1 == 0.0f) ||
         near1 < 0.0f) && near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f) +
         zone_turns(&loop, far0, far1, far2, far3, zone, two2, far0, after, 2.0f) +
         zone_turns(&loop, near0, near1, near2, near3, zone, one2, near0, before, zone) +
         zone_turns(&loop, own0, own1, own2, own3, -one2, two2, before, after, 1.0f);
-    return total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) && far1 == 0.0f) ||
-        far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    const float total2 = total - ((((((far2 == 0.0f && far3 < 0.0f) || far2 < 0.0f) &&
+        far1 == 0.0f) || far1 < 0.0f) && far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    return (total2 >= 0.0f ? total2 : -1.0f);
 }
 
 // m2 - m1 + m0 of the device behind a fraction of a period
@@ -636,6 +755,38 @@ static inline float fractional_numerator_gap(float epsilon, Pair x, Pair y, floa
         pair_prod(x, y));
     return rounded(pair_sum(pair_diff(pair_diff((Pair){first, 0.0f},
         (Pair){2.0f*prod3.hi, 2.0f*prod3.lo}), (Pair){last, 0.0f}), (Pair){turned, 0.0f}));
+}
+
+// m2 - m1 + m0 of a device that swings, hardly damped
+static inline float half_turned_swing(float gamma, float delta, float part) {
+    const Motion motion = device_motion(gamma, delta);
+    const float angle = 0.5f*motion.root, angle_low = 0.5f*root_miss(motion.w, motion.root);
+    const Pair prod = pair_prod((Pair){angle, angle_low}, fast_two_sum(1.0f, -part));
+    const Pair prod2 = pair_prod((Pair){angle, angle_low}, (Pair){part, 0.0f});
+    const float wave = sinf(angle), still = cosf(angle), sine = angle_low*still + wave;
+    const float cosine = still - angle_low*wave, wave2 = sinf(prod.hi), still2 = cosf(prod.hi);
+    const float sine2 = prod.lo*still2 + wave2, cosine2 = still2 - prod.lo*wave2;
+    const float wave3 = sinf(prod2.hi), still3 = cosf(prod2.hi), sine3 = prod2.lo*still3 + wave3;
+    const float cosine3 = still3 - prod2.lo*wave3, along = cosine2*cosine3 + sine2*sine3;
+    const float across = cosine3*sine2 - cosine2*sine3, before = 0.5f - part;
+    const float step = expm1f(0.5f*motion.half), weak = 0.5f*step + 0.5f*step/(step + 1.0f);
+    const float more = 0.5f*(step*step)/(step + 1.0f), strong = more + 1.0f;
+    const float fallen = expm1f(-before*motion.half), grown = fallen + 1.0f;
+    const float ratio = motion.half/motion.root;
+    const float lost = weak*weak - along*cosine*(fallen*strong + more);
+    const float turned = grown*sine*weak*(across - along*ratio);
+    const float kept = across*cosine*grown*ratio*strong;
+    const float total2 = -2.0f*cosine*sine2*sine3 - kept + lost + turned;
+    return 4.0f*total2*expf(-motion.half)/gamma;
+}
+
+// m2 - m1 + m0 behind a fraction of a period
+static inline float half_turned(float found, float gamma, float delta, float part) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.half < 0.25f && motion.root > 3.0f && motion.w.hi < 0.0f) {
+        return half_turned_swing(gamma, delta, part);
+    }
+    return found;
 }
 
 // kick, kick_low, n_gap, n0 and n1 of the device
@@ -664,10 +815,10 @@ static inline Delayed late_device(float gamma, float delta, float part) {
     const float t5 = part*part, t6 = gamma*t5, t7 = delta*part;
     const Device4 device2 = device_kick_kick_low_n_gap_n0_n1(t6, t7);
     const float t9 = device2.n0*t5;
-    return (Delayed){fractional_numerator_gap(part, device.kick, device2.kick, delta*device.n_gap*
-        (t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
+    return (Delayed){half_turned(fractional_numerator_gap(part, device.kick, device2.kick, delta*
+        device.n_gap*(t0*t0*t0), delta*device2.n_gap*(part*part*part), device.n0*t1*
         (device2.kick.hi*t7 + device2.n1*t6) + device.n1*device2.n1*t2*t5 - t3*t9*decay(t3)),
-        device.n1*t1, device.kick.hi*t0, t9*expf(-t3)};
+        gamma, delta, part), device.n1*t1, device.kick.hi*t0, t9*expf(-t3)};
 }
 
 // 1 where the loop is stable, else 0
@@ -681,17 +832,39 @@ static inline float stable(float roots, float alpha, float beta, float gamma, fl
     return 0.0f;
 }
 
+// a point that is known about three, and whether it is on the circle
+static inline Point nearest_point(const Loop *loop, float y, float rest, float off) {
+    const float edge = rest > y ? y : rest;
+    const float inside = edge > fabsf(off) && loop->beyond - off > 0.0f && loop->center +
+        off > 0.0f ? 1.0f : 0.0f;
+    return (Point){inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest),
+        inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest), inside > 0.0f ? off :
+        (rest > y ? y - loop->center : loop->beyond - rest), inside > 0.0f ? 9.536743e-07f :
+        1.1920929e-07f, inside > 0.0f ? 0.0f : 4.7683716e-07f*
+        (rest > y ? loop->center : loop->beyond), fminf(rest, y) < 4.0f && rest > 0.0f &&
+        y > 0.0f ? 1.0f : 0.0f};
+}
+
+// NaN where the wall may be as strong as the device at an extremum of both, else 0
+static inline float bottom_touches(const Loop *loop, float leads, float y, float rest, float off) {
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0f) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .n1 =
+            loop->n1, .loss = loop->loss, .together = loop->together, .apart = loop->apart,
+            .apart_off = 0.0f, .n1_off = 0.0f, .a_off = loop->a_off};
+        return touches(&loop2, leads, point.at, point.still, point.away, point.loose, point.free);
+    }
+    return 0.0f;
+}
+
 // the turns at a crossing, if there is one
 static inline float crossing_turns(const Loop *loop, float y, float rest, float off) {
-    const float edge = rest > y ? y : rest;
-    if (edge < 4.0f && rest > 0.0f && y > 0.0f) {
-        const float inside = edge > fabsf(off) && loop->beyond - off > 0.0f && loop->center +
-            off > 0.0f ? 1.0f : 0.0f;
-        const float at = inside > 0.0f ? loop->center + off : (rest > y ? y : 4.0f - rest);
-        const float still = inside > 0.0f ? loop->beyond - off : (rest > y ? 4.0f - y : rest);
-        const float away = inside > 0.0f ? off :
-            (rest > y ? y - loop->center : loop->beyond - rest);
-        return phase_turns(loop, at, still, away);
+    const Point point = nearest_point(loop, y, rest, off);
+    if (point.there > 0.0f) {
+        const Loop loop2 = {.alpha = loop->alpha, .slope = loop->slope, .far = loop->far, .d =
+            loop->d, .n1 = loop->n1, .loss = loop->loss, .together = loop->together, .apart =
+            loop->apart, .apart_off = 0.0f, .n1_off = 0.0f, .a_off = loop->a_off};
+        return phase_turns(&loop2, point.at, point.still, point.away, point.loose, point.free);
     }
     return 0.0f;
 }
@@ -705,47 +878,84 @@ static inline Roots quadratic_roots(float c, float b, float a, float root) {
     return (Roots){two, one};
 }
 
-// roots outside the unit circle, -1 where that is not known
-static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float at_one,
+// roots outside the unit circle, -1 where that is not certain
+static inline float whole_roots(float alpha, float beta, float d, float n1, float n0, float gamma,
     float at_minus_one, float loss, float together, float apart) {
-    const float strength = fabsf(alpha) + fabsf(beta);
-    if (loss + strength < 9.094947e-13f && strength > 0.0f) { return -1.0f; }
+    if (alpha == 0.0f && beta == 0.0f) { return 0.0f; }
+    const float strength = fabsf(alpha) + fabsf(beta), stiffest = fmaxf(gamma, fabsf(alpha));
     const float e = 1.0f - loss, slope = alpha + beta, wall_far = alpha + 2.0f*beta;
     const float force = beta*slope, cross = n0*n1, lost = loss*loss, square = cross*force + e;
-    const float push = alpha*together, pull = apart*wall_far;
-    const float near0 = (at_one - push)*(at_one + push);
-    const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - force*(together*together) + lost;
-    const float far0 = (at_minus_one - pull)*(at_minus_one + pull);
+    const float at_one = gamma*together, even = together*together, pull = apart*wall_far;
+    const float near1 = (alpha*alpha)*cross - at_one*(e + 1.0f) - even*force + lost;
+    const float near1_size = fabsf(lost) + fabsf((alpha*alpha)*cross) + fabsf(at_one*(e + 1.0f)) +
+        fabsf(even*force);
+    const float apart_one = (gamma - alpha)*(alpha + gamma), near0 = apart_one*even;
     const float far1 = (apart*apart)*force - at_minus_one*(e + 1.0f) - cross*(wall_far*wall_far) +
         lost;
-    const float center = 2.0f*at_one/(e + 1.0f), beyond = 2.0f*at_minus_one/(e + 1.0f);
-    const float sine = 0.25f*beyond*center, tilt = 0.25f*beyond - 0.25f*center;
+    const float far1_size = fabsf(lost) + fabsf((apart*apart)*force) +
+        fabsf(at_minus_one*(e + 1.0f)) + fabsf(cross*(wall_far*wall_far));
+    const float far0 = (at_minus_one - pull)*(at_minus_one + pull), center = 2.0f*at_one/(e + 1.0f);
+    const float beyond = 2.0f*at_minus_one/(e + 1.0f), sine = 0.25f*beyond*center;
+    const float tilt = 0.25f*beyond - 0.25f*center;
     const float real = 0.25f*beyond*together - 0.25f*apart*center, m0 = (n1*n1)*sine + real*real;
     const float m1 = (n1*n1)*tilt - n1*real, wave = 0.25f*alpha*beyond - 0.25f*center*wall_far;
     const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - m0*wall;
-    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1, square2 = near1*near1;
-    const float product = 4.0f*near0*square, size = square2 + fabsf(product), square3 = own1*own1;
-    const float product2 = 4.0f*own0*own2, size2 = square3 + fabsf(product2), square4 = far1*far1;
-    const float product3 = 4.0f*far0*square, size3 = square4 + fabsf(product3);
+    const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
+    const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull2 = fabsf(apart*wall_far);
+    const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
+    const float room = 1.9073486e-06f*near1_size, product = 4.0f*near0*square;
+    const float room2 = 2.0f*a_off + 1.9073486e-06f*far1_size, product2 = 4.0f*far0*square;
+    const float square2 = near1*near1, product3 = 4.0f*near0*square;
+    const float size = square2 + fabsf(product3), square3 = own1*own1, product4 = 4.0f*own0*own2;
+    const float size2 = square3 + fabsf(product4), square4 = far1*far1, product5 = 4.0f*far0*square;
+    const float size3 = square4 + fabsf(product5);
+    const float odd2 = fabsf(((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) && far0 == 0.0f) ||
+        far0 < 0.0f ? 1.0f : 0.0f) - ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
+        near0 == 0.0f) || near0 < 0.0f ? 1.0f : 0.0f));
+    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product4 :
+        (size > size3 && size2 > size3 ? square4 - product5 : square2 - product3);
+    const float positive = disc4 >= 0.0f ? disc4 : 0.0f, root = sqrtf(positive);
+    const Roots roots = quadratic_roots(near0, near1, square, root);
+    const Roots roots3 = quadratic_roots(far0, far1, square, root);
+    const float odd = fabsf((disc4 >= 0.0f && fminf(roots.high, roots3.low) < 4.0f &&
+        roots.high > 0.0f && roots3.low > 0.0f ? 1.0f : 0.0f) -
+        (disc4 >= 0.0f && fminf(roots3.high, roots.low) < 4.0f && roots.low > 0.0f &&
+        roots3.high > 0.0f ? 1.0f : 0.0f));
+    if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
+        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
+        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        end_off >= fabsf(at_minus_one - pull2) || odd != odd2) {
+        return -1.0f;
+    }
     const float side = slope >= 0.0f ? 1.0f : -1.0f;
     const float end = (wall_far > 0.0f ? side : 0.0f) - d +
         (apart > 0.0f ? (n1 >= 0.0f ? 1.0f : -1.0f) : 0.0f) - 3.0f;
-    const float disc4 = size >= size2 && size2 <= size3 ? square3 - product2 :
-        (size > size3 && size2 > size3 ? square4 - product3 : square2 - product);
-    float total = 0.0f;
+    float total;
     if (disc4 >= 0.0f) {
-        const float root = sqrtf(disc4);
-        const Roots roots = quadratic_roots(near0, near1, square, root);
         const Roots roots2 = quadratic_roots(own0, own1, own2, root);
-        const Roots roots3 = quadratic_roots(far0, far1, square, root);
-        const Loop loop = {alpha, slope, wall_far, d, n1, loss, together, apart, center, beyond};
+        const Loop loop = {.alpha = alpha, .slope = slope, .far = wall_far, .d = d, .n1 = n1,
+            .loss = loss, .together = together, .apart = apart, .a_off = a_off, .center = center,
+            .beyond = beyond};
         total = 2.0f*crossing_turns(&loop, roots.low, roots3.high, roots2.low) - 2.0f*
             crossing_turns(&loop, roots.high, roots3.low, roots2.high);
+    } else {
+        float bottom, bottom2;
+        if (square == 0.0f) {
+            bottom = -1.0f; bottom2 = -1.0f;
+        } else {
+            bottom = -0.5f*near1/square; bottom2 = -0.5f*far1/square;
+        }
+        const float bottom3 = own2 == 0.0f ? -1.0f : -0.5f*own1/own2;
+        const Loop loop2 = {.alpha = alpha, .slope = slope, .far = wall_far, .n1 = n1, .loss =
+            loss, .together = together, .apart = apart, .a_off = a_off, .center = center, .beyond =
+            beyond};
+        total = bottom_touches(&loop2, square, bottom, bottom2, bottom3);
     }
     const float total2 = total + ((((near1 == 0.0f && square < 0.0f) || near1 < 0.0f) &&
         near0 == 0.0f) || near0 < 0.0f ? (alpha > 0.0f ? 0.0f : side) : 0.0f);
-    return total2 - ((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) && far0 == 0.0f) ||
-        far0 < 0.0f ? end : 0.0f);
+    const float total3 = total2 - ((((far1 == 0.0f && square < 0.0f) || far1 < 0.0f) &&
+        far0 == 0.0f) || far0 < 0.0f ? end : 0.0f);
+    return (total3 >= 0.0f ? total3 : -1.0f);
 }
 
 // the imaginary and the real part of A/(z M), M over A being the device, at z = exp(2 j psi)
@@ -801,6 +1011,26 @@ static inline CosSin next_wave(float k, float x) {
     const float value2 = turn_ == 1.0f || turn_ == 3.0f ? cosine : sine;
     return (CosSin){turn_ >= 1.0f && turn_ <= 2.0f ? -value : value, turn_ >= 2.0f ? -value2 :
         value2};
+}
+
+// at_minus_one, together, n_gap, n0 and n1 of the device
+static inline Device6 device_at_minus_one_together_n_gap_n0_n1(float gamma, float delta) {
+    const Motion motion = device_motion(gamma, delta);
+    if (motion.w.hi < 0.0f) {
+        const Swinging swinging = swinging_device(&motion, gamma);
+        const Pair decayed = slow_fade(&motion);
+        return (Device6){denominator_at_minus_one_swing(&motion, &swinging),
+            numerator_at_one_swing(&motion, &swinging, gamma),
+            numerator_gap_swing(&motion, &swinging, gamma, delta),
+            plant_n0_swing(&motion, &swinging, decayed, gamma),
+            plant_n1_swing(&motion, &swinging, decayed, gamma)};
+    }
+    const Creeping creeping = creeping_device(&motion, gamma);
+    const Pair decayed = slow_fade(&motion);
+    return (Device6){denominator_at_minus_one_creep(&creeping),
+        numerator_at_one_creep(&motion, &creeping), numerator_gap_creep(&motion, &creeping, delta),
+        plant_n0_creep(&motion, &creeping, decayed, gamma, delta),
+        plant_n1_creep(&motion, &creeping, decayed)};
 }
 
 // has the sign of the slope of the boundary's alpha, d < 1
@@ -997,14 +1227,52 @@ static inline float max_stiffness_angle(float gamma, float delta, float d, float
         } else {
             const float inside = 0.9999237f*stiffness - 7.6293945e-05f*gamma;
             const float outside = part == 0.0f ?
-                whole_roots(inside, t14, l, first, last, at_one, at_minus_one, loss, together,
-                apart) : fractional_roots(inside, t14, l, first, last, at_one, at_minus_one, loss,
-                together, apart);
-            good = stable(outside, inside, t14, gamma, delta);
+                whole_roots(inside, t14, l, first, last, gamma, at_minus_one, loss, together,
+                apart) : fractional_roots(inside, t14, l, first, last, gamma, at_minus_one, loss,
+                together, apart, first - last);
+            if (outside < 0.0f) {
+                const float inside2 = 0.99609375f*stiffness - 0.00390625f*gamma;
+                const float outside2 = part == 0.0f ?
+                    whole_roots(inside2, t14, l, first, last, gamma, at_minus_one, loss, together,
+                    apart) : fractional_roots(inside2, t14, l, first, last, gamma, at_minus_one,
+                    loss, together, apart, first - last);
+                good = stable(outside2, inside2, t14, gamma, delta);
+            } else {
+                good = stable(outside, inside, t14, gamma, delta);
+            }
         }
         if (good > 0.0f) { return theta; }
     }
     return NAN;
+}
+
+// the damping that the wall needs at the angle theta, at a fraction of a period
+static inline float required_at(float alpha, float beta, float l, float epsilon, float theta) {
+    const CosSin cossin = next_wave(l, theta);
+    const float lift = fabsf(alpha) + fabsf(beta) < 9.094947e-13f ? 1.2089258e+24f : 1.0f;
+    const float stiffness = alpha*lift, damping = beta*lift, half = 0.5f*theta, up = sinf(half);
+    const float along = cosf(half), twice = 2.0f*epsilon;
+    const Pair diff3 = pair_diff(wide_prod(0.5f*stiffness,
+        pair_diff(pair_sum(pair_quot(two_prod(cossin.sine, along), (Pair){up, 0.0f}),
+        two_prod(twice, cossin.cosine)), (Pair){cossin.cosine, 0.0f})),
+        wide_prod(damping, pair_diff((Pair){cossin.cosine, 0.0f},
+        wide_prod(twice, wide_prod(up, pair_sum(two_prod(cossin.sine, along),
+        two_prod(cossin.cosine, up)))))));
+    const float n = diff3.hi + diff3.lo;
+    const float size = (along*along)*(stiffness*stiffness) + (up*up)*
+        ((2.0f*damping + stiffness)*(2.0f*damping + stiffness));
+    const float extra = epsilon*size*(1.0f - epsilon), root = sqrtf(extra + n*n);
+    const float whole = root + fabsf(n) == 0.0f ? 1.0f : root + fabsf(n), more = 0.5f*extra/whole;
+    const float rest = diff3.lo + more, whole_need = diff3.hi + rest;
+    return (n < 0.0f ? more : whole_need)/lift;
+}
+
+// what straight motions need at an angle behind k whole periods
+static inline float straight_at(float stiffness, float damping, float k, float angle) {
+    const float half = 0.5f*angle;
+    return rounded(pair_diff(wide_prod(stiffness,
+        pair_quot((Pair){next_wave(2.0f*k, half).sine, 0.0f}, (Pair){2.0f*sinf(half), 0.0f})),
+        two_prod(damping, next_wave(k, angle).cosine)));
 }
 
 // (x - sin(x))/x^3
@@ -1255,17 +1523,18 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
         fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return false;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
-    const float t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = delta*decay(delta);
+    const float t3 = delta*device.n_gap;
     if (part == 0.0f) {
-        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one,
-            t3, device.together, delta*device.n_gap), alpha, beta, gamma, delta) != 0.0f;
+        return stable(whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one,
+            t1, device.together, t3), alpha, beta, gamma, delta) != 0.0f;
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1,
-        device.at_minus_one, t3, device.together, delayed.apart), alpha, beta, gamma,
-        delta) != 0.0f;
+    return stable(fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma,
+        device.at_minus_one, t1, device.together, delayed.apart, 0.5f*device.kick*
+        (delta*delayed.m2 + 2.0f*delayed.kicked) + 0.5f*delayed.m2*(gamma*device.together + t1) -
+        0.5f*device.together + 0.5f*t3), alpha, beta, gamma, delta) != 0.0f;
 }
 
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d) {
@@ -1273,16 +1542,18 @@ float haptic_single_unstable_roots(float alpha, float beta, float gamma, float d
         fabsf(beta) <= 1e+08f && gamma >= 0.0f && gamma <= 1e+08f)) {
         return -1.0f;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
-    const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
-    const float t3 = delta*decay(delta);
+    const Device3 device = device_at_minus_one_kick_together_n_gap_n0_n1(gamma, delta);
+    const float whole = floorf(d), part = d - whole, t1 = delta*decay(delta);
+    const float t3 = delta*device.n_gap;
     if (part == 0.0f) {
-        return whole_roots(alpha, beta, d, device.n1, device.n0, t1, device.at_minus_one, t3,
-            device.together, delta*device.n_gap);
+        return whole_roots(alpha, beta, d, device.n1, device.n0, gamma, device.at_minus_one, t1,
+            device.together, t3);
     }
     const Delayed delayed = late_device(gamma, delta, part);
-    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, t1, device.at_minus_one,
-        t3, device.together, delayed.apart);
+    return fractional_roots(alpha, beta, whole, delayed.m2, delayed.m0, gamma, device.at_minus_one,
+        t1, device.together, delayed.apart, 0.5f*device.kick*
+        (delta*delayed.m2 + 2.0f*delayed.kicked) + 0.5f*delayed.m2*(gamma*device.together + t1) -
+        0.5f*device.together + 0.5f*t3);
 }
 
 void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
@@ -1318,7 +1589,7 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
         gamma <= 1e+08f)) {
         *alpha_out = NAN; *beta_out = NAN; *theta_out = NAN; return;
     }
-    const Device3 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
+    const Device6 device = device_at_minus_one_together_n_gap_n0_n1(gamma, delta);
     const float whole = floorf(d), part = d - whole, t1 = gamma*device.together;
     const float t3 = delta*decay(delta), t16 = 2.0f*t3;
     if (part == 0.0f) {
@@ -1354,9 +1625,9 @@ float haptic_single_passivity_margin_at(float theta, float alpha, float beta, fl
         fabsf(beta) <= 1e+08f && theta > 0.0f && theta <= 3.1415925f)) {
         return NAN;
     }
-    const float t0 = 0.5f*theta, cosine = next_wave(d, theta).cosine;
-    const float sine = next_wave(2.0f*d, t0).sine;
-    return beta*cosine - 0.5f*alpha*sine/sinf(t0) + delta;
+    const float whole = floorf(d), part = d - whole;
+    if (part == 0.0f) { return delta - straight_at(alpha, beta, d, theta); }
+    return delta - required_at(alpha, beta, whole, part, theta);
 }
 
 float haptic_single_passivity_margin(float alpha, float beta, float delta, float d) {

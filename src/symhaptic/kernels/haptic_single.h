@@ -40,7 +40,8 @@ void haptic_single_discretize_fractional(float gamma, float delta, float epsilon
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
- * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+ * gamma) < 2^-400 (single: 2^-40).
  * False outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d);
@@ -53,7 +54,8 @@ bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, 
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
  * Domain: gamma >= 0, delta >= 0, d >= 0, delta = 0 or delta >= 5 ulp(1) where sqrt(gamma) is,
- * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 (single: 2^-40).
+ * rounded, a multiple of pi, no wall with |alpha| + |beta| + delta < 2^-400 or 0 < max(|alpha|,
+ * gamma) < 2^-400 (single: 2^-40).
  * -1 outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d);
@@ -88,14 +90,14 @@ void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float
     float *beta_out, float *theta_out);
 
 /*
- * physical damping minus the damping that the wall needs at the angle theta = omega T; the wall is
- * passive where it is positive at every angle.
+ * physical damping minus the damping that the wall needs at the angle theta = omega T; a wall with
+ * alpha >= 0 is passive where this is not negative at any angle.
  * theta: angle on the unit circle, omega T [1]
  * alpha: virtual stiffness, K T^2/m [1]
  * beta: virtual damping, B T/m [1]
  * delta: physical damping, b T/m [1]
  * d: delay in sampling periods, t_d/T [1]
- * Domain: 0 < theta < pi, delta >= 0, d >= 0, d whole, or fractional on the principal sheet.
+ * Domain: 0 < theta < pi, delta >= 0, d >= 0.
  * NaN outside, and where an argument is NaN or larger than 1e8 or d larger than 1e6.
  */
 float haptic_single_passivity_margin_at(float theta, float alpha, float beta, float delta, float d);

@@ -10,12 +10,13 @@ inequalities says why.  All arithmetic is exact and free of fractions.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import comb
+from math import comb, inf
 from numbers import Integral
 from typing import Any
 
+import mpmath
 import sympy as sp
 from flint import fmpz_mpoly
 from sympy import Expr, Matrix, Symbol
@@ -25,7 +26,7 @@ from sympy.polys.matrices import DomainMatrix
 from symhaptic.model import loop
 from symhaptic.model.plant import Sampled
 from symhaptic.model.polynomials import factored, integers, minors, primitive
-from symhaptic.notation import a, d, e, n_0, n_1, z
+from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, z
 
 ANY = Sampled(n_1, n_0, a, e)
 """A sampled plant whose four numbers are symbols."""
@@ -65,6 +66,85 @@ class Criterion:
         return max(int(p.degrees()[index]) for p in self.polynomials)
 
 
+def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> tuple[Boolean, ...]:
+    r"""Return Jury's inequalities, which hold together exactly where the loop is stable.
+
+    Parameters
+    ----------
+    delay : int
+        The delay d in sampling periods, a whole number, at least 0.
+    gamma, delta : float, optional
+        The device in numbers, gamma = k T^2/m and delta = b T/m.  Give both or none.
+
+    Returns
+    -------
+    tuple of sympy relations
+        Strict inequalities ``polynomial > 0`` in alpha = K T^2/m, beta = B T/m and the four
+        numbers n_1, n_0, a and e of the sampled device, which :func:`symhaptic.discretize` gives.
+        No polynomial has a fraction in it; each is factored and collected in alpha and beta.  For
+        a device in numbers each coefficient is rounded to 15 digits.  The half planes come first,
+        then the minors; there are d + 4, without those that hold for all walls.
+
+    Raises
+    ------
+    ValueError
+        If ``delay`` is no whole number or negative, or the device is impossible.
+
+    Notes
+    -----
+    They are those of Anderson and Jury, *A simplified Schur-Cohn test*, IEEE Trans. Automatic
+    Control 18(2), 1973, for the characteristic polynomial
+    :math:`z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)`; derived in chapter s4d_jury.  The
+    largest polynomial has 9 terms for d = 0, 57 for d = 2 and 3505 for d = 8.  Up to d = 8 they
+    take less than some two seconds, with each further period twice as long.  For a longer or a
+    fractional delay use :func:`symhaptic.is_stable` or :func:`symhaptic.stability_boundary`.
+
+    Examples
+    --------
+    >>> for inequality in jury(0)[:3]:
+    ...     print(inequality)
+    -a + alpha*(n_0 + n_1) + e + 1 > 0
+    -a + alpha*(-n_0 + n_1) + beta*(2*n_0 + 2*n_1) - e + 3 > 0
+    a + alpha*(n_0 - n_1) + beta*(2*n_0 - 2*n_1) + e + 1 > 0
+
+    Of a free mass, whose third inequality holds for all walls:
+
+    >>> jury(0, gamma=0, delta=0)
+    (1.0*alpha > 0, 2.0*beta > 0, -0.25*alpha*beta - 0.5*alpha - 0.5*beta**2 + 1.0*beta > 0)
+    """
+    found = inequalities(delay)
+    if gamma is None and delta is None:
+        return found
+    device = _in_digits(gamma, delta)
+    rounded = (_rounded(p.lhs, device) > 0 for p in found)
+    return tuple(relation for relation in rounded if relation != sp.true)
+
+
+DIGITS = 60
+"""So many digits of the device's numbers leave 15 of a coefficient, whatever cancels."""
+
+
+def _in_digits(gamma: float | None, delta: float | None) -> dict[Symbol, Expr]:
+    """The numbers of the device, from the exponential of its matrix with the held force."""
+    for name, value in (("gamma", gamma), ("delta", delta)):
+        if value is None or not 0 <= value < inf:
+            raise ValueError(f"{name}: {value!r} is no finite number >= 0; give gamma and delta")
+    with mpmath.workdps(DIGITS + 20):
+        motion = mpmath.matrix([[0, 1, 0], [-mpmath.mpf(gamma), -mpmath.mpf(delta), 1], [0, 0, 0]])
+        step = mpmath.expm(motion)
+        first, second = step[0, 2], step[0, 1] * step[1, 2] - step[1, 1] * step[0, 2]
+        values = first, second, step[0, 0] + step[1, 1], mpmath.exp(-mpmath.mpf(delta))
+        return {s: sp.Float(v, DIGITS) for s, v in zip((n_1, n_0, a, e), values, strict=True)}
+
+
+def _rounded(form: Expr, device: Mapping[Symbol, Expr]) -> Expr:
+    """A polynomial in alpha and beta; what vanishes but for rounding is left out."""
+    terms = sp.Poly(form, alpha, beta).terms()
+    values = [(c.xreplace(device).evalf(DIGITS), powers) for powers, c in terms]
+    kept = [(value, powers) for value, powers in values if abs(value) > sp.Float(10) ** -50]
+    return sp.Add(*(sp.Float(v, 15) * alpha**i * beta**j for v, (i, j) in kept))
+
+
 def inequalities(delay: int, device: Sampled = ANY) -> tuple[Boolean, ...]:
     r"""Inequalities that hold together exactly where the loop with a delayed wall is stable.
 
@@ -95,7 +175,7 @@ def coefficients(delay: int, device: Sampled = ANY) -> tuple[Expr, ...]:
     (1, -2)
     """
     if isinstance(delay, bool) or not isinstance(delay, Integral) or delay < 0:
-        raise ValueError(f"delay: {delay!r} is no whole number of periods; 0, 1, 2, ... is allowed")
+        raise ValueError(f"delay: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
     return tuple(sp.Poly(loop.closing(device).subs(d, int(delay)), z).all_coeffs())
 
 

@@ -34,9 +34,3 @@ def closed(parts: Parts = FULL, split: Expr | None = None) -> Expr:
 def named() -> Expr:
     """The characteristic polynomial with the plant's numbers by name: a, e, n_1 and n_0."""
     return z ** (d + 1) * (z**2 - a * z + e) + (n_1 * z + n_0) * ((alpha + beta) * z - beta)
-
-
-def numbers(parts: Parts = FULL) -> dict[Expr, Expr]:
-    """What the names a, e, n_1 and n_0 stand for."""
-    device = plant.sampled(plant.normalised(parts))
-    return {a: device.a, e: device.e, n_1: device.n1, n_0: device.n0}

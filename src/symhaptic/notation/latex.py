@@ -17,6 +17,19 @@ from symhaptic.notation.term_order import NAMED, base_of, factors, ordered_terms
 _RELATIONS = {"==": "=", "!=": r"\ne", "<": "<", ">": ">", "<=": r"\le", ">=": r"\ge"}
 
 
+EULER = r"\mathrm{e}"
+"""Euler's number, upright: the determinant of a sampled device is an italic e."""
+
+
+def euler(typed: str) -> str:
+    r"""Typed LaTeX with Euler's number upright where it has an exponent.
+
+    >>> euler(r"2e^{j\theta}+\theta e^{-1}+e")
+    '2\\mathrm{e}^{j\\theta}+\\theta \\mathrm{e}^{-1}+e'
+    """
+    return re.sub(r"(?<![A-Za-z\\])e(?=\^)", r"\\mathrm{e}", typed)
+
+
 def latex(expr: Expr, inline: bool = False) -> str:
     r"""LaTeX of an expression, relation or vector; ``inline`` avoids built-up fractions.
 
@@ -24,7 +37,7 @@ def latex(expr: Expr, inline: bool = False) -> str:
     >>> latex(K*T*sp.sin((d + 1)*theta)/2)
     '\\frac{KT\\sin(d+1)\\theta}{2}'
     >>> latex(sp.exp(-d/2))
-    'e^{-d/2}'
+    '\\mathrm{e}^{-d/2}'
     """
     return _Writer(inline).write(sp.sympify(expr, strict=True))
 
@@ -67,7 +80,9 @@ class _Writer:
         if expr.is_Add:
             return self.sum(expr)
         if isinstance(expr, sp.exp):
-            return f"e^{{{_Writer(True).write(_joined(expr.args[-1]))}}}"
+            return f"{EULER}^{{{_Writer(True).write(_joined(expr.args[-1]))}}}"
+        if expr is sp.E:
+            return EULER
         if expr.is_Pow and not (expr.args[1].is_Rational and expr.args[1] < 0):
             return self.power(expr)
         if expr.is_Mul or expr.is_Pow:

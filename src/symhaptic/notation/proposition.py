@@ -1,9 +1,10 @@
 """The language of propositions: relations of terms, logic, quantifiers and a few named predicates.
 
-A term is a SymPy expression.  A symbol stands for a real number, unless :mod:`symhaptic.notation`
-says that it is complex.  A relation is true where both sides are defined and it holds between their
-values; an order relation also says that both are real.  So ``Not(a < b)`` is true where a side has
-no value, and ``b <= a`` is not.  A predicate, too, is true only where its terms have values.
+A term is an inert tree (:mod:`symhaptic.notation.terms`), typed as a SymPy expression.  A symbol
+stands for a real number, unless :mod:`symhaptic.notation` says that it is complex.  A relation is
+true where both sides are defined and it holds between their values; an order relation also says
+that both are real.  So ``Not(a < b)`` is true where a side has no value, and ``b <= a`` is not.  A
+predicate, too, is true only where its terms have values.
 
 Propositions that differ in the names of bound symbols only are equal.
 """
@@ -12,17 +13,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
-from functools import cache, cached_property, lru_cache
-from typing import Any, ClassVar, NoReturn, TypeAlias
+from functools import cache, cached_property
+from typing import Any, ClassVar, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.predicates import MEANINGS
-from symhaptic.notation.terms import PLACES, NoTerm, is_complex, symbols_in, term, without_value
+from symhaptic.notation.terms import NoTerm, Term, is_complex, term, tree, without_value
 
 Terms: TypeAlias = Mapping[Symbol, Expr]
-Places: TypeAlias = Mapping[Symbol, Symbol]
 
 SIGNS = ("=", "!=", "<", "<=")
 
@@ -37,29 +37,36 @@ def _bindable(symbols: Iterable[Symbol]) -> None:
 class Proposition:
     """Something that is true or false once its free symbols have values."""
 
-    _closed: ClassVar[bool] = False
-
-    def __init_subclass__(cls) -> None:
-        if Proposition._closed:
-            raise NoTerm(f"{cls.__name__} is no kind of proposition; those are known")
-
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Proposition) and _alike(self, other, {}, {})
+        return self is other or (isinstance(other, Proposition) and self._key == other._key)
 
     def __hash__(self) -> int:
         return self._hash
 
     @cached_property
     def _hash(self) -> int:
-        return hash(_shared(self, frozenset()))
+        return hash(self._key)
+
+    @cached_property
+    def _key(self) -> tuple[Any, ...]:
+        """What equal propositions share: their trees, with bound symbols by the place where they
+        are bound."""
+        return self._keyed({}, 0)
+
+    def _keyed(self, bound: Mapping[Symbol, Term], depth: int) -> tuple[Any, ...]:
+        own = tuple(getattr(self, name) for name in _own(type(self)))  # type: ignore[arg-type]
+        kinds = tuple(map(is_complex, self.bound))
+        if self.bound:
+            places = {s: _place(depth + i) for i, s in enumerate(self.bound)}
+            bound, depth = {**bound, **places}, depth + len(places)
+        trees = tuple(t.inst(bound) for t in self.trees) if bound else self.trees
+        parts = (p._keyed(bound, depth) if bound.keys() & p.free else p._key for p in self.parts)
+        return (type(self).__name__, own, kinds, trees, *parts)
 
     def __reduce__(self) -> tuple[type[Proposition], tuple[Any, ...]]:
         """Made anew where it arrives, of its fields alone."""
         kind: Any = type(self)
         return kind, tuple(getattr(self, name) for name in field_names(kind))
-
-    def __setstate__(self, state: object) -> NoReturn:
-        raise NoTerm("a proposition does not change; it is made of its fields")
 
     @property
     def bound(self) -> tuple[Symbol, ...]:
@@ -68,8 +75,13 @@ class Proposition:
 
     @property
     def terms(self) -> tuple[Expr, ...]:
-        """Terms that stand in it directly."""
+        """Terms that stand in it directly, as SymPy writes them."""
         return ()
+
+    @cached_property
+    def trees(self) -> tuple[Term, ...]:
+        """The same as trees."""
+        return tuple(map(tree, self.terms))
 
     @property
     def parts(self) -> tuple[Proposition, ...]:
@@ -84,101 +96,44 @@ class Proposition:
     def free(self) -> frozenset[Symbol]:
         """Its free symbols."""
         below = (p.free for p in self.parts)
-        inner = frozenset[Symbol]().union(*map(symbols_in, self.terms), *below)
+        inner = frozenset[Symbol]().union(*(t.free for t in self.trees), *below)
         return inner - frozenset(self.bound)
 
-    def at(self, values: Terms) -> Proposition:
-        """With terms in place of free symbols; bound symbols give way."""
-        values = {s: v for s, v in values.items() if s in self.free and s != v}
+    def inst(self, values: Mapping[Symbol, Term]) -> Proposition:
+        """With trees in place of free symbols; bound symbols give way, and nothing is evaluated."""
+        values = {s: t for s, t in values.items() if s in self.free and t.head is not s}
         if not values:
             return self
         inner, bound = dict(values), self.bound
         if bound:
-            inner |= _renamed(bound, values)
-            bound = tuple(inner.get(s, s) for s in bound)
-        terms = replaced(self.terms, inner) if self.terms else ()
-        return self.made(bound, terms, tuple(p.at(inner) for p in self.parts))
+            met = frozenset[Symbol]().union(*(t.free for t in values.values()))
+            inner |= {s: Term(sp.Dummy(s.name)) for s in bound if s in met}
+            bound = tuple(inner[s].head if s in inner else s for s in bound)
+        terms = tuple(t.inst(inner).shown for t in self.trees)
+        return self.made(bound, terms, tuple(p.inst(inner) for p in self.parts))
 
-    def apart(self, values: Terms) -> Proposition:
-        """The same, with other symbols for bound ones that stand in these terms."""
-        if not (self.bound or self.parts):
+    def evaluated(self) -> Proposition:
+        """With its terms as SymPy writes them; a relation between numbers of which one has no value
+        is false."""
+        kept = all(t.evaluated is t for t in self.trees)
+        parts = tuple(p.evaluated() for p in self.parts)
+        if kept and all(p is q for p, q in zip(parts, self.parts, strict=True)):
             return self
-        there = _renamed(self.bound, values)
-        bound = tuple(there.get(s, s) for s in self.bound)
-        parts = tuple(p.at(there).apart(values) for p in self.parts)
-        return self.made(bound, replaced(self.terms, there), parts)
+        return self.made(self.bound, self._written(), parts)
+
+    def _written(self) -> tuple[Expr, ...]:
+        """Its terms as SymPy writes them, as far as these are terms."""
+        return tuple((t if t.evaluated is None else t.evaluated).shown for t in self.trees)
+
+    def at(self, values: Terms) -> Proposition:
+        """With terms in place of free symbols, as SymPy writes what comes out."""
+        return self.inst({s: tree(term(v)) for s, v in values.items()}).evaluated()
 
 
-def _renamed(bound: Iterable[Symbol], values: Terms) -> dict[Symbol, Symbol]:
-    """Other symbols for bound ones that stand in the terms to be put in."""
-    met = frozenset[Symbol]().union(*(symbols_in(sp.sympify(v)) for v in values.values()))
-    return {s: sp.Dummy(s.name) for s in bound if s in met}
-
-
-def replaced(terms: tuple[Expr, ...], values: Terms) -> tuple[Expr, ...]:
-    """The terms with others in place of symbols."""
-    return _replaced(terms, frozenset((s, sp.sympify(v)) for s, v in values.items()))
-
-
-@lru_cache(maxsize=1 << 15)
-def _replaced(terms: tuple[Expr, ...], values: frozenset[tuple[Symbol, Expr]]) -> tuple[Expr, ...]:
-    known, symbols = dict(values), frozenset(s for s, _ in values)
-    return tuple(_put_in(t, known, symbols) for t in terms)
-
-
-def _put_in(term: Expr, known: dict[Any, Expr], symbols: frozenset[Symbol]) -> Expr:
-    """As ``xreplace``, which looks through parts without the symbols and twice through others."""
-    if symbols.isdisjoint(symbols_in(term)):
-        return term
-    if term not in known:
-        known[term] = term.func(*(_put_in(part, known, symbols) for part in term.args))
-    return known[term]
-
-
-_DEPTHS = {place: i for i, place in enumerate(PLACES)}
-
-
-def _alike(one: Proposition, other: Proposition, here: Places, there: Places) -> bool:
-    """Whether two propositions have the same parts, with bound symbols by their place."""
-    if (
-        type(one) is not type(other)
-        or (len(one.bound), len(one.terms), len(one.parts))
-        != (len(other.bound), len(other.terms), len(other.parts))
-        or any(getattr(one, name) != getattr(other, name) for name in _own(type(one)))  # type: ignore[arg-type]
-        or any(is_complex(s) != is_complex(r) for s, r in zip(one.bound, other.bound, strict=True))
-    ):
-        return False
-    if one.bound:
-        here, there = _placed(one, here), _placed(other, there)
-    return all(_alike(p, q, here, there) for p, q in zip(one.parts, other.parts, strict=True)) and (
-        all(_equal(t, u, here, there) for t, u in zip(one.terms, other.terms, strict=True))
-    )
-
-
-def _placed(of: Proposition, places: Places) -> Places:
-    """Each bound symbol by the depth at which it is bound, which no other one inside shares."""
-    depth = max((_DEPTHS[p] for p in places.values()), default=-1) + 1
-    return {**places, **{s: PLACES[depth + i] for i, s in enumerate(of.bound)}}
-
-
-def _equal(one: Expr, other: Expr, here: Places, there: Places) -> bool:
-    if not here:
-        return bool(one == other)
-    if one == other and all(here.get(s) is there.get(s) for s in symbols_in(one)):
-        return True
-    return bool(one.xreplace(here) == other.xreplace(there))
-
-
-def _shared(of: Proposition, bound: frozenset[Symbol]) -> tuple[Any, ...]:
-    """What equal propositions share, whatever the names of their bound symbols."""
-    bound = bound.union(of.bound)
-    return (
-        type(of).__name__,
-        tuple(getattr(of, name) for name in _own(type(of))),  # type: ignore[arg-type]
-        tuple(is_complex(s) for s in of.bound),
-        tuple(None if symbols_in(t) & bound else t for t in of.terms),
-        tuple(_shared(p, bound) for p in of.parts),
-    )
+@cache
+def _place(depth: int) -> Term:
+    """What stands for a symbol that is bound at this depth; no term of anybody has it."""
+    return Term(("bound", depth))
 
 
 @cache
@@ -212,11 +167,15 @@ class Relation(Proposition):
         """Its two sides."""
         return self.left, self.right
 
-    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Proposition:
-        """The same sign between other terms; false between numbers of which one has no value."""
-        if not any(map(symbols_in, terms)) and any(without_value(t) for t in terms):
-            return FALSE
+    def made(self, bound: Any, terms: tuple[Expr, ...], parts: Any) -> Relation:
+        """The same sign between other terms."""
         return Relation(terms[0], self.sign, terms[1])
+
+    def evaluated(self) -> Proposition:
+        """With its terms as SymPy writes them; false if one has no value, whatever the symbols."""
+        if any(without_value(t.sympy) and not t.sympy.free_symbols for t in self.trees):
+            return FALSE
+        return super().evaluated()
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,7 +199,7 @@ class Predicate(Proposition):
         object.__setattr__(self, "over", tuple(self.over))
         _bindable(self.over)
         for bounded in self.of[1:] if self.over else ():
-            if set(self.over) & bounded.free_symbols:
+            if not tree(bounded).free.isdisjoint(self.over):
                 raise NoTerm(f"{self.name}: {bounded} holds a symbol that is bound")
 
     @property
@@ -338,7 +297,6 @@ class Exists(_Quantified):
     """For some values of the symbols."""
 
 
-Proposition._closed = True
 TRUE, FALSE = And(()), Or(())
 
 
@@ -370,36 +328,6 @@ def conjuncts(of: Proposition) -> tuple[Proposition, ...]:
     if not isinstance(of, And):
         return (of,)
     return tuple(c for part in of.parts for c in conjuncts(part))
-
-
-def of_print(claim: Proposition, printed: Iterable[Any]) -> Proposition:
-    """A claim that says what is printed: each printed relation is one that it concludes, and none
-    that it supposes.
-
-    Raises :class:`ValueError` where one is not.
-    """
-    said, supposed = [claim], set[Proposition]()
-    for part in said:
-        said += _concluded(part)
-        supposed |= set(conjuncts(part.of[0])) if isinstance(part, Implies) else set()
-    for relation in printed:
-        if proposition(relation) not in said or proposition(relation) in supposed:
-            raise ValueError(f"the print {relation} is not in the claim, or not what it concludes")
-    return claim
-
-
-def _concluded(of: Proposition) -> tuple[Proposition, ...]:
-    """What a proposition concludes: not its conditions, nor what it denies or leaves open.
-
-    Of an equivalence a side is, where the other is a predicate: what the named property means.
-    """
-    if isinstance(of, (And, ForAll)):
-        return of.parts
-    if isinstance(of, Implies):
-        return of.of[1:]
-    if isinstance(of, Iff):
-        return tuple(p for p, q in (of.of, of.of[::-1]) if isinstance(q, Predicate))
-    return ()
 
 
 def both(parts: Iterable[Any]) -> Proposition:

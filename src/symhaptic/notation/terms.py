@@ -1,23 +1,27 @@
-"""What may stand in a proposition: terms of SymPy's, made of few functions and looked through.
+"""What may stand in a proposition: inert trees, which nothing evaluates.
 
-A symbol stands for a real number, unless :mod:`symhaptic.notation` says that it is complex.  A term
-lasts: SymPy makes it anew of its parts as it is, so that two that look alike are the same.
+An author writes a term as a SymPy expression.  The kernel reads it once, as a :class:`Term`: a head
+and arguments, sums and products without order and without brackets.  Symbols are replaced in the
+tree, so that nothing cancels.  SymPy sees a term only where a decider is asked about it, and where
+it is printed.
+
+A symbol stands for a real number, unless :mod:`symhaptic.notation` says that it is complex.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 from math import gcd
 from numbers import Number
-from typing import Any
+from operator import attrgetter
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy import Expr, Symbol
-from sympy.core.function import AppliedUndef, UndefinedFunction
+from sympy.core.function import AppliedUndef
 
 from symhaptic.notation import SYMBOLS
-from symhaptic.notation.fresh import made_before, mark
 
 FUNCTIONS = (
     *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh, sp.atan),
@@ -25,18 +29,150 @@ FUNCTIONS = (
 )
 """The functions that a term may be made of, beside sums, products, powers and unknown ones."""
 
-PLACES = tuple(sp.Dummy(f"bound_{i}") for i in range(64))
-"""They stand for bound symbols where propositions are compared, and in no term."""
-_RESERVED = frozenset(PLACES)
-_PLAIN = Symbol("x").assumptions0
+Head: TypeAlias = Any
+"""A class of SymPy's for a sum, a product, a power or a function; the name of an unknown function;
+or, of what has no arguments, the number, the constant or the symbol itself."""
 
 
 class NoTerm(TypeError):
     """Something that is no term of the language, or no proposition; the message is one line."""
 
 
+class Term:
+    """An immutable tree; two that have the same parts are one object."""
+
+    __slots__ = ("__dict__", "args", "free", "head", "number")
+
+    head: Head
+    args: tuple[Term, ...]
+    free: frozenset[Symbol]
+    number: int
+    """How many trees were made before it; the order of a sum's and a product's arguments."""
+
+    def __new__(cls, head: Head, args: tuple[Term, ...] = ()) -> Term:
+        """Find the tree with this head and these arguments, or make it."""
+        if head is sp.Add or head is sp.Mul:
+            flat = (p for a in args for p in (a.args if a.head is head else (a,)))
+            args = tuple(sorted(flat, key=_number))
+        found = _MADE.get((head, args))
+        if found is None:
+            found = _MADE[head, args] = object.__new__(cls)
+            found.head, found.args, found.number = head, args, len(_MADE)
+            own = frozenset((head,)) if isinstance(head, Symbol) else frozenset[Symbol]()
+            found.free = own.union(*(a.free for a in args))
+        return found
+
+    def inst(self, values: Mapping[Symbol, Term]) -> Term:
+        """The tree with others in place of symbols; nothing else changes."""
+        return self._inst(values, frozenset(values), {})
+
+    def _inst(
+        self, values: Mapping[Symbol, Term], symbols: frozenset[Symbol], done: dict[Term, Term]
+    ) -> Term:
+        if symbols.isdisjoint(self.free):
+            return self
+        if not self.args:
+            return values[self.head]
+        if self not in done:
+            done[self] = Term(self.head, tuple(a._inst(values, symbols, done) for a in self.args))
+        return done[self]
+
+    @cached_property
+    def sympy(self) -> Expr:
+        """The term as SymPy writes it, which has its value wherever the term has one.
+
+        An expression that was read as this tree is given back as it was; where symbols were
+        replaced SymPy evaluates.
+        """
+        if not self.args:
+            return self.head
+        args = [a.sympy for a in self.args]
+        if isinstance(self.head, str):
+            return sp.Function(self.head)(*args)
+        return self.head(*args)
+
+    @cached_property
+    def evaluated(self) -> Term | None:
+        """The tree of what SymPy writes; None if that is no term, as of 1/0."""
+        try:
+            return tree(self.sympy)
+        except NoTerm:
+            return None
+
+    @cached_property
+    def shown(self) -> Expr:
+        """An expression that reads as just this tree, for people and printers."""
+        if not self.args or self.evaluated is self:
+            return self.sympy
+        args = [a.shown for a in self.args]
+        if isinstance(self.head, str):
+            return sp.Function(self.head)(*args)
+        return self.head(*args, evaluate=False)
+
+    def walk(self) -> Iterator[Term]:
+        """All parts of the tree, itself first; a part that stands twice is met once."""
+        seen, left = {self}, [self]
+        while left:
+            part = left.pop()
+            yield part
+            new = [a for a in part.args if a not in seen]
+            seen.update(new)
+            left += new
+
+    def __repr__(self) -> str:
+        return f"Term({self.shown})"
+
+    def __reduce__(self) -> Any:
+        return tree, (self.shown,)
+
+
+_number = attrgetter("number")
+
+_MADE: dict[tuple[Head, tuple[Term, ...]], Term] = {}
+_READ: dict[Expr, Term] = {}
+
+_NODES = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
+_CONSTANTS = frozenset({sp.I, sp.pi})
+_PLAIN = Symbol("x").assumptions0
+
+
+def tree(of: Expr) -> Term:
+    """Read an expression as a tree; raise :class:`NoTerm` for what is no term."""
+    found = _READ.get(of)
+    if found is None:
+        found = _READ[of] = _read(of)
+        found.__dict__.setdefault("sympy", of)
+    return found
+
+
+def _read(of: Expr) -> Term:
+    kind = type(of)
+    if kind in _NODES:
+        if kind in FUNCTIONS and len(of.args) != 1:
+            raise NoTerm(f"{of} is a function of {len(of.args)} arguments, not of one")
+        return Term(kind, tuple(map(tree, of.args)))
+    if isinstance(of, sp.Rational) and of.is_finite:
+        if gcd(of.p, of.q) != 1 or of.q < 1:
+            raise NoTerm(f"{of} is not in lowest terms")
+        return Term(of)
+    if of is sp.E:
+        return Term(sp.exp, (Term(sp.S.One),))
+    if of in _CONSTANTS:
+        return Term(of)
+    if isinstance(of, Symbol):
+        # an assumption would change what SymPy makes of an expression without saying so
+        if kind not in (Symbol, sp.Dummy) or of.assumptions0 != _PLAIN:
+            raise NoTerm(f"the symbol {of} carries assumptions; hypotheses say them here")
+        return Term(of)
+    if isinstance(of, AppliedUndef):
+        if set(getattr(of.func, "_kwargs", {})) - set(_PLAIN):
+            raise NoTerm(f"the function {of.func} carries assumptions; hypotheses say them here")
+        return Term(of.func.__name__, tuple(map(tree, of.args)))
+    raise NoTerm(f"{of} ({kind.__name__}) is no part of a term")
+
+
 def term(of: Any) -> Expr:
-    """A term: an exact, commutative expression in plain symbols.  Text is refused."""
+    """An exact expression that can be read as a term; text and floats are refused."""
     if isinstance(of, Expr):
         expr = of
     elif isinstance(of, Number) and not isinstance(of, (float, complex, bool)):
@@ -45,130 +181,14 @@ def term(of: Any) -> Expr:
         raise NoTerm(f"{of!r} is no term; an exact SymPy expression is")
     if not isinstance(expr, Expr):
         raise NoTerm(f"{expr!r} is no term; a SymPy expression is")
-    _looked_through(expr)
+    tree(expr)
     return expr
 
 
-@lru_cache(maxsize=1 << 15, typed=True)
-def _looked_through(expr: Expr) -> None:
-    """Raise :class:`NoTerm` of an expression that is none; of one that is, nothing."""
-    left = [expr]
-    while left:
-        part = left.pop()
-        if type(part) is sp.Rational:
-            _check_lowest(part)
-        elif type(part) not in _ATOMS:
-            if type(part) not in _MADE:
-                _check(part)
-            elif type(part) in FUNCTIONS and len(part.args) != 1:
-                raise NoTerm(f"{part} is a function of {len(part.args)} arguments, not of one")
-            left += part.args[::-1]
-    if not _lasting(expr):
-        raise NoTerm(f"{expr} loses a divisor when SymPy writes it anew; write it without")
-
-
-def _lasting(expr: Expr) -> bool:
-    """Whether all that limits where a term has a value outlives its being written anew."""
-    if not _limited(expr) or _as_it_stands(expr):
-        return True
-    limits = set(_limits(expr))
-    there = {s: _other(s) for s in expr.free_symbols}
-    if {limit.xreplace(there) for limit in limits} <= set(_limits(expr.xreplace(there))):
-        return True
-    back = {d: s for s, d in there.items()}
-
-    def anew(part: Expr) -> Expr:
-        return part.xreplace(there).xreplace(back)
-
-    # other names may turn signs; in these names a divisor may have become several
-    kept = set(_limits(anew(expr)))
-    factors = (f for limit in limits for f in sp.Mul.make_args(anew(limit)))
-    return all(
-        f in kept or f.as_base_exp()[0] in kept or (f.is_Rational and f != 0) for f in factors
-    )
-
-
-@lru_cache(maxsize=1 << 16)
-def _limited(part: Expr) -> bool:
-    """Whether something in a term need not have a value."""
-    return _may_have_none(part) or any(map(_limited, part.args))
-
-
-@lru_cache(maxsize=1 << 16)
-def _as_it_stands(part: Expr) -> bool:
-    """Whether SymPy writes a term, and each part of it, as it stands: then under any names."""
-    return not part.args or (all(map(_as_it_stands, part.args)) and part.func(*part.args) == part)
-
-
-@lru_cache(maxsize=1 << 10)
-def _other(symbol: Symbol) -> Symbol:
-    """A symbol that stands for another one, always the same, of which SymPy then knows."""
-    return sp.Dummy(symbol.name)
-
-
-@lru_cache(maxsize=1 << 16)
 def symbols_in(expr: Expr) -> frozenset[Symbol]:
-    """The free symbols of a term."""
-    if type(expr) in _MADE:
-        return frozenset[Symbol]().union(*map(symbols_in, expr.args))
-    return frozenset(expr.free_symbols)
-
-
-def _limits(expr: Expr) -> Iterator[Expr]:
-    """Bases of powers that need not have a value, and functions that need not."""
-    for part in sp.preorder_traversal(expr):
-        if _may_have_none(part):
-            yield part.base if part.is_Pow else part
-
-
-def _may_have_none(part: Expr) -> bool:
-    """Whether a power or a function need not have a value where its arguments have."""
-    if part.is_Pow:
-        exponent = part.exp
-        return not (exponent.is_Rational and exponent.p >= 0)
-    return part.func in _PARTIAL
-
-
-_PARTIAL = (sp.log, sp.tan, sp.cot, sp.tanh, sp.atan)
-_ATOMS = frozenset(map(type, (sp.I, sp.pi, sp.E, *map(sp.Rational, (0, 1, -1, "1/2", "2/3", 2)))))
-_MADE = frozenset({sp.Add, sp.Mul, sp.Pow, *FUNCTIONS})
-_OF_UNKNOWN = frozenset(vars(sp.Function("f", commutative=True)))
-
-
-def _check_lowest(number: sp.Rational) -> None:
-    """Raise :class:`NoTerm` of a fraction that can be shortened: it is not equal to its value."""
-    if number.q < 2 or gcd(number.p, number.q) != 1:
-        raise NoTerm(f"{number} is not in lowest terms")
-
-
-def _check(part: Expr) -> None:
-    """Raise :class:`NoTerm` of what stands in no term."""
-    if part.is_Symbol:
-        if type(part) not in (Symbol, sp.Dummy):
-            raise NoTerm(f"the symbol {part} carries assumptions; hypotheses say them here")
-        _check_symbol(part)
-    elif isinstance(part, AppliedUndef) and set(getattr(part.func, "_kwargs", {})) - set(_PLAIN):
-        raise NoTerm(f"the function {part.func} carries assumptions; hypotheses say them here")
-    elif not _is_unknown(type(part)):
-        raise NoTerm(f"{part} ({type(part).__name__}) is no part of a term")
-
-
-@lru_cache(maxsize=1 << 12)
-def _check_symbol(symbol: Symbol) -> None:
-    """The same of a symbol; one that was made before stays so."""
-    # an assumption would change what SymPy makes of an expression without saying so
-    if symbol.assumptions0 != _PLAIN:
-        raise NoTerm(f"the symbol {symbol} carries assumptions; hypotheses say them here")
-    if symbol in _RESERVED:
-        raise NoTerm(f"the symbol {symbol} stands for bound ones where propositions are compared")
-    if not made_before(symbol, mark()):
-        raise NoTerm(f"the symbol {symbol} has a number by hand; another one may get it yet")
-
-
-def _is_unknown(function: type[Expr]) -> bool:
-    """Whether a function is what SymPy makes of a name, and no class with ways of its own."""
-    plain = type(function) is UndefinedFunction and function.__bases__ == (AppliedUndef,)
-    return plain and vars(function).keys() <= _OF_UNKNOWN
+    """The free symbols of an expression."""
+    found = _READ.get(expr)
+    return frozenset(expr.free_symbols) if found is None else found.free
 
 
 def without_value(number: Expr) -> bool:

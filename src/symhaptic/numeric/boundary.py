@@ -6,7 +6,6 @@ With :math:`Q=-z^{l+1}A/M` on the unit circle, :math:`\beta=\Im Q/\sin\theta` an
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -147,17 +146,20 @@ def stability_boundary(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(theta=theta, gamma=gamma, delta=delta, delay=delay)
-    found = given(haptic.stability_boundary if sheet == "exact" else partial(_principal, given.xp))
+    found = given(haptic.stability_boundary) if sheet == "exact" else given.each(_principal)
     alpha, beta = (given.xp.where(given.xp.isfinite(found[0]), x, given.xp.nan) for x in found)
     return alpha, beta
 
 
 def _principal(xp: Any, theta: Any, gamma: Any, delta: Any, delay: Any) -> tuple[Any, Any]:
-    """The rest of the delay turns Q of the whole one, which is known by the wall, once more."""
-    steps = xp.floor(delay)
-    alpha, beta = haptic.stability_boundary(theta, gamma, delta, steps)
-    rest = (delay - steps) * theta
-    turn, turn_j, sine, half = xp.cos(rest), xp.sin(rest), xp.sin(theta), xp.sin(theta / 2)
-    q, q_j = alpha + 2 * beta * half * half, beta * sine
-    real, imaginary = q * turn - q_j * turn_j, q_j * turn + q * turn_j
-    return real - imaginary * xp.tan(theta / 2), imaginary / sine
+    """The curve of a device without delay, turned by z^-delay."""
+    at_minus_one, _, together, gap = haptic.device_at_minus_one_kick_together_n_gap(
+        xp, gamma, delta
+    )
+    apart = delta * gap
+    loss, half = delta * haptic.decay(xp, delta), theta / 2
+    device = gamma * together, at_minus_one, loss, together, apart, together + apart
+    ahead, in_phase = haptic.ahead_in_phase(xp, half, *device)
+    cosine, sine = haptic.next_wave(xp, delay, theta)
+    pull = ahead * cosine + in_phase * sine
+    return ahead * sine - in_phase * cosine + pull * xp.tan(half), -pull / xp.sin(theta)

@@ -13,11 +13,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from array_api_compat import is_numpy_array
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.compiled import at_once
 from symhaptic.numeric.containers import kept
@@ -48,6 +47,7 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 
 @at_once("passivity_margin")
 @kept(margin=float)
+@slopes.in_jax(("margin",), instead="lambdify('passivity_margin', modules='jax') has derivatives")
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
@@ -69,7 +69,7 @@ def passivity_margin(
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, delta=delta, delay=delay)
 
-    if sheet == "exact" and is_numpy_array(given.values[0]):
+    if sheet == "exact" and not given.traced:
         return given(haptic.passivity_margin)  # type: ignore[no-any-return]
 
     def margin(xp: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
@@ -79,13 +79,7 @@ def passivity_margin(
     return given.each(margin)  # type: ignore[no-any-return]
 
 
-def _at_whole(kernel: Any, theta: Any, alpha: Any, beta: Any, delta: Any, delay: Any) -> Any:
-    """The margin by its kernel, which knows whole delays alone; NaN if there are others."""
-    whole = (delay == np.floor(delay)).all() if isinstance(delay, np.ndarray) else delay % 1 == 0
-    return kernel(theta, alpha, beta, delta, delay) if whole else math.nan
-
-
-@at_once("passivity_margin_at", finite=True, work=_at_whole)
+@at_once("passivity_margin_at")
 @kept(margin=float)
 def passivity_margin_at(
     theta: ArrayLike,
@@ -103,8 +97,8 @@ def passivity_margin_at(
 
         delta - alpha sin((delay + 1/2) theta)/(2 sin(theta/2)) + beta cos((delay + 1) theta),
 
-    (5) of the paper.  Its smallest value is :func:`passivity_margin` where alpha >= 0.  Behind a
-    fraction of a period it is what a motion needs whose phase within the period is the worst one;
+    (5) of the paper.  Its smallest value is :func:`passivity_margin` where alpha >= 0.  For a
+    fractional delay it is the margin of the worst motion at this angle, exact for the sampled loop;
     chapter s6d_fractional_passivity.
 
     Raises :class:`ValueError` for an angle outside (0, pi), an infinite wall, a negative or
@@ -115,12 +109,13 @@ def passivity_margin_at(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(theta=theta, alpha=alpha, beta=beta, delta=delta, delay=delay)
-    if sheet == "principal" or given.whole(given.values[4]):
+    if sheet == "exact":
         return given(haptic.passivity_margin_at)  # type: ignore[no-any-return]
 
     def margin(xp: Any, th: Any, al: Any, be: Any, dl: Any, dy: Any) -> Any:
-        steps = xp.floor(dy)
-        return dl - haptic.damping_at(xp, al, be, steps, dy - steps, th / 2)
+        half = th / 2
+        kernel = haptic.sin_next(xp, 2 * dy, half) / (2 * xp.sin(half))
+        return dl - al * kernel + be * haptic.cos_next(xp, dy, th)
 
     return given.each(margin)  # type: ignore[no-any-return]
 
@@ -153,6 +148,7 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 
 @at_once("passivity_boundary")
 @kept(alpha=float, beta=float)
+@slopes.in_jax(("alpha", "beta"), ("delta",))
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
@@ -186,6 +182,11 @@ def passivity_boundary(
 
 @at_once("max_passive_stiffness", into=Extremum, work=_stiffest)
 @kept(Extremum, alpha=float, beta=float, theta=float)
+@slopes.in_jax(
+    Extremum._fields,
+    ("delta",),
+    instead="lambdify('max_passive_stiffness', modules='jax') has derivatives",
+)
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 

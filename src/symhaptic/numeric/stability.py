@@ -11,6 +11,7 @@ number in the brackets.  Chapter s4d_roots_counted derives this.
 
 from __future__ import annotations
 
+from itertools import product
 from operator import methodcaller
 from typing import Any, NamedTuple
 
@@ -156,12 +157,21 @@ def split(delay: Array, sheet: str) -> tuple[Array, Array | None]:
     return steps, part if np.any(part) else None
 
 
+_SHAKEN = 2.0**-42
+"""Some thousand last places: rounding moves no wall so far."""
+
+
 def _count(alpha: Array, beta: Array, gamma: Array, delta: Array, delay: Array) -> Array:
-    """On the principal sheet."""
+    """On the principal sheet; -1 where a wall next to this one has another count."""
     plant = arguments.in_blocks(device, gamma, delta)
 
     def work(al: Array, be: Array, dy: Array, *numbers: Array) -> list[Array]:
-        return [count(Device(*numbers), wall(al, be), dy, principal=True)]
+        found = [
+            count(Device(*numbers), wall(al * (1 + s), be * (1 + t)), dy, principal=True)
+            for s, t in ((0, 0), *product((-_SHAKEN, _SHAKEN), repeat=2))
+        ]
+        same = np.logical_and.reduce([other == found[0] for other in found])
+        return [np.where(same, found[0], -1.0)]
 
     return np.asarray(arguments.in_blocks(work, alpha, beta, delay, *plant)[0])
 
@@ -180,11 +190,13 @@ def unstable_roots(
 
     Dimensionless wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0
     in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
-    ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A root
-    within rounding of the circle may be counted on either side: half a period late and next to an
-    odd number of half swings in a period, hardly damped, that is 1e-7 wide, and the count is that
-    of a ``gamma`` up to a last place away.  -1 is the answer to NaN, and to a wall with
-    ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` (single: 2^-40): their squares vanish.
+    ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A count is
+    that of these very numbers, or -1: where a root is so close to the circle that rounding does
+    not tell on which side, and where squares vanish, as of walls with
+    ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
+    ``0 < max(abs(alpha), gamma) < 2**-400``; of NaN, too.  On the principal sheet it is -1 where
+    a wall some thousand last places away has another one.  Numbers in single precision are
+    computed with in double, where the array's library has it.
 
     Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
     nothing is.  ``torch.compile`` breaks its graph here.
@@ -195,7 +207,7 @@ def unstable_roots(
     [0, 2]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     found = _outside(given, sheet)
     xp = given.xp
     kind = xp.__array_namespace_info__().default_dtypes()["integral"]
@@ -242,14 +254,15 @@ def is_stable(
 
     On the line alpha = -gamma a root lies at 1, an undamped device without a wall keeps on
     swinging, and one that makes whole half swings in a period does so with every wall: none of
-    them is stable, and neither is what is not known: NaN, and a wall so faint that its roots are
-    not counted.
+    them is stable, and neither is what is not known: where the count of unstable roots is -1.  So
+    a loop that is said to be stable is; one that is not said to be may be stable, but only next
+    to the boundary.
 
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
     """
     arguments.one_of("sheet", sheet, SHEETS)
-    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay).in_double()
     return _stable(given, sheet)  # type: ignore[no-any-return]
 
 

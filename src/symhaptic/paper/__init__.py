@@ -9,6 +9,7 @@ computed here and nothing is corrected.  ``propositions`` says what each stateme
 from __future__ import annotations
 
 from symhaptic.paper.claims import CLAIMS
+from symhaptic.paper.claims_compared import CLAIMS_COMPARED
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.figures import FIGURES
 from symhaptic.paper.slips import SLIPS
@@ -16,7 +17,7 @@ from symhaptic.paper.statement import Statement
 from symhaptic.paper.tables import TABLES
 
 STATEMENTS: dict[str, Statement] = {
-    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS, *SLIPS)
+    s.id: s for s in (*EQUATIONS, *TABLES, *FIGURES, *CLAIMS, *CLAIMS_COMPARED, *SLIPS)
 }
 
 __all__ = ["STATEMENTS", "Statement"]

@@ -12,6 +12,3 @@ DAMPED = Rational(1, 50)
 
 RANGES = {gamma: (S.Zero, STIFF), delta: (S.Zero, DAMPED)}
 """Both parameters with the ends of their ranges."""
-
-IN_23 = r"0\le\gamma\le0.001,\ 0\le\delta\le0.02"
-"""The same as LaTeX."""

@@ -8,6 +8,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import NoReturn, TypeAlias
 
 import sympy as sp
@@ -34,9 +35,14 @@ _RELATIONS: dict[str, type] = {
     r"\approx": sp.Eq,
     "<": sp.StrictLessThan,
     ">": sp.StrictGreaterThan,
+    **dict.fromkeys((r"\neq", r"\ne"), sp.Ne),
     **dict.fromkeys((r"\leq", r"\le"), sp.LessThan),
     **dict.fromkeys((r"\geq", r"\ge"), sp.GreaterThan),
 }
+_SIGN = re.compile(
+    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)\b"
+)
+"""What relates two sides, whether it can be read or not."""
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
 _TIMES = {"(": "t", "[": "k"}
@@ -81,6 +87,16 @@ def read(latex: str, notation: Notation = ()) -> Printed:
     return _Reader(latex, notation).line()
 
 
+def signs_of(lines: Iterable[str]) -> list[str]:
+    r"""The relation signs of some LaTeX, in their order.
+
+    >>> signs_of([r"x \ne y", r"0 \leq x < 1"])
+    ['\\\\neq', '\\\\leq', '<']
+    """
+    other = {r"\le": r"\leq", r"\ge": r"\geq", r"\ne": r"\neq", ":=": "="}
+    return [other.get(sign, sign) for line in lines for sign in _SIGN.findall(line)]
+
+
 def _called(latex: str) -> str:
     """A name that a source has, as it is met; :class:`Unreadable` of what is read otherwise."""
     name = _Reader(latex)
@@ -102,7 +118,8 @@ class _Reader:
         self.latex = latex
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
-        squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", latex)
+        squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", " e ", latex)
+        squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", squeezed)
         squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1 ", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
         if rest and not (len(rest) == 1 and rest[0] in ".;" and latex.rstrip().endswith(rest[0])):

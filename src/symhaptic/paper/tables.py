@@ -16,8 +16,6 @@ class Arm:
     """As the table writes them."""
     reference: int
     """Number of the article in the paper's list."""
-    writers: int
-    """How many authors that list gives for it."""
     mass: str
     """m_H in kg."""
     stiffness: str
@@ -29,17 +27,17 @@ class Arm:
 
 
 TABLE_II = (
-    Arm("Daniel et al.", 21, 2, "1", "39.5", "12.6", with_device=True),
-    Arm("Hogan", 17, 1, "0.8", "568", "5.5"),
-    Arm("Kazerooni et al.", 22, 3, "4.54", "12.5", "6.83"),
-    Arm("Kosuge et al.", 23, 3, "1.95", "55", "2.46"),
-    Arm("Kuchenbecker et al.", 24, 3, "0.15", "1000", "7.5"),
-    Arm("Lakatos et al.", 25, 3, "2.79", "345", "33.8"),
-    Arm("Lawrence", 26, 1, "17.51", "175.1", "175.1"),
-    Arm("Lawrence and Chapel", 27, 2, "0.5", "40", "6"),
-    Arm("Lee et al.", 28, 2, "0.15", "7", "0.5"),
-    Arm("Tsuji et al.", 29, 3, "1.8", "199.1", "26.2"),
-    Arm("Yokokohji et al.", 30, 2, "2.0", "10.0", "2.0"),
+    Arm("Daniel et al.", 21, "1", "39.5", "12.6", with_device=True),
+    Arm("Hogan", 17, "0.8", "568", "5.5"),
+    Arm("Kazerooni et al.", 22, "4.54", "12.5", "6.83"),
+    Arm("Kosuge et al.", 23, "1.95", "55", "2.46"),
+    Arm("Kuchenbecker et al.", 24, "0.15", "1000", "7.5"),
+    Arm("Lakatos et al.", 25, "2.79", "345", "33.8"),
+    Arm("Lawrence", 26, "17.51", "175.1", "175.1"),
+    Arm("Lawrence and Chapel", 27, "0.5", "40", "6"),
+    Arm("Lee et al.", 28, "0.15", "7", "0.5"),
+    Arm("Tsuji et al.", 29, "1.8", "199.1", "26.2"),
+    Arm("Yokokohji et al.", 30, "2.0", "10.0", "2.0"),
 )
 
 EXCLUDED = "Kuchenbecker et al."
@@ -54,6 +52,14 @@ TABLES = (
         "Table I",
         "the normalisation rules",
         tuple(row.dimensionless for row in TABLE_I if row.dimensionless is not None),
+        quote="replacing all physical parameters by their dimensionless counterparts (see Table I)",
     ),
-    Statement("tab2", "Table II", "mass, stiffness and damping of human arms in the literature"),
+    Statement(
+        "tab2",
+        "Table II",
+        "mass, stiffness and damping of human arms in the literature",
+        quote="Table II lists several values for mass, stiffness, and damping of human arms that "
+        "were used in literature, comprising various grasps and different directions of "
+        "movement.",
+    ),
 )

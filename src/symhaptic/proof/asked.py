@@ -27,6 +27,8 @@ Ends: TypeAlias = Mapping[sp.Symbol, tuple[object, object]]
 _TO_READ = 20
 """Steps for each part of a formula."""
 
+_SYMBOLS = (sp.Symbol, sp.Dummy)
+
 _DEEP = 100
 """Lists within lists."""
 
@@ -78,7 +80,7 @@ def _known(caller: str, form: Any) -> Any:
         if id(part) in seen:
             continue
         seen.add(id(part))
-        if not _made_here(type(part)):
+        if not _made_here(type(part)) or (part.is_Symbol and type(part) not in _SYMBOLS):
             raise TypeError(
                 f"{caller}: {type(part).__name__} is a class of which nothing is known; "
                 "formulas of SymPy are allowed"
@@ -135,12 +137,15 @@ def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
     """A box with exact ends and forms of its symbols; an error names what is wrong with it."""
     if not isinstance(ends, Mapping):
         raise TypeError(f"{caller}: box: {ends!r} is no mapping of symbols to intervals")
-    for symbol in ends:
-        if not (isinstance(symbol, sp.Symbol) and _made_here(type(symbol))):
+    given = list(ends.items())  # read once: a class of one's own may say something else again
+    for symbol, _ in given:
+        if type(symbol) not in _SYMBOLS:
             raise TypeError(f"{caller}: box: {symbol!r} is no symbol")
-    names = shared(caller, {s for form in forms for s in form.free_symbols} | set(ends))
+    names = shared(
+        caller, {s for form in forms for s in form.free_symbols} | {symbol for symbol, _ in given}
+    )
     box: dict[sp.Symbol, tuple[Expr, Expr]] = {}
-    for written, pair in ends.items():
+    for written, pair in given:
         symbol = names.get(written, written)
         if symbol in box:
             raise ValueError(f"{caller}: box: two intervals for {symbol}; one is allowed")
@@ -158,19 +163,21 @@ def _interval(caller: str, symbol: sp.Symbol, pair: Any) -> tuple[Expr, Expr]:
         raise TypeError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
     if not isinstance(pair, (tuple, list, sp.Tuple)) or len(pair) != 2:
         raise ValueError(f"{caller}: box: {pair!r} of {symbol} is no pair (lower, upper)")
-    for end in pair:
+    ends = tuple(pair)
+    for end in ends:
         if isinstance(end, (str, bytes)):
             raise TypeError(
                 f"{caller}: box: {end!r} of {symbol} is text; an exact real number is allowed, "
                 "such as Rational(1, 10)"
             )
-    low, high = (_end(caller, symbol, end) for end in pair)
+    low, high = (_end(caller, symbol, end) for end in ends)
     if (high - low).is_negative:
         raise ValueError(f"{caller}: box: ({low}, {high}) of {symbol} is empty")
     beyond = (low.is_negative and symbol.is_extended_nonnegative) or (
         high.is_positive and symbol.is_extended_nonpositive
     )
-    if beyond or symbol.is_integer or symbol.is_real is False or symbol.is_antihermitian:
+    unlike = symbol.is_integer or symbol.is_antihermitian or not symbol.is_commutative
+    if beyond or unlike or False in (symbol.is_real, symbol.is_finite):
         raise ValueError(
             f"{caller}: box: ({low}, {high}) has numbers that {symbol} is assumed not to be"
         )

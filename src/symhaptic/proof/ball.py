@@ -19,6 +19,7 @@ from sympy import Expr
 from symhaptic.notation.exact import fraction, from_leading
 from symhaptic.notation.terms import symbols_in
 from symhaptic.proof.normal import Field, is_zero
+from symhaptic.proof.program import CALLS, raised
 from symhaptic.proof.rewriting import Unsupported, conjugated
 
 PRECISIONS = (64, 256, 1024)
@@ -26,23 +27,6 @@ PRECISIONS = (64, 256, 1024)
 
 NARROW = 1e-30
 """The width of a root's ball next to the circle."""
-
-_FUNCTIONS: dict[type, Callable[[acb], acb]] = {
-    sp.exp: lambda x: x.exp(),
-    sp.sin: lambda x: x.sin(),
-    sp.cos: lambda x: x.cos(),
-    sp.tan: lambda x: x.tan(),
-    sp.cot: lambda x: x.cot(),
-    sp.sinh: lambda x: x.sinh(),
-    sp.cosh: lambda x: x.cosh(),
-    sp.tanh: lambda x: x.tanh(),
-    sp.log: lambda x: x.log(),
-    sp.atan: lambda x: x.atan(),
-    sp.Abs: lambda x: acb(abs(x)),
-    sp.re: lambda x: acb(x.real),
-    sp.im: lambda x: acb(x.imag),
-    sp.conjugate: lambda x: acb(x.real, -x.imag),
-}
 
 _CONSTANTS: dict[type, Callable[[], acb]] = {
     type(sp.I): lambda: acb(0, 1),
@@ -95,7 +79,7 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
             return found ** int(power) if power else 0 * found + 1  # of nothing it is nothing
         if power == sp.S.Half:
             return _ball(base, at).sqrt()
-        return _ball(base, at).pow(_ball(power, at))
+        return raised(_ball(base, at), _ball(power, at))
     args = [_ball(a, at) for a in expr.args]
     if kind is sp.Add:
         return sum(args[1:], args[0])
@@ -104,50 +88,41 @@ def _found(expr: Expr, at: dict[Expr, Expr | acb | arb]) -> acb:
         for factor in args[1:]:
             product *= factor
         return product
-    if kind in _FUNCTIONS and len(args) == 1:
-        return _FUNCTIONS[kind](args[0])
+    if kind in CALLS and len(args) == 1:
+        found = CALLS[kind](args[0])
+        assert isinstance(found, acb)
+        return found
     if kind in _CONSTANTS:
         return _CONSTANTS[kind]()
     raise Unsupported(f"no ball for {kind.__name__}: {expr}")
 
 
-def largest_root(
-    polynomial: Expr,
-    at: Mapping[Expr, Expr] | None = None,
-    given: Mapping[Expr, Expr] | None = None,
-    keep: Callable[[acb], bool] = lambda root: True,
-) -> arb:
+def largest_root(polynomial: Expr, keep: Callable[[acb], bool] = lambda root: True) -> arb:
     """A ball that contains the largest modulus of the roots of a polynomial in one symbol.
 
-    Of its roots only those are looked at whose ball is one to ``keep``.
+    Of its roots only those are looked at whose ball is one to ``keep``.  Its coefficients are
+    numbers; python-flint isolates the roots of every polynomial whose coefficients lie in their
+    balls.  Raises :class:`Unsupported` where roots are too close to be told apart.
 
-    Its other symbols have the values ``at``, or stand for expressions ``given`` in them;
-    python-flint isolates the roots of every polynomial whose coefficients lie in their balls.
-    Raises :class:`Unsupported` where roots are too close to be told apart.
-
-    >>> x, y, z = sp.symbols("x y z")
-    >>> bool(largest_root(z**2 - y, {x: 2}, {y: sp.exp(-x)}) < 0.37)
+    >>> z = sp.Symbol("z")
+    >>> bool(largest_root(z**2 - sp.exp(-2)) < 0.37)
     True
     """
-    point, meant = dict(at or {}), dict(given or {})
-    exponents = {s: v for s, v in point.items() if s in polynomial.free_symbols and v.is_Integer}
-    polynomial = polynomial.subs(exponents)
-    variable = sorted(polynomial.free_symbols - {*point, *meant}, key=str)
-    named: dict[Expr, Expr] = {}
-    coefficients = sp.Poly(_by_name(polynomial, set(variable), named), *variable).all_coeffs()
+    variable, named = set(polynomial.free_symbols), dict[Expr, Expr]()
+    coefficients = sp.Poly(_by_name(polynomial, variable, named), *variable).all_coeffs()
     if coefficients == [0]:
         raise Unsupported(f"{polynomial} is zero, and every number a root of it")
-    if all(c.is_Rational for c in coefficients):
+    if not named and all(c.is_Rational for c in coefficients):
         exact = from_leading(coefficients)
         return _largest([abs(root) for root, _ in exact.complex_roots() if keep(root)])
     before, found = ctx.prec, None
     for bits in PRECISIONS:
         ctx.prec = bits
         try:
-            values = {**point, **{s: _ball(v, dict(point)) for s, v in meant.items()}}
-            values |= {name: _ball(v, values) for v, name in named.items()}
+            values: dict[Expr, Expr | acb | arb] = {n: _ball(v, {}) for v, n in named.items()}
             balls = [_ball(c, values) for c in reversed(coefficients)]
-            if balls[-1].contains(0):
+            # SymPy may have cancelled a constant that has no value
+            if balls[-1].contains(0) or not all(_ball(v, values).is_finite() for v in named):
                 continue
             isolated = acb_poly(balls)
             # next to the circle isolated roots are not told from it, narrow ones are

@@ -23,11 +23,9 @@ from symhaptic.proof.budget import size_of
 from symhaptic.proof.certificate import Box, Given, Largest, Positive
 from symhaptic.proof.derivative import derivative
 from symhaptic.proof.points import Point
-from symhaptic.proof.program import Uncheckable, program
+from symhaptic.proof.program import WITHOUT_SERIES, Uncheckable, program
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Unsupported
-from symhaptic.proof.seal import KEY
-from symhaptic.proof.sign import Fact, NotShown, rule
 
 _BITS = 96
 """Working precision."""
@@ -41,8 +39,6 @@ _DEPTH = 160
 _SYMBOLS = 10
 """So many have a digit in a certificate."""
 
-_NOT_ANALYTIC = (sp.Abs, sp.re, sp.im, sp.conjugate)
-
 _WORK = 10_000_000
 """So many operations are done before giving up, whatever the number of pieces."""
 
@@ -55,6 +51,10 @@ Piece = tuple[Interval, ...]
 
 Value = Callable[[Sequence[arb]], arb]
 """Balls of an expression's values, from balls of the box's symbols."""
+
+
+class NotShown(ValueError):
+    """An inequality or a bound that ball arithmetic does not show."""
 
 
 class Exhausted(NotShown):
@@ -82,18 +82,17 @@ class Denied:
     """Whether it may be zero there."""
 
 
-@rule
-def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
-    """``expr > 0`` everywhere in the box; ``given`` finds balls of its other symbols there.
+def positive(expr: Expr, box: Box, given: Given | None = None) -> Positive:
+    """A certificate that ``expr > 0`` on the box; ``given`` finds balls of its other symbols there.
 
     Raises :class:`NotShown` where a piece has a value that is not positive, or where the pieces
-    become too many.  The expression must be so written that balls see its values: an interval may
+    become too many.  The expression must be written so that balls see its values: an interval may
     not meet a division by zero, removable or not, and no root of a negative number; one with an
     imaginary unit is real by its normal form.
 
     >>> x = sp.Symbol("x")
-    >>> positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}).reason
-    'ball arithmetic on 5 pieces'
+    >>> positive(x**2 - x + sp.Rational(1, 2), {x: (0, 1)}).pieces
+    5
     """
     found = search(expr, box, given)
     if found is None:
@@ -101,11 +100,7 @@ def positive(expr: Expr, box: Box, given: Given | None = None) -> Fact:
     if isinstance(found, Denied):
         near = ", ".join(f"{s} = {float(v):.6g}" for s, v in found.point.items())
         raise NotShown(f"{expr} is not positive for {near}")
-    domain = [(s - low, high - s) for s, (low, high) in box.items()]
-    rests = frozenset((sp.sympify(end, strict=True), False) for pair in domain for end in pair)
-    plural = "piece" if found.pieces == 1 else "pieces"
-    reason = f"ball arithmetic on {found.pieces} {plural}"
-    return Fact(found.expr, True, reason, rests, certificates=(found,), key=KEY)
+    return found
 
 
 def search(
@@ -260,7 +255,7 @@ def _slopes(expr: Expr, box: Box, given: Given | None, work: _Work) -> Callable[
     def slopes() -> list[Value]:
         return [_values(derivative(expr, s), box, None, work) for s in box]
 
-    return (lambda: []) if given or expr.has(*_NOT_ANALYTIC) else slopes
+    return (lambda: []) if given or expr.has(*WITHOUT_SERIES) else slopes
 
 
 def _away(piece: Piece, middle: Sequence[arb], slopes: Callable[[], list[Value]]) -> arb:

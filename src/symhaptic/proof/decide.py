@@ -18,7 +18,7 @@ from symhaptic.proof.points import Point, choices, points
 from symhaptic.proof.refute import defines_one, told_apart
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, misfit, parts
-from symhaptic.proof.values import Value, value_at
+from symhaptic.proof.values import value_at
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Comparison:
     how: str | Field
     """In words, or the field in which the difference is zero."""
     point: Point | None = None
-    values: tuple[Value, Value] | None = None
+    """Where they differ; empty where they differ in kind or number."""
 
     @property
     def method(self) -> str:
@@ -104,10 +104,8 @@ def _shown(left: Expr, right: Expr) -> Comparison | None:
         field = Field([left, right])
         if field.are_equal(left, right):
             return Comparison(True, field)
-    except Unsupported as missing:
-        return Comparison(None, str(missing))
-    except Undefined as pole:
-        return Comparison(False, str(pole), {})
+    except (Unsupported, Undefined) as unknown:
+        return Comparison(None, str(unknown))
     return None
 
 
@@ -162,12 +160,11 @@ def _named_field(generators: tuple[Expr, ...]) -> str:
 def _told_apart(left: Expr, right: Expr, anywhere: bool) -> Comparison:
     if isinstance(left, Expr) != isinstance(right, Expr):
         return Comparison(False, "a relation against an expression", {})
-    found = told_apart(left, right)
-    if found is None:
+    point = told_apart(left, right)
+    if point is None:
         outside = _told_apart_outside(left, right) if anywhere else ""
         return Comparison(None, f"neither proved nor told apart{outside}")
-    point, values = found
-    return Comparison(False, "the two sides differ", point, values)
+    return Comparison(False, "the two sides differ", point)
 
 
 def _told_apart_outside(left: Expr, right: Expr) -> str:
@@ -175,8 +172,7 @@ def _told_apart_outside(left: Expr, right: Expr) -> str:
     symbols = left.free_symbols | right.free_symbols
     if all(choices(symbol) == choices(symbol, anywhere=True) for symbol in symbols):
         return ""
-    found = told_apart(left, right, anywhere=True)
-    at = (named(found[0]) if found else None) or {}
+    at = named(told_apart(left, right, anywhere=True)) or {}
     where = ", ".join(f"{name} = {number}" for name, number in at.items())
     return f", but outside the domains of the notation, at {where}" if at else ""
 

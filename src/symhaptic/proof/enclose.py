@@ -14,7 +14,6 @@ from symhaptic.proof.certificate import Largest
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.program import Uncheckable, program
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.sign import NotShown
 
 _LIMIT = 100_000
 """Most digits that may be asked for."""
@@ -89,8 +88,8 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
 
     ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value not below
     ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.  Raises
-    :class:`ValueError` where there is no largest value, or where to find it would need more than
-    so many ``steps`` of arithmetic.
+    :class:`ValueError` where the expression is not defined and real on the whole box, where there
+    is no largest value, or where to find it would need more than so many ``steps`` of arithmetic.
 
     >>> x, y = sp.symbols("x y")
     >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)
@@ -106,7 +105,7 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
         expr = exact("enclose_maximum", "expr", expr)
         inside, (expr,) = box_of("enclose_maximum", box, expr)
         return boxes.maximum(expr, inside, sp.Rational(1, 10**digits), steps=steps)
-    except (Exhausted, NotShown, Unsupported, Uncheckable) as wrong:
+    except (Exhausted, boxes.NotShown, Unsupported, Uncheckable) as wrong:
         raise ValueError(f"enclose_maximum: expr: {wrong}") from wrong
     except RecursionError as deep:
         raise ValueError("enclose_maximum: expr is nested too deeply") from deep

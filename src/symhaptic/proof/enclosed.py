@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import InitVar, dataclass
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import sympy as sp
@@ -12,19 +12,23 @@ from sympy import Expr
 
 from symhaptic.proof.ball import ball, is_real
 from symhaptic.proof.certificate import Certificate, Zero
-from symhaptic.proof.checks import Minimal, confirmed
-from symhaptic.proof.roots import BITS, Algebraic, NoSuchRoot, between_decimals, root_between
-from symhaptic.proof.seal import KEY, Sealed
+from symhaptic.proof.roots import (
+    BITS,
+    Algebraic,
+    NoSuchRoot,
+    between_decimals,
+    is_minimal,
+    root_between,
+)
 
 
 @dataclass(frozen=True)
-class Enclosed(Sealed):
+class Enclosed:
     """A real number in a ball that the package computed, from what it could check."""
 
     ball: arb
     certificates: tuple[Certificate, ...] = ()
     """Of the zeros and signs that the ball rests on."""
-    key: InitVar[object] = None
 
 
 Source: TypeAlias = Expr | Zero | Algebraic | Enclosed
@@ -44,11 +48,11 @@ def enclosed(source: Source) -> Enclosed:
     if isinstance(source, Enclosed):
         return source
     if isinstance(source, Zero):
-        return Enclosed(source.ball, (source,), KEY)
+        return Enclosed(source.ball, (source,))
     if isinstance(source, Algebraic):
-        if not confirmed(Minimal(source)):
+        if not is_minimal(source):
             raise NoSuchRoot(f"{source.minimal} is not shown to be a minimal polynomial")
-        return Enclosed(source.ball, (), KEY)
+        return Enclosed(source.ball, ())
     if isinstance(source, arb):
         raise TypeError(
             f"a bare ball {source.str(5)} shows nothing; give the expression whose value it is, a "
@@ -71,19 +75,19 @@ def value(expr: Expr, at: Mapping[Expr, Source] | None = None) -> Enclosed:
     if not (found.is_finite() and (found.imag.is_zero() or is_real(expr))):
         raise NoSuchRoot(f"{expr} is not shown to be a real number")
     below = {id(c): c for number in known.values() for c in number.certificates}
-    return Enclosed(found.real, tuple(below.values()), KEY)
+    return Enclosed(found.real, tuple(below.values()))
 
 
 def root(polynomial: Expr, lower: Expr, upper: Expr) -> Enclosed:
     """The only root of a rational polynomial between two numbers."""
-    return Enclosed(root_between(polynomial, lower, upper), (), KEY)
+    return Enclosed(root_between(polynomial, lower, upper), ())
 
 
 def sign_change(
     function: Callable[[sp.Rational], arb], lower: Expr, upper: Expr, places: int = 24
 ) -> Enclosed:
     """Two neighbouring decimals between which a continuous function changes its sign."""
-    return Enclosed(between_decimals(function, lower, upper, places), (), KEY)
+    return Enclosed(between_decimals(function, lower, upper, places), ())
 
 
 def given(balls: Mapping[Expr, Enclosed]) -> dict[Expr, arb]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 
 import sympy as sp
 from sympy import Expr
-from sympy.core.function import AppliedUndef
+from sympy.core.function import Application, AppliedUndef
 from sympy.core.relational import Relational
+
+from symhaptic.proof.rewriting import Unsupported
 
 Names = Mapping[sp.Symbol, sp.Symbol]
 """The symbols that another one stands for."""
@@ -51,12 +53,39 @@ def _joined(caller: str, name: str, same: set[sp.Symbol]) -> sp.Symbol:
 
 
 def renamed(form: Expr, names: Names) -> Expr:
-    """An expression or relation with its symbols replaced; a relation stays as it is written."""
-    if not names:
-        return form
-    if isinstance(form, Relational):
-        return form.func(*(side.xreplace(names) for side in form.args), evaluate=False)
-    return form.xreplace(names)
+    """An expression or relation with its symbols replaced, and nothing evaluated.
+
+    >>> x, y = sp.symbols("x y")
+    >>> renamed(sp.Add(1 / x, -1 / y, evaluate=False), {y: x})
+    -1/x + 1/x
+    """
+    return replaced(form, names.get) if names else form
+
+
+def replaced(form: Expr, by: Callable[[Expr], Expr | None]) -> Expr:
+    """A form with parts replaced by what is given for them (None: nothing), not evaluated.
+
+    SymPy would cancel what need not be defined.  Raises :class:`Unsupported` where a part to be
+    replaced stands in something else than a sum, a product, a power, a function or a relation.
+    """
+    known: dict[Expr, Expr] = {}
+
+    def again(part: Expr) -> Expr:
+        if part not in known:
+            new = by(part)
+            if new is None and part.args:
+                inner = tuple(map(again, part.args))
+                if any(one is not other for one, other in zip(inner, part.args, strict=True)):
+                    if not isinstance(part, _WRITTEN):
+                        raise Unsupported(f"{type(part).__name__} is not supported: {part}")
+                    new = part.func(*inner, evaluate=False)
+            known[part] = part if new is None else new
+        return known[part]
+
+    return again(form)
+
+
+_WRITTEN = (sp.Add, sp.Mul, sp.Pow, Application, Relational)
 
 
 def carrying(*forms: Expr) -> str | None:

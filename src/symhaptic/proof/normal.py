@@ -10,6 +10,10 @@ Roots, :math:`j` and roots of unity obey a polynomial relation each.
 A normal form of zero proves the identity wherever both sides are defined.  A normal form
 that is not zero proves nothing by itself: :mod:`symhaptic.proof.decide` then looks for a
 point where the two sides differ.
+
+Everything that is divided by must have an inverse in this ring.  What is zero has none
+(:class:`Undefined`), and neither has what is zero for one value of a root: sqrt(x^2) - x is not
+zero, but its product with sqrt(x^2) + x is (:class:`Unsupported`).
 """
 
 from __future__ import annotations
@@ -69,6 +73,12 @@ class Field:
         self._logs: dict[Expr, Expr] = {}
         self._opaque: dict[Expr, Expr] = {}
         self._exponents: list[Expr] = []
+        self._inside: list[Expr] = []
+        """The same, without the logarithm of a base."""
+        self._divides = False
+        """Whether an exponent has a divisor."""
+        self._divisors: list[fmpq_mpoly] | None = []
+        """Those that are met before all relations are known, and None afterwards."""
         self._turns = False
         """Whether roots of unity are wanted, for j or an exponential."""
         everywhere: set[Expr] = set()
@@ -114,6 +124,7 @@ class Field:
                 raise Unsupported("an exponential inside an exponent")
             exponent = expr.args[0] if expr.args else sp.S.One
             self._exponents.append(exponent)
+            self._inside.append(exponent)
             self._collect(exponent, symbols, None, set())
         elif expr.is_Pow:
             base, power = expr.args
@@ -128,6 +139,7 @@ class Field:
             self._collect(power, symbols, None, set())
             log = self._logs.setdefault(base, sp.Dummy("log"))
             self._exponents.append(power * log)
+            self._inside.append(power)
         elif isinstance(expr, Application):
             _check_commutes(expr)
             if expr.has(*_NO_NUMBERS):
@@ -244,6 +256,7 @@ class Field:
         self._ring = ring = Ring(names)
         ring.small = None if self._small is None else names.index(self._small.variable)
         if self._turns:
+            ring.turn = names.index(self._zeta), self._order
             cyclotomic = fmpz_poly.cyclotomic(self._order).coeffs()
             ring.relate(
                 self._zeta, {i: ring.ctx.constant(fmpq(c)) for i, c in enumerate(cyclotomic) if c}
@@ -253,25 +266,48 @@ class Field:
         for i, (exponent, _) in enumerate(self._basis):
             if exponent in log_of:
                 self._bases[i] = log_of[exponent]
-        for base in self._logs:
-            if self._vanishes(self._image(base, ring, self._exponential)):
-                raise Unsupported(f"a power of {base}, which is zero")
-        for (base, q), radical in self._radicals.items():
-            self._relate_root(radical, self._image(base, ring, self._exponential), q)
+        roots = {root: (base, q) for (base, q), root in self._radicals.items()}
         for i, base in self._bases.items():
             if i in self._generator:
-                image = self._image(base, ring, self._exponential)
-                self._relate_root(self._generator[i], image, denominators[i])
-        self._images.clear()  # a divisor may vanish now that all relations are known
+                roots[self._generator[i]] = base, denominators[i]
+        self._relate_roots(roots)
+        for base in self._logs:
+            image = self._image(base, ring, self._exponential)
+            if ring.reduce(image.num).is_zero():
+                raise Unsupported(f"a power of {base}, which is zero")
+            self._divide(image.num)
+        if self._divides:
+            for exponent in self._inside:
+                self._image(exponent, ring, self._exponential)
+        divisors, self._divisors = self._divisors or [], None
+        for divisor in divisors:
+            self._divide(divisor)
 
-    def _vanishes(self, image: Fractional) -> bool:
-        return bool(self._ring.reduce(image.num).is_zero())
+    def _relate_roots(self, roots: dict[Expr, tuple[Expr, int]]) -> None:
+        """The relation of each root, after those of all roots of which its base is made."""
+        ring = self._ring
+        images = {r: self._image(base, ring, self._exponential) for r, (base, _) in roots.items()}
+        while images:
+            known = [r for r, image in images.items() if not _holds(image, images, ring)]
+            if not known:
+                raise Unsupported("roots that are made of each other")
+            for root in known:
+                image = images.pop(root)
+                if ring.reduce(image.num).is_zero():
+                    ring.relate(root, {1: ring.one})
+                else:
+                    ring.relate(root, {0: -image.num, roots[root][1]: image.den})
 
-    def _relate_root(self, root: Expr, image: Fractional, degree: int) -> None:
-        if self._vanishes(image):
-            self._ring.relate(root, {1: self._ring.one})
+    def _divide(self, divisor: fmpq_mpoly) -> None:
+        """Raise unless a polynomial has an inverse, or put it off until the relations are known."""
+        if self._divisors is not None:
+            self._divisors.append(divisor)
             return
-        self._ring.relate(root, {0: -image.num, degree: image.den})
+        reduced = self.reduced(divisor)
+        if reduced.is_zero():
+            raise Undefined("division by an expression that is identically zero")
+        if not self._ring.invertible(reduced):
+            raise Unsupported("division by an expression that may be zero for one value of a root")
 
     def _exponential(self, exponent: Expr) -> Fractional:
         ring = self._ring
@@ -326,12 +362,14 @@ class Field:
         if expr.is_Pow:
             base, power = expr.args
             if power.is_Integer:
-                return self._power(self._image(base, ring, exponential), int(power), ring)
+                image = self._image(base, ring, exponential)
+                return self._power(image, int(power), ring, exponential is None)
             if power.is_Rational:
                 root = self._radicals.get((base, int(power.q)))
                 if root is None:  # of an exponent that SymPy has written anew
                     raise Unsupported(f"a root that was not met before: {expr}")
-                return self._power(Fractional(ring.gen[root], ring.one), int(power.p), ring)
+                image = Fractional(ring.gen[root], ring.one)
+                return self._power(image, int(power.p), ring, exponential is None)
             if exponential is None:
                 raise Unsupported(f"a symbolic power inside an exponent: {expr}")
             return exponential(power * self._logs[base])
@@ -345,9 +383,14 @@ class Field:
             total = ring.sum(one, moving * total * ring.constant(sp.Rational(1, k)))
         return total
 
-    def _power(self, image: Fractional, n: int, ring: Ring) -> Fractional:
-        if n < 0 and ring.reduce(image.num).is_zero():
-            raise Undefined("division by an expression that is identically zero")
+    def _power(self, image: Fractional, n: int, ring: Ring, inside: bool) -> Fractional:
+        """A power; ``inside`` an exponent of which only the divisors' zeros are looked for here."""
+        if n < 0 and inside:
+            self._divides = True
+            if ring.reduce(image.num).is_zero():
+                raise Undefined("division by an expression that is identically zero")
+        elif n < 0:
+            self._divide(image.num)
         return image**n
 
     def image(self, expr: Expr) -> Fractional:
@@ -360,20 +403,13 @@ class Field:
 
     def is_zero(self, expr: Expr) -> bool:
         """Whether the expression vanishes identically (where it is defined)."""
-        return self._is_zero(self.image(expr))
+        return bool(self.reduced(self.image(expr).num).is_zero())
 
     def are_equal(self, left: Expr, right: Expr) -> bool:
         """Whether two of the field's expressions are the same wherever both are defined."""
         ours, theirs = (self._ring.shortened(self.image(side)) for side in (left, right))
-        return self._is_zero(self._ring.sum(ours, Fractional(-theirs.num, theirs.den)))
-
-    def _is_zero(self, image: Fractional) -> bool:
-        if not self._vanishes(image):
-            return False
-        # where roots are adjoined, a product may vanish of which no factor does
-        if len(self._ring.relations) > 1 and self.reduced(image.den).is_zero():
-            raise Undefined("division by an expression that is identically zero")
-        return True
+        difference = self._ring.sum(ours, Fractional(-theirs.num, theirs.den))
+        return bool(self.reduced(difference.num).is_zero())
 
     def lowest(self, expr: Expr, nonzero: Callable[[Expr], bool]) -> tuple[int, Expr] | None:
         """Order and coefficient of the lowest power of the small variable; None if beyond.
@@ -453,6 +489,12 @@ def _tidied(exponent: Expr) -> Expr:
 def _check_commutes(expr: Expr) -> None:
     if not expr.is_commutative:
         raise Unsupported(f"no normal form for {expr}, which does not commute")
+
+
+def _holds(image: Fractional, names: Iterable[Expr], ring: Ring) -> bool:
+    """Whether a quotient contains one of some generators."""
+    at = [ring.names.index(name) for name in names]
+    return any(poly.degrees()[i] > 0 for poly in (image.num, image.den) for i in at)
 
 
 def _name(symbol: sp.Symbol) -> str:

@@ -47,23 +47,46 @@ def _cot(x: Ball) -> Ball:
 
 
 def _power(x: Ball, y: Ball) -> Ball:
-    return x.pow(y) if isinstance(x, acb) and isinstance(y, acb) else (x.log() * y).exp()
+    if isinstance(x, acb) and isinstance(y, acb):
+        return raised(x, y)
+    return (x.log() * y).exp()
 
 
 def _plain(function: Callable[[acb], acb]) -> Callable[[Ball], Ball]:
-    """A function that has no series."""
+    """A function without a series; it has no value where its argument has none.
+
+    A part of a number may be finite where the number is not, such as the imaginary part of 1/0.
+    """
 
     def apply(x: Ball) -> Ball:
         if not isinstance(x, acb):
             raise Uncheckable("a slope of a function that has none")
-        return function(x)
+        return function(x) if x.is_finite() else acb("nan")
 
     return apply
 
 
-_CALLS: dict[type, Callable[..., Ball]] = {
-    sp.Add: _sum,
-    sp.Mul: _product,
+def raised(base: acb, exponent: acb) -> acb:
+    """A power; Arb says 1 for the power of 0 of 0, and of what has no value."""
+    defined = base.is_finite() and (exponent.real > 0 or not base.contains(0))
+    return base.pow(exponent) if defined else acb("nan")
+
+
+_PLAIN: dict[type, Callable[[Ball], Ball]] = {
+    sp.asin: _plain(lambda x: x.asin()),
+    sp.acos: _plain(lambda x: x.acos()),
+    sp.asinh: _plain(lambda x: x.asinh()),
+    sp.acosh: _plain(lambda x: x.acosh()),
+    sp.atanh: _plain(lambda x: x.atanh()),
+    sp.Abs: _plain(lambda x: acb(abs(x))),
+    sp.re: _plain(lambda x: acb(x.real)),
+    sp.im: _plain(lambda x: acb(x.imag)),
+    sp.conjugate: _plain(lambda x: acb(x.real, -x.imag)),
+}
+WITHOUT_SERIES = tuple(_PLAIN)
+"""Functions of which no slope is computed."""
+
+CALLS: dict[type, Callable[[Ball], Ball]] = {
     sp.exp: lambda x: x.exp(),
     sp.sin: lambda x: x.sin(),
     sp.cos: lambda x: x.cos(),
@@ -74,16 +97,9 @@ _CALLS: dict[type, Callable[..., Ball]] = {
     sp.tanh: _tanh,
     sp.log: lambda x: x.log(),
     sp.atan: lambda x: x.atan(),
-    sp.Abs: _plain(lambda x: acb(abs(x))),
-    sp.re: _plain(lambda x: acb(x.real)),
-    sp.im: _plain(lambda x: acb(x.imag)),
-    sp.conjugate: _plain(lambda x: acb(x.real, -x.imag)),
+    **_PLAIN,
 }
-
-
-def known(function: type) -> bool:
-    """Whether there are balls of a function's values."""
-    return function in _CALLS
+"""Functions of one argument, and what they do with a ball or a series."""
 
 
 def value(number: Expr) -> acb:
@@ -146,13 +162,15 @@ def _operation(part: Expr) -> tuple[Callable[..., Ball], tuple[Expr, ...]]:
     if part is sp.I:
         return (lambda: acb(0, 1)), ()
     if part.is_Pow and part.args[1].is_Integer:
-        power = int(part.args[1])
+        n = int(part.args[1])
         # what has no value has none to the power of 0, of which Arb says 1
-        return (lambda x: x**power) if power else (lambda x: 0 * x + 1), (part.args[0],)
+        return (lambda x: x**n) if n else (lambda x: 0 * x + 1), (part.args[0],)
     if part.is_Pow and part.args[1] == sp.Rational(1, 2):
         return (lambda x: x.sqrt()), (part.args[0],)
     if part.is_Pow:
         return _power, part.args
-    if part.func in _CALLS and (len(part.args) == 1 or part.is_Add or part.is_Mul):
-        return _CALLS[part.func], part.args
+    if part.is_Add or part.is_Mul:
+        return (_sum if part.is_Add else _product), part.args
+    if part.func in CALLS and len(part.args) == 1:
+        return CALLS[part.func], part.args
     raise Uncheckable(f"no program for {type(part).__name__}: {part}")

@@ -6,25 +6,21 @@ from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
-from flint import ctx
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom
 
 from symhaptic.proof import box as boxes
 from symhaptic.proof.asked import Ends, allowed_steps, box_of, form_of, spend_reading
-from symhaptic.proof.ball import is_real
 from symhaptic.proof.budget import STEPS, Exhausted, budget
-from symhaptic.proof.certificate import Box, Positive
+from symhaptic.proof.certificate import Positive
 from symhaptic.proof.decide import compare, named
 from symhaptic.proof.names import admissible, renamed, shared
-from symhaptic.proof.points import Point
-from symhaptic.proof.program import Uncheckable, program, value
+from symhaptic.proof.program import Uncheckable
 from symhaptic.proof.recheck import recheck
-from symhaptic.proof.refute import defined_somewhere
+from symhaptic.proof.refute import truth, where_defined
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.sign import NotShown
 from symhaptic.proof.verdict import Kind, Verdict
 
 
@@ -32,10 +28,11 @@ def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> V
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
     ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
-    are defined, for real values of the symbols and any real exponent; symbols that are called as
-    those of ``symhaptic.notation`` refute in the domains that they have there, such as ``y`` in
-    [0, 1].  ``prove(relation, box)`` takes an inequality and a closed interval for each of its
-    symbols, ``{x: (0, 1)}``; both of its sides must be defined and real on the whole box.
+    are defined, for real values of the symbols and any real exponent, and there is such a point;
+    symbols that are called as those of ``symhaptic.notation`` refute in the domains that they have
+    there, such as ``y`` in [0, 1].  ``prove(relation, box)`` takes an inequality and a closed
+    interval for each of its symbols, ``{x: (0, 1)}``; both of its sides, as they are written, must
+    be defined and real on the whole box, its ends included.
 
     Symbols of one name are one symbol, of which all is assumed that is of any of them.
 
@@ -82,21 +79,20 @@ def _same(lhs: Form, rhs: Form) -> Verdict:
             "allowed, or {x: (0, 1)} with an interval for each symbol"
         )
     spend_reading(*forms)
-    names = shared("prove", {s for form in forms for s in form.free_symbols})
     if any(_complex_part_of_unknown(form) for form in forms):
         return Verdict(Kind.UNDECIDED, "an unknown function need not be real")
-    result = compare(left, right, anywhere=True)
-    if result.equal is None:
-        return Verdict(Kind.UNDECIDED, result.method)
+    names = shared("prove", {s for form in forms for s in form.free_symbols})
+    try:
+        result = compare(left, right, anywhere=True)
+        if result.equal is None:
+            return Verdict(Kind.UNDECIDED, result.method)
+        point = where_defined(*(renamed(form, names) for form in forms), at=result.point)
+    except (Uncheckable, Unsupported) as unknown:
+        return Verdict(Kind.UNDECIDED, str(unknown))
+    if point is None:
+        return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
     if not result.equal:
-        return Verdict(Kind.REFUTED, result.method, counterexample=named(result.point))
-    for pair in zip(parts(left), parts(right), strict=True):
-        try:
-            defined = defined_somewhere(renamed(form, names) for form in pair)
-        except Uncheckable as unknown:
-            return Verdict(Kind.UNDECIDED, str(unknown))
-        if not defined:
-            return Verdict(Kind.UNDECIDED, "no point is found at which both sides are defined")
+        return Verdict(Kind.REFUTED, result.method, counterexample=named(point))
     return Verdict(Kind.PROVED, result.method)
 
 
@@ -123,10 +119,9 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
     if isinstance(relation, (sp.StrictGreaterThan, sp.GreaterThan)):
         smaller, larger = larger, smaller
     difference = larger - smaller
-    sides = (*_cancelled(larger, difference), *_cancelled(-smaller, difference))
     try:
-        found = boxes.search(difference, box, defined=sides, steps=steps)
-    except (Unsupported, NotShown) as wrong:
+        found = boxes.search(difference, box, defined=(smaller, larger), steps=steps)
+    except (Unsupported, boxes.NotShown) as wrong:
         return Verdict(Kind.UNDECIDED, str(wrong))
     if found is None:
         return Verdict(
@@ -138,33 +133,9 @@ def _on_box(relation: Form, ends: Ends, steps: int) -> Verdict:
             return Verdict(Kind.UNDECIDED, "found by balls, and not confirmed when checked again")
         pieces = f"{found.pieces} piece" + ("s" if found.pieces > 1 else "")
         return Verdict(Kind.ENCLOSED, f"ball arithmetic on {pieces}", certificate=found)
-    strict = isinstance(relation, (sp.StrictLessThan, sp.StrictGreaterThan))
-    if found.touches and not strict:
+    if found.touches and isinstance(relation, (sp.LessThan, sp.GreaterThan)):
         return Verdict(Kind.UNDECIDED, "both sides are equal somewhere")
-    if not _denied(smaller, larger, box, found.point, strict):
+    known = all(admissible(symbol, at) for symbol, at in found.point.items())
+    if not known or truth(relation, found.point) is not False:
         return Verdict(Kind.UNDECIDED, "a point seems to deny it, and is not confirmed")
     return Verdict(Kind.REFUTED, "ball arithmetic at a point", counterexample=named(found.point))
-
-
-def _cancelled(side: sp.Expr, difference: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The side, unless it is real by its form, and all its terms stand in the difference, whose
-    balls show them: of what is not real, parts may cancel."""
-    left = sp.Add.make_args(difference)
-    kept = all(term.is_Rational or term in left for term in sp.Add.make_args(side))
-    return () if kept and is_real(side) else (side,)
-
-
-def _denied(smaller: sp.Expr, larger: sp.Expr, box: Box, point: Point, strict: bool) -> bool:
-    """Whether both sides are real at a point of the box, and the larger one not larger."""
-    if not all(admissible(symbol, at) for symbol, at in point.items()):
-        return False
-    symbols = list(box)
-    with ctx.workprec(256):
-        at = [value(point[s]) for s in symbols]
-        try:
-            low, high = (program(side, symbols)(*at) for side in (smaller, larger))
-        except Uncheckable:
-            return False
-        if not all(x.is_finite() and x.imag.contains(0) for x in (low, high)):
-            return False
-        return bool(high.real <= low.real) if strict else bool(high.real < low.real)

@@ -1,52 +1,50 @@
-"""A point at which two forms certainly differ, looked for exactly and confirmed by balls."""
+"""A point at which two forms certainly differ, and one at which all of some forms are defined.
+
+Both are shown by balls of the forms as they are written.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 
 import sympy as sp
 from flint import acb, ctx
 from sympy import Expr
-from sympy.core.function import Application, AppliedUndef
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from symhaptic.notation import SYMBOLS
-from symhaptic.proof.ball import ball, differs_from_zero
-from symhaptic.proof.budget import spend
-from symhaptic.proof.names import admissible
+from symhaptic.proof.ball import ball, is_real
+from symhaptic.proof.budget import size_of, spend
+from symhaptic.proof.names import admissible, replaced
 from symhaptic.proof.points import Point, points
-from symhaptic.proof.program import Uncheckable, known, program, value
+from symhaptic.proof.program import Uncheckable, program, value
 from symhaptic.proof.rewriting import Unsupported, is_complex
-from symhaptic.proof.values import Value, value_at
+from symhaptic.proof.values import value_at
 
 _BITS = (64, 256, 1024, 4096)
+_FEW_BITS = (64, 256)
+"""Precisions at which a form that is defined has a finite ball, unless it is near a pole."""
 
 
-def told_apart(
-    left: Expr, right: Expr, anywhere: bool = False
-) -> tuple[Point, tuple[Value, Value]] | None:
+def told_apart(left: Expr, right: Expr, anywhere: bool = False) -> Point | None:
     """A point where both are defined and certainly differ; an unknown H is tried as H_0 + H_1 x.
 
-    It has what the symbols are assumed to be, and is confirmed by a second routine from the forms
-    as they are written.  Of two definitions of one thing the right sides are told apart.
-    ``anywhere``: at real numbers outside the domains of the notation, too.
+    It has what the symbols are assumed to be.  Of two definitions of one thing the right sides are
+    told apart.  ``anywhere``: at real numbers outside the domains of the notation, too.
 
     >>> x = sp.Symbol("x")
-    >>> told_apart(x < 1, x <= 1)[0]
+    >>> told_apart(x < 1, x <= 1)
     {x: 1}
     """
-    one = defines_one(left, right)
-    found = _differing(left.rhs, right.rhs, anywhere, left.lhs) if one else None
-    if found and not found[0] and isinstance(left.lhs, sp.Symbol):
-        return _solved(left.lhs, found[1])
+    found = None
+    if defines_one(left, right):
+        found = _differing(left.rhs, right.rhs, anywhere, left.lhs)
+        if found == {} and isinstance(left.lhs, sp.Symbol):  # one of two numbers that it may be
+            sides = (left.rhs, right.rhs)
+            return {left.lhs: next(side for side in sides if _may_be(left.lhs, side, {}))}
     return found or _differing(left, right, anywhere)
-
-
-def _solved(symbol: Expr, numbers: tuple[Value, Value]) -> tuple[Point, tuple[Value, Value]] | None:
-    """Where nothing else has to be chosen, one of the two numbers that a symbol is said to be."""
-    number = next(n for n in numbers if _may_have(symbol, n, {}))
-    return ({symbol: number}, numbers) if isinstance(number, Expr) else None
 
 
 def defines_one(left: Expr, right: Expr) -> bool:
@@ -69,164 +67,168 @@ def _variables(expr: Expr) -> list[Expr]:
 
 def _differing(
     left: Expr, right: Expr, anywhere: bool, defined: Expr | None = None
-) -> tuple[Point, tuple[Value, Value]] | None:
+) -> Point | None:
     try:
         left, right = _with_lines(left), _with_lines(right)
-    except Unsupported:
-        return None
-    size = sum(1 for form in (left, right) for _ in sp.preorder_traversal(form))
-    for point in points(left, right, anywhere=anywhere):
-        spend(100 * size)
-        values = differ(left, right, point)
-        if values is None or None in values:
-            continue
-        if defined is not None and not any(_may_have(defined, v, point) for v in values):
-            continue
-        try:
-            if confirmed(left, right, point, values):
-                return point, values
-        except Uncheckable:
-            return None
+        size = size_of(left) + size_of(right)
+        for point in points(left, right, anywhere=anywhere):
+            spend(100 * size)
+            if _differ(left, right, point) and (
+                defined is None or any(_may_be(defined, side, point) for side in (left, right))
+            ):
+                return point
+    except (Uncheckable, Unsupported):
+        pass
     return None
 
 
-def _with_lines(expr: Expr) -> Expr:
-    if isinstance(expr, AppliedUndef):
-        if set(getattr(expr.func, "_kwargs", {})) - {"commutative"}:
-            raise Unsupported(f"{expr}, of which something is assumed")
-        first, second = _line(expr.func)
-        return first + second * sum(_with_lines(a) for a in expr.args)
-    if not expr.args:
-        return expr
-    inner = [_with_lines(a) for a in expr.args]
-    if all(new is old for new, old in zip(inner, expr.args, strict=True)):
-        return expr
-    if isinstance(expr, (Relational, sp.re)):
-        return expr.func(*inner, evaluate=False)
-    return expr.func(*inner)
+def _with_lines(form: Expr) -> Expr:
+    """A form with a line for each unknown function."""
+
+    def line(part: Expr) -> Expr | None:
+        if not isinstance(part, AppliedUndef):
+            return None
+        if set(getattr(part.func, "_kwargs", {})) - {"commutative"}:
+            raise Unsupported(f"something is assumed of {part}")
+        first, second = _coefficients(part.func)
+        arguments = sp.Add(*map(_with_lines, part.args), evaluate=False)
+        return sp.Add(first, sp.Mul(second, arguments, evaluate=False), evaluate=False)
+
+    return replaced(form, line)
 
 
 @cache
-def _line(function: type[Expr]) -> tuple[sp.Dummy, sp.Dummy]:
+def _coefficients(function: type[Expr]) -> tuple[sp.Dummy, sp.Dummy]:
     """Two numbers of which no formula knows, whatever its symbols are called."""
     return sp.Dummy(f"{function.__name__}_0"), sp.Dummy(f"{function.__name__}_1")
 
 
-def _may_have(thing: Expr, number: Value, at: Point) -> bool:
+def _may_be(thing: Expr, side: Expr, at: Point) -> bool:
     """Whether what is defined can be this number or, rational in a complex symbol, all but one."""
-    if not isinstance(number, Expr) or isinstance(thing, AppliedUndef):
+    if isinstance(thing, AppliedUndef):
         return True
     if not isinstance(thing, sp.Symbol):
         return any(sp.cancel(thing.xreplace(at)).has(s) for s in _variables(thing))
     if len(thing.assumptions0) > 1:
-        return admissible(thing, number)
+        number = value_at(side, at)
+        return isinstance(number, Expr) and admissible(thing, number)
     if is_complex(thing):
         return True
-    there = ball(number)
+    there = ball(side, at)
     if not there.imag.contains(0):
         return False
     entry = SYMBOLS.get(thing.name)
     return entry is None or entry.domain == "real" or not bool(there.real < 0)
 
 
-def differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> tuple[Value, Value] | None:
-    """The two values at a point if they are certainly different, else None."""
-    try:
-        ours, theirs = value_at(left, at), value_at(right, at)
-        if ours is None or theirs is None or isinstance(ours, bool) or isinstance(theirs, bool):
-            return (ours, theirs) if ours is not theirs else None
-        return (ours, theirs) if differs_from_zero(ours - theirs) else None
-    except Unsupported:
-        return None
+def differs(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> bool:
+    """Whether two forms certainly differ at a point where both are defined.
 
-
-# -- the second routine ----------------------------------------------------------------
-
-
-def confirmed(
-    left: Expr, right: Expr, at: Mapping[Expr, Expr], values: tuple[Value, Value]
-) -> bool:
-    """Whether balls of the forms as they are written agree that they differ at a point.
-
-    All sides must be defined.  Balls may only not contradict what is known of relations, for that
-    two numbers are equal is not seen by balls but known from the normal form.
+    Two numbers differ if their balls do, by both routines that compute them; two relations if one
+    is true and the other is not.
     """
+    try:
+        return _differ(left, right, at)
+    except (Uncheckable, Unsupported):
+        return False
+
+
+def _differ(left: Expr, right: Expr, at: Mapping[Expr, Expr]) -> bool:
+    """The same; raises :class:`Uncheckable` for a function without balls."""
+    if isinstance(left, Relational) or isinstance(right, Relational):
+        truths = (truth(form, at) for form in (left, right))
+        return set(truths) == {True, False}
     if not (isinstance(left, Expr) and isinstance(right, Expr)):
-        pairs = zip(values, (left, right), strict=True)
-        return all(truth in _truths(form, at) for truth, form in pairs)
+        return {left, right} == {sp.true, sp.false}
     for bits in _BITS:
         with ctx.workprec(bits):
             ours, theirs = _number(left, at), _number(right, at)
-            difference = ours - theirs
-            if difference.is_finite() and not difference.contains(acb(0)):
-                return True
+            if ours.is_finite() and theirs.is_finite() and not ours.overlaps(theirs):
+                return not ball(left, at, bits).overlaps(ball(right, at, bits))
+            if bits > _FEW_BITS[0] and not (ours.is_finite() and theirs.is_finite()):
+                return False
     return False
 
 
-def defined_somewhere(forms: Iterable[Expr]) -> bool:
-    """Whether a point is found at which all sides of some forms are defined.
+def truth(form: Expr, at: Mapping[Expr, Expr]) -> bool | None:
+    """The truth of a relation at a point; None where a side is undefined, or it is not known.
 
-    Functions that balls do not know are taken for defined.
+    That two sides are equal is not seen by balls but known from the normal form.  Raises
+    :class:`Uncheckable` for a function without balls.
 
     >>> x = sp.Symbol("x")
-    >>> defined_somewhere([1/x]), defined_somewhere([1/sp.Add(x, -x, evaluate=False)])
-    (True, False)
+    >>> truth(x < 1, {x: sp.S.One}), truth(1 / x < 1, {x: sp.S.Zero}) is None
+    (False, True)
     """
-    each = (form.args if isinstance(form, Relational) else (form,) for form in forms)
-    sides = [_without_unknown(side) for pair in each for side in pair if isinstance(side, Expr)]
-    size = sum(1 for side in sides for _ in sp.preorder_traversal(side))
-    for point in points(*sides):
-        spend(10 * size)
-        for bits in _BITS[:2]:
-            with ctx.workprec(bits):
-                if all(_number(side, point).is_finite() for side in sides):
-                    return True
-    return False
+    if form in (sp.true, sp.false):
+        return bool(form)
+    if not isinstance(form, Relational):
+        return None
+    equation, defined = isinstance(form, (sp.Eq, sp.Ne)), False
+    for left, right in _balls(form.args, at, _FEW_BITS):
+        defined = True
+        if equation and not left.overlaps(right):
+            return isinstance(form, sp.Ne)
+        if not equation:
+            if not _real(form.args, (left, right)):
+                return None
+            if left.real < right.real or left.real > right.real:
+                return bool(form.func(int(left.real > right.real), int(left.real < right.real)))
+    try:
+        known = value_at(form, at) if defined else None
+    except Unsupported:
+        return None
+    return known if isinstance(known, bool) else None
 
 
-def _without_unknown(expr: Expr) -> Expr:
-    if isinstance(expr, Application) and not known(expr.func):
-        return sp.Dummy()
-    if not expr.args:
-        return expr
-    inner = [_without_unknown(a) for a in expr.args]
-    if all(new is old for new, old in zip(inner, expr.args, strict=True)):
-        return expr
-    return expr.func(*inner, evaluate=False)
+def _balls(
+    sides: Iterable[Expr], at: Mapping[Expr, Expr], precisions: Iterable[int]
+) -> Iterator[list[acb]]:
+    """Balls of all sides at a point, at each precision at which all are finite."""
+    sides = list(sides)
+    for bits in precisions:
+        with ctx.workprec(bits):
+            found = [_number(side, at) for side in sides]
+        if all(number.is_finite() for number in found):
+            yield found
+
+
+def _real(sides: Iterable[Expr], numbers: Iterable[acb]) -> bool:
+    """Whether numbers are shown to be real."""
+    pairs = zip(sides, numbers, strict=True)
+    return all(x.imag.is_zero() or (x.imag.contains(0) and is_real(side)) for side, x in pairs)
 
 
 def _number(expr: Expr, at: Mapping[Expr, Expr]) -> acb:
     symbols = sorted(expr.free_symbols, key=str)
+    if not at.keys() >= set(symbols):
+        raise Uncheckable(f"not every symbol of {expr} has a value")
     found: acb = program(expr, symbols)(*(value(at[s]) for s in symbols))
     return found
 
 
-def _truths(form: Expr, at: Mapping[Expr, Expr]) -> set[bool]:
-    """The truth values that a relation can have at a point; none where it is not defined."""
-    if not isinstance(form, Relational):
-        return {bool(form)} if form in (sp.true, sp.false) else set()
-    possible: set[bool] = set()
-    for bits in _BITS:
-        with ctx.workprec(bits):
-            sides = [_number(side, at) for side in form.args]
-        if not all(side.is_finite() for side in sides):
-            continue
-        if isinstance(form, (sp.Eq, sp.Ne)):
-            unlike = isinstance(form, sp.Ne)
-            possible = {unlike} if not sides[0].overlaps(sides[1]) else {True, False}
-        else:
-            if not all(side.imag.contains(0) for side in sides):
-                return set()
-            possible = _orders(form, sides[0], sides[1])
-        if len(possible) == 1:
-            break
-    return possible
+def where_defined(*forms: Expr, at: Point | None = None) -> Point | None:
+    """A point at which all sides of some forms are defined, those of an inequality real.
 
+    Some symbols have values already (``at``).  Raises :class:`Uncheckable` or
+    :class:`Unsupported` for a function without balls.
 
-def _orders(form: Relational, left: acb, right: acb) -> set[bool]:
-    upwards = isinstance(form, (sp.StrictLessThan, sp.LessThan))
-    if left.real < right.real:
-        return {upwards}
-    if left.real > right.real:
-        return {not upwards}
-    return {True, False}
+    >>> x = sp.Symbol("x")
+    >>> where_defined(1 / x), where_defined(1 / sp.Add(x, -x, evaluate=False))
+    ({x: 1}, None)
+    """
+    known, sides, ordered = at or {}, list[Expr](), list[Expr]()
+    for form in forms:
+        placed = replaced(_with_lines(form), known.get)
+        both = placed.args if isinstance(placed, Relational) else (placed,)
+        sides += (side for side in both if isinstance(side, Expr))
+        if isinstance(placed, Relational) and not isinstance(placed, (sp.Eq, sp.Ne)):
+            ordered += both
+    size = sum(map(size_of, sides))
+    for point in points(*sides):
+        spend(10 * size)
+        for numbers in _balls(sides, point, _FEW_BITS):
+            found = dict(zip(sides, numbers, strict=True))
+            if _real(ordered, [found[side] for side in ordered]):
+                return {**known, **point}
+    return None

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-from math import comb
+from math import comb, prod
 
 import sympy as sp
-from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx, nmod_mpoly, nmod_mpoly_ctx
 from sympy import Expr
 
 from symhaptic.notation.exact import fraction
@@ -75,6 +76,8 @@ class Ring:
         """A power of a generator, and the number that it is by its relation."""
         self.small: int | None = None
         """Index of the variable in which polynomials are cut off, in a series."""
+        self.turn: tuple[int, int] | None = None
+        """Index and order of the root of unity, if there is one."""
 
     def sum(self, left: Fractional, right: Fractional) -> Fractional:
         """Over a common divisor; in a series nothing that vanishes with the variable is shared,
@@ -210,3 +213,84 @@ class Ring:
             rest = (*monomial[:index], 0, *monomial[index + 1 :])
             split.setdefault(int(monomial[index]), {})[rest] = value
         return {power: self.ctx.from_dict(part) for power, part in split.items()}
+
+    # -- zero divisors ------------------------------------------------------------------
+
+    def invertible(self, poly: fmpq_mpoly) -> bool:
+        """Whether a reduced polynomial is shown to have an inverse modulo the relations.
+
+        A relation such as w^2 = x^2 has a reducible polynomial: w - x is not zero, and
+        (w - x)(w + x) is.  A polynomial has an inverse if its norm is not zero.  The norm is
+        computed modulo a prime, with numbers for the generators without a relation: what is not
+        zero there is not zero.  False where there are too many roots for that.
+        """
+        roots = [(i, r) for i, r in self.relations if self.turn is None or i != self.turn[0]]
+        used, left = set[int](), [poly]
+        for part in left:
+            new = {i for i, _ in roots if part.degrees()[i] > 0} - used
+            used |= new
+            left += (c for i, relation in roots if i in new for c in relation.values())
+        relations = [(i, relation) for i, relation in roots if i in used]
+        if poly.is_zero() or not relations:
+            return not poly.is_zero()
+        if prod(max(relation) for _, relation in relations) > _LARGEST:
+            return False
+        divisors = [poly, *(relation[max(relation)] for _, relation in relations)]
+        try:
+            return any(
+                all(self._norm(d, relations, random.Random(seed)) for d in divisors)
+                for seed in range(2)
+            )
+        except ValueError:  # a denominator is zero modulo the prime
+            return False
+
+    def _norm(
+        self,
+        poly: fmpq_mpoly,
+        relations: list[tuple[int, dict[int, fmpq_mpoly]]],
+        dice: random.Random,
+    ) -> bool:
+        """Whether the norm over the roots is not zero for some numbers."""
+        prime, turn = _prime(self.turn[1] if self.turn else 1)
+        numbers = [dice.randrange(2, prime) for _ in self.names]
+        if self.turn:
+            numbers[self.turn[0]] = turn
+        place = {i: k for k, (i, _) in enumerate(relations)}
+        roots = nmod_mpoly_ctx.get(("w", len(relations)), modulus=prime, ordering="lex")
+
+        def at(poly: fmpq_mpoly) -> nmod_mpoly:
+            found: dict[tuple[int, ...], int] = {}
+            for monomial, value in poly.to_dict().items():
+                number, powers = int(value.p) * pow(int(value.q), -1, prime), [0] * len(place)
+                for i, n in enumerate(monomial):
+                    if i in place:
+                        powers[place[i]] = int(n)
+                    elif n:
+                        number = number * pow(numbers[i], int(n), prime) % prime
+                found[tuple(powers)] = (found.get(tuple(powers), 0) + number) % prime
+            return roots.from_dict(found)
+
+        norm = at(poly)
+        for i, relation in reversed(relations):
+            spend(_DIGIT * (1 + len(norm)))
+            root = roots.gen(place[i])
+            modulus = sum((at(c) * root**n for n, c in relation.items()), roots.constant(0))
+            norm = modulus.resultant(norm, place[i])
+        return not norm.is_zero()
+
+
+_LARGEST = 64
+"""Zero divisors are looked for in extensions up to this degree."""
+
+
+@cache
+def _prime(order: int) -> tuple[int, int]:
+    """A prime number of 62 bits, and a root of unity of this order modulo it."""
+    prime = 2**61 // order * order + 1
+    while not sp.isprime(prime):
+        prime += order
+    for base in range(2, prime):
+        root = pow(base, (prime - 1) // order, prime)
+        if all(pow(root, order // factor, prime) != 1 for factor in sp.primefactors(order)):
+            return prime, root
+    raise AssertionError("a prime number has primitive roots")

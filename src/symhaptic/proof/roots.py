@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 
 import sympy as sp
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq_mat, fmpq_poly, fmpz_poly
@@ -252,3 +253,22 @@ def between_decimals(
             if value(ends[0]) * value(ends[1]) < 0:
                 return ball(ends[0], None, BITS).real.union(ball(ends[1], None, BITS).real)
     raise NoSuchRoot(f"no neighbouring decimals with opposite signs from {lower} and {upper}")
+
+
+def is_minimal(number: Algebraic) -> bool:
+    """Whether a number's polynomial is irreducible, and it is the smallest positive root."""
+    polynomial = rational_polynomial(number.minimal)
+    if [count for _, count in polynomial.factor()[1]] != [1]:
+        return False
+    with ctx.workprec(BITS):
+        roots = [r.real for r, _ in polynomial.complex_roots() if r.imag.is_zero()]
+    found = [r for r in roots if r > 0 and not r > number.ball]
+    return len(found) == 1 and bool(found[0].overlaps(number.ball))
+
+
+def begins_with(value: arb, text: str) -> bool:
+    """Whether the decimals of a number begin with this text, by the ball around it."""
+    unit = Decimal(1).scaleb(int(Decimal(text).as_tuple().exponent))
+    with ctx.workprec(BITS):
+        lower, upper = arb(text), arb(str(Decimal(text) + unit))
+        return bool(value >= lower.lower() and value < upper.upper())

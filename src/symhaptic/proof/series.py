@@ -55,7 +55,12 @@ def _lowest_term(expr: Expr, variable: sp.Symbol, at: Expr) -> tuple[int, Expr]:
     moved = as_exponentials(sp.sympify(expr, strict=True))
     moved = moved if at == 0 else moved.xreplace({variable: at + eps})
     for order in ORDERS:
-        found = Field([moved, eps], Small(eps, order)).lowest(moved, _nonzero)
+        try:
+            found = Field([moved, eps], Small(eps, order)).lowest(moved, _nonzero)
+        except Undefined:  # a divisor may begin with a higher power
+            if order == ORDERS[-1]:
+                raise
+            continue
         if found is not None:
             return found
     raise Unsupported(f"no leading term up to order {ORDERS[-1]} in {variable}")

@@ -7,8 +7,9 @@ from typing import TypeAlias
 
 import sympy as sp
 from sympy import Expr
-from sympy.core.function import Application
+from sympy.core.function import AppliedUndef
 
+from symhaptic.notation.terms import FUNCTIONS
 from symhaptic.proof.ball import differs_from_zero, sign
 from symhaptic.proof.budget import size_of, spend
 from symhaptic.proof.normal import Field, is_zero
@@ -57,8 +58,8 @@ _TO_EVALUATE = 100
 """Steps for each part of a number that a function is of: SymPy works out its decimals and sign."""
 
 
-_PLACED = (sp.Add, sp.Mul, sp.Pow, Application, sp.core.relational.Relational, sp.Tuple)
-"""Whose symbols are all replaced by numbers."""
+_PLACED = (sp.Add, sp.Mul, sp.Pow, *FUNCTIONS, AppliedUndef)
+"""Whose symbols are replaced by numbers."""
 
 
 def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
@@ -67,8 +68,9 @@ def _placed(expr: Expr, at: Mapping[Expr, Expr]) -> Expr:
         return sp.sympify(at[expr], strict=True)
     if not expr.args:
         return expr
-    if not isinstance(expr, _PLACED):  # a derivative, an integral: by what, must stay a symbol
-        raise Unsupported(f"no value for {type(expr).__name__}: {expr}")
+    # of other functions SymPy takes long; of a derivative it must stay a symbol by what it is
+    if not isinstance(expr, _PLACED):
+        raise Unsupported(f"no exact value of {type(expr).__name__}: {expr}")
     args = [_placed(a, at) for a in expr.args]
     if expr.is_Pow:
         base, power = args

@@ -1,12 +1,13 @@
-"""m = m_D + m_H, b = b_D + b_H, k = k_H: arms that hold a device, by (2) of the paper."""
+"""m = m_D + m_H, b = b_D + b_H, k = k_H: a device coupled to an arm, by (2) of the paper."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, TypeAlias
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from symhaptic.notation.quantities import decimal, number, shown
+from symhaptic.notation.quantities import decimal, nearest, number, shown
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
 
 @dataclass(frozen=True, kw_only=True)
 class Arm:
-    """An arm as mass, damper and spring, (2): it adds to a device what it is.
+    """Mass-spring-damper model of the arm that holds the device, eq. (2).
 
     =============  ============  =====  ====
     ``mass``       m_H           kg     >= 0
@@ -65,6 +66,11 @@ class Arm:
             with_device=row.with_device,
         )
 
+    def __str__(self) -> str:
+        """In words, with units."""
+        said = f"{self.mass:g} kg, {self.damping:g} Ns/m, {self.stiffness:g} N/m"
+        return f"{said}, measured with its device" if self.with_device else said
+
     @staticmethod
     def names() -> list[str]:
         """The authors of the rows of Table II.
@@ -77,18 +83,56 @@ class Arm:
         return [row.authors for row in TABLE_II]
 
 
-def held_by(scene: Scene, arm: Arm) -> Scene:
-    """The loop with an arm that holds the device, (2)."""
+def checked(arm: Any) -> Arm:
+    """The argument, which has to be an :class:`Arm`."""
     if not isinstance(arm, Arm):
         raise ValueError(f"arm: {shown(arm)} is not allowed; an Arm is")
-    sums = {
-        name: float(
-            decimal(getattr(arm, name))
-            + (0 if arm.with_device else decimal(getattr(scene, name) or 0))
+    return arm
+
+
+def held_by(scene: Scene, arm: Arm) -> Scene:
+    """The same device, coupled to an arm."""
+    if scene.arm is not None:
+        raise ValueError(
+            f"arm: {shown(arm)} beside {scene.arm!r} is not allowed; "
+            "scene.device.held_by(...) couples the device to another arm"
         )
-        for name in UNITS
-    }
-    return replace(scene, **sums)
+    return replace(scene, arm=checked(arm))
+
+
+class Coupled(NamedTuple):
+    """Device and arm together, (2): the sums of their masses, dampings and stiffnesses."""
+
+    mass: float
+    """m in kg."""
+    damping: float | None
+    """b in Ns/m; ``None`` if neither has a damper."""
+    stiffness: float | None
+    """k in N/m; ``None`` if neither has a spring."""
+
+
+def coupled(scene: Scene) -> Coupled:
+    """Mass, damping and stiffness that count for stability, (2).
+
+    An arm that was measured together with its device takes the device's place.
+    """
+    if scene.arm is None:
+        return Coupled(scene.mass, scene.damping, scene.stiffness)
+    return Coupled(*(added(scene.arm, name, getattr(scene, name)) for name in UNITS))
+
+
+def added(arm: Arm, name: str, own: float | None) -> float:
+    """The device's ``own`` mass, damping or stiffness and the arm's, summed as decimals."""
+    of_device = Fraction(0) if arm.with_device else decimal(own or 0)
+    return nearest(decimal(getattr(arm, name)) + of_device)
+
+
+def together(scene: Scene) -> Scene:
+    """The loop of device and arm as one mass, damper and spring.
+
+    Only stability may be asked of it: passivity would count the arm's damping.
+    """
+    return scene if scene.arm is None else replace(scene.device, **coupled(scene)._asdict())
 
 
 Range: TypeAlias = float | tuple[float, float]
@@ -100,7 +144,7 @@ _HEAVIEST = 23.0
 
 @dataclass(frozen=True, kw_only=True)
 class ArmRange:
-    """All arms between two: a number, or (lowest, highest), for each of their parts.
+    """Range of arms: a number, or (lowest, highest), for each parameter.
 
     ======================  ================  =======  =====================================
     ``mass``                m_H               kg       0 to 23, the heaviest of Table II + 30 %

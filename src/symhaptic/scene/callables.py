@@ -8,6 +8,7 @@ from inspect import Parameter, Signature
 from typing import Any
 
 import mpmath
+import numpy as np
 import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.relational import Relational
@@ -16,12 +17,15 @@ from sympy.logic.boolalg import Boolean
 from symhaptic.export import request
 from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
-from symhaptic.forms.derivatives import with_derivatives
+from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
-from symhaptic.forms.stable import STATEMENTS, Form, NoForm
+from symhaptic.forms.stable import AS_DERIVED, STATEMENTS, Form, NoForm
+from symhaptic.forms.stable import form as stable_form
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
+from symhaptic.notation import d
 from symhaptic.notation.suggest import suggested
+from symhaptic.numeric import slopes
 from symhaptic.numeric.containers import kept
 from symhaptic.scene.scene import Scene
 
@@ -36,25 +40,50 @@ def lambdify(
     scene: Scene | Parts | str | None = None,
     derivatives: Sequence[str] | str = (),
 ) -> Callable[..., Any]:
-    """A function of numbers from a formula.
+    """Return a function of numbers for a formula.
 
-    ``id`` is that of a formula of the paper with a stable form, such as ``"eq11"``, or the name of
-    a function that `symhaptic export --list` prints.  ``form`` is ``"stable"``, which keeps its
-    digits everywhere, or ``"derived"`` or ``"printed"``, SymPy's own lambdify of these.
-    ``modules`` is numpy, jax, torch or cupy, for arrays of these libraries (and xarray, Dask,
-    pandas and Pint, which come back as such), or mpmath, which gives as many digits as
-    ``mpmath.mp.dps`` says.  ``jax.vmap`` maps them; ``torch.vmap`` cannot, since NaN is looked for,
-    and arrays that are broadcast do the same.  ``scene`` leaves arguments out, as a :class:`Scene`
-    or in the words of the command line (``"no-stiffness,no-delay"``).  The arguments of a stable
-    form are dimensionless and in the order that `--list` prints; those of the others are in
-    the order of their names.  ``derivatives`` names arguments of a stable form: after its results
-    come their derivatives with respect to the first of these, then to the next.  Returns one number
-    or a tuple; ``"is_stable"`` a truth value.  Outside the domain numbers are NaN, the count
-    ``"unstable_roots"`` is -1, and nothing is stable.  It can be pickled; another process makes it
-    anew.
+    Parameters
+    ----------
+    id : str
+        A formula of the paper that has a stable form, such as ``"eq11"``, or the name of a function
+        that ``symhaptic export --list`` prints.  (7), (9), (12) and (24) are computed in the
+        dimensionless parameters of Table I, as (27), (25), (14) and (25): K = alpha m/T^2,
+        B = beta m/T.  (31) is its derived form in SI units: T in s, b in Ns/m, m in kg.
+    form : {"stable", "derived", "printed"}, optional
+        ``"stable"`` keeps its digits everywhere.  The other two are SymPy's own lambdify of the
+        derived and the published formula.
+    modules : {"numpy", "jax", "torch", "cupy", "mpmath"}, optional
+        The library of the arrays; arrays of xarray, Dask, pandas and Pint come back as such.
+        ``"mpmath"`` returns as many digits as ``mpmath.mp.dps`` says.
+    scene : Scene, Parts or str, optional
+        Leaves out the arguments that the scene does not have; a string is written as on the command
+        line (``"no-stiffness,no-delay"``).  If a scene has an arm, gamma and delta of stability are
+        those of device and arm together (``scene.dimensionless``), and delta of passivity is that
+        of the device alone (``scene.device.dimensionless``).
+    derivatives : sequence of str, optional
+        Arguments of a stable form.  Its results are followed by their derivatives with respect to
+        the first of these, then to the next.
 
-    Raises :class:`ValueError` for what is not known, or not in the scene.
+    Returns
+    -------
+    callable
+        A function that returns one number or a tuple; ``"is_stable"`` returns a truth value.  The
+        arguments of a stable form are dimensionless and in the order that ``--list`` prints, those
+        of the other forms in the order of their names.  Outside the domain numbers are NaN, the
+        count ``"unstable_roots"`` is -1, and nothing is stable.
 
+    Raises
+    ------
+    ValueError
+        If an argument is not known, or if the scene lacks a part of the formula.
+
+    Notes
+    -----
+    The function can be pickled; another process builds it again.  ``jax.vmap`` maps it.
+    ``torch.vmap`` cannot, because the function looks for NaN; arrays that broadcast do the same.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> stiffest = lambdify("eq11")
     >>> alpha, beta, theta = stiffest(1.0, np.array([0.0, 1.0]))
@@ -62,6 +91,8 @@ def lambdify(
     [2.0, 0.828427]
     >>> [float(x) for x in lambdify("discretize", scene=Parts(stiffness=False))(0.0)]
     [0.5, 0.5, 2.0, 1.0]
+    >>> round(lambdify("eq31")(0.001, 0.0, 0.1))  # T, b, m; in N/m
+    986960
     >>> alpha, alpha_by_d = lambdify("linear_limit", derivatives=["d"])(0.0, 1.0, 1.5)
     >>> float(alpha), float(alpha_by_d)
     (0.5, -0.25)
@@ -71,6 +102,8 @@ def lambdify(
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
+    if form == "stable" and id in AS_DERIVED and scene is None and not derivatives:
+        form = "derived"
     if form != "stable":
         if derivatives:
             raise ValueError(
@@ -82,6 +115,9 @@ def lambdify(
     parts = _parts(scene)
     try:
         (wanted,) = request.chosen([id], parts)
+        if isinstance(scene, Scene) and "passiv" in wanted.name:
+            parts = scene.device.parts
+            (wanted,) = request.chosen([id], parts)
     except Refused as wrong:
         raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
     if not isinstance(derivatives, Sequence | None):
@@ -133,8 +169,54 @@ def _on_arrays(form: Form, asked: tuple[Any, ...]) -> _Lambdified:
     _, files = request.built(TARGETS["numpy"], [form], "callables", vectors=False)
     space: dict[str, Any] = {}  # of no name: Torch's compiler would import a module of this name
     exec(compile(files["callables.py"], f"<{form.name}>", "exec"), space)
+    function = space[form.name]
+    if (form.plain or form).name in SEARCHES:
+        results = tuple(name for name, _ in form.results)
+        function = slopes.in_jax(results, *_slopes(form))(function)
     around = kept(None, True, **{name: float for name, _ in form.results})
-    return _Lambdified.of(around(space[form.name]), asked)
+    return _Lambdified.of(around(function), asked)
+
+
+SEARCHES = "max_stable_stiffness", "max_passive_stiffness", "passivity_margin", "passivity_boundary"
+"""Forms that search for an angle, through which JAX cannot differentiate."""
+
+
+def _slopes(form: Form) -> tuple[tuple[str, ...], slopes.Slopes | None]:
+    """The arguments by which JAX may differentiate a form that searches, and the derivatives."""
+    if form.plain is not None:
+        return (), None
+    if form.name == "max_passive_stiffness" and d in form.arguments:
+        return ("delta", "d"), partial(_of_passive_stiffness, form)
+    return differentiable(form), partial(_derivatives, form)
+
+
+def _derivatives(form: Form, *values: Any) -> dict[tuple[str, str], Any]:
+    """The derivatives of a form, by the names of its results and of its arguments.
+
+    An angle that is searched for is held, by the envelope theorem.
+    """
+    wanted = with_derivatives(form, differentiable(form))
+    shape = np.broadcast_shapes(*(v.shape for v in values))
+    function = _on_arrays(wanted, ())
+    rows = function(*(np.broadcast_to(v, shape) for v in values))
+    names = (name.partition("_by_") for name, _ in wanted.results)
+    return {(one, by): np.asarray(row) for (one, _, by), row in zip(names, rows, strict=True)}
+
+
+def _of_passive_stiffness(form: Form, delta: Any, delay: Any) -> dict[tuple[str, str], Any]:
+    """The derivatives of the largest passive stiffness.
+
+    At the wall of largest stiffness the margin m(alpha, beta, d) is 0 and does not change with
+    beta, so that alpha changes with the delay by -m_d/m_alpha.  NaN without delay, where every
+    angle is a worst one.
+    """
+    found = _derivatives(form, delta, delay)
+    margin = _derivatives(
+        stable_form("passivity_margin"), found["alpha", ""], found["beta", ""], delta, delay
+    )
+    slope = -margin["margin", "d"] / margin["margin", "alpha"]
+    found["alpha", "d"] = np.where(delay == 0, np.nan, slope)
+    return found
 
 
 def _in_digits(form: Form, asked: tuple[Any, ...]) -> _Lambdified:

@@ -30,7 +30,7 @@ UNITS: dict[str, dict[str, float]] = {
 MOVED = {"mass": "kg", "damping": "Ns/m", "stiffness": "N/m"}
 SCHEMA: dict[str, dict[str, str]] = {
     "": {**MOVED, "sampling_period": "s", "delay": "s", "delay_samples": ""},
-    "arm": MOVED,
+    "arm": {**MOVED, "with_device": "true or false"},
     "arms": {**MOVED, "damping_per_mass": "1/s", "stiffness_per_mass": "1/s^2"},
     "wall": {"K": "N/m", "B": "Ns/m"},
 }
@@ -42,6 +42,9 @@ NAMED = {"": "device", "arm": "name"}
 RANGED = "arms"
 """The table whose numbers may be pairs, the lowest and the highest."""
 
+_LARGEST = 2**20
+"""Characters of a device file; ``/dev/full`` and the like have no end."""
+
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 
 
@@ -51,12 +54,9 @@ class BadDevice(ValueError):
 
 @dataclass(frozen=True)
 class Device:
-    """What a device file says: the loop with the arm, that of the device alone, and a wall."""
+    """The contents of a device file: the loop with its arm, a wall, and a range of arms."""
 
-    held: Scene
-    """Device and arm together, (2): the loop that has to be stable."""
-    alone: Scene
-    """The device alone, (3): the loop that has to be passive."""
+    scene: Scene
     wall: tuple[float, float] | None
     """K and B."""
     arms: ArmRange | None
@@ -70,12 +70,17 @@ def read(path: Path) -> Device:
     numbers with another unit, and for values that a :class:`Scene` refuses.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        with path.open(encoding="utf-8-sig") as file:
+            text = file.read(_LARGEST + 1)
+        if len(text) > _LARGEST:
+            raise BadDevice(f"{path}: has more than {_LARGEST} characters; give a device file")
         data = tomllib.loads(text)
     except (OSError, UnicodeDecodeError) as wrong:
         raise BadDevice(f"{path}: cannot be read ({wrong})") from None
     except RecursionError:
         raise BadDevice(f"{path}: is nested too deeply") from None
+    except BadDevice:
+        raise
     except ValueError as wrong:  # no TOML, or a whole number of more digits than Python reads
         raise BadDevice(f"{path}: {wrong}") from None
     tables = {"": {k: v for k, v in data.items() if not isinstance(v, dict)}}
@@ -102,13 +107,12 @@ def read(path: Path) -> Device:
         for key in ("mass", "sampling_period"):
             if key not in known:
                 raise BadDevice(f"{path}: {key} is missing, such as {key} = {_EXAMPLES[key]}")
-        alone = Scene(**known)
-        _, table = alone.dimensionless, "arm"
-        hand = Arm(**{"mass": 0.0, **arm})
-        if names.get("arm") is not None:
-            hand = Arm.of(names["arm"])
-        held = alone.held_by(hand) if "arm" in tables else alone
-        _, table = held.dimensionless, RANGED
+        scene = Scene(**known)
+        _, table = scene.dimensionless, "arm"
+        if "arm" in tables:
+            named = names.get("arm")
+            scene = scene.held_by(Arm(**{"mass": 0.0, **arm}) if named is None else Arm.of(named))
+        _, table = scene.dimensionless, RANGED
         arms, table = ArmRange(**ranged) if RANGED in tables else None, "wall"
         for key, value in wall.items():
             finite(key, value, SCHEMA[table][key])
@@ -117,7 +121,7 @@ def read(path: Path) -> Device:
     except ValueError as wrong:
         key, _, said = str(wrong).partition(":")
         raise BadDevice(f"{_place(path, text, table, key)}:{said}") from None
-    return Device(held, alone, (wall["K"], wall["B"]) if wall else None, arms)
+    return Device(scene, (wall["K"], wall["B"]) if wall else None, arms)
 
 
 def _published(name: Any) -> dict[str, float]:
@@ -149,6 +153,11 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
     unit = known[key]
+    if unit == "true or false":
+        if not isinstance(given, bool):
+            place = _place(path, text, table, key)
+            raise BadDevice(f"{place} = {given!r} is not allowed; true or false is")
+        return given
     if isinstance(given, int | float) and not isinstance(given, bool):
         return float(str(given))  # a whole number that is no float is infinite, as in text
     allowed = f"a number and one of {', '.join(UNITS[unit])}" if unit else "a number without unit"

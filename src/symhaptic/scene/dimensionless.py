@@ -19,9 +19,9 @@ class Dimensionless(NamedTuple):
     """The plant and the delay in units of the mass and the sampling period (Table I)."""
 
     gamma: float
-    """k T^2/m."""
+    """k T^2/m, of device and arm together."""
     delta: float
-    """b T/m."""
+    """b T/m, of device and arm together."""
     delay: float
     """t_d/T."""
 
@@ -42,27 +42,28 @@ def periods(scene: Scene) -> Fraction:
 
 
 def dimensionless(scene: Scene) -> Dimensionless:
-    """gamma, delta and the delay in periods, as far as functions take them."""
-    period, mass = decimal(scene.sampling_period), decimal(scene.mass)
+    """gamma and delta of device and arm together, and the delay in periods."""
+    moved = scene.coupled
+    period, mass = decimal(scene.sampling_period), decimal(moved.mass)
     if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
         raise ValueError(
-            f"sampling_period: {scene.sampling_period!r} with mass={scene.mass!r} is not allowed; "
+            f"sampling_period: {scene.sampling_period!r} with mass={moved.mass!r} is not allowed; "
             f"T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g} are, in s^2 and N/m"
         )
     found = Dimensionless(
-        gamma=nearest(decimal(scene.stiffness or 0) * period**2 / mass),
-        delta=nearest(decimal(scene.damping or 0) * period / mass),
+        gamma=nearest(decimal(moved.stiffness or 0) * period**2 / mass),
+        delta=nearest(decimal(moved.damping or 0) * period / mass),
         delay=nearest(scene.periods),
     )
     late = "delay" if scene.delay_samples is None else "delay_samples"
-    for name, formula, value, most in (
-        ("stiffness", "k T^2/m", found.gamma, STIFFEST),
-        ("damping", "b T/m", found.delta, LARGEST),
-        (late, "t_d/T", found.delay, LONGEST),
+    for name, own, formula, value, most in (
+        ("stiffness", moved.stiffness, "k T^2/m", found.gamma, STIFFEST),
+        ("damping", moved.damping, "b T/m", found.delta, LARGEST),
+        (late, getattr(scene, late), "t_d/T", found.delay, LONGEST),
     ):
         if value > most:
-            of = f"with mass={scene.mass!r} and sampling_period={scene.sampling_period!r}"
-            given = f"{name}: {getattr(scene, name)!r} {of}"
+            of = f"with mass={moved.mass!r} and sampling_period={scene.sampling_period!r}"
+            given = f"{name}: {own!r} {of}"
             raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
     return found
 
@@ -85,7 +86,7 @@ def limit(scene: Scene, alpha: Any, beta: Any, theta: Any) -> Limit:
         if not isinstance(value, Real) and getattr(value, "shape", None) != ():
             raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
     period = scene.sampling_period
-    unit_K, unit_B = units(scene.mass, period)
+    unit_K, unit_B = units(scene.coupled.mass, period)
     return Limit(
         float(alpha) * unit_K,
         float(beta) * unit_B,

@@ -1,4 +1,4 @@
-"""Which walls a loop bears, as a picture: stable and passive ones in N/m and Ns/m."""
+"""Pictures of the stable and the passive walls of a loop, in N/m and Ns/m."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.passivity import passivity_boundary
 from symhaptic.numeric.stability import is_stable
+from symhaptic.scene.arms import together
 from symhaptic.scene.dimensionless import units
 
 if TYPE_CHECKING:
@@ -24,14 +25,12 @@ BELOW: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), 
 """Where a legend is: below the axes."""
 
 
-def draw(
-    axes: Axes, held: Scene, alone: Scene | None = None, wall: tuple[float, float] | None = None
-) -> None:
-    """Stable walls of a loop, passive ones of the device ``alone``, and the stiffest of both.
+def draw(axes: Axes, scene: Scene, wall: tuple[float, float] | None = None) -> None:
+    """Draw stable walls of device and arm, passive walls of the device, and the stiffest of both.
 
     ``wall`` (K, B) is marked, too.
     """
-    alone = alone or held
+    held, alone = together(scene), scene.device
     most = held.max_stable_stiffness()
     high = {"K": 1.1 * max(most.K, wall[0] if wall else 0.0), "B": 2.25 * most.B}
     high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)

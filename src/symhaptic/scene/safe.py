@@ -1,4 +1,4 @@
-"""The walls that no arm of a range makes unstable, in N/m and Ns/m: what was proved, to be asked.
+"""The walls that no arm of a range makes unstable, in N/m and Ns/m, as a proved result.
 
 The mathematics is in :mod:`symhaptic.bounds.safe`; nothing is proved here.
 """
@@ -44,14 +44,14 @@ class Rectangle(NamedTuple):
 
 
 class Best(NamedTuple):
-    """The damping with which a stiffness bears the most delay."""
+    """The damping with the largest delay margin for one stiffness."""
 
     B: float
     """Virtual damping in Ns/m."""
     safe: tuple[float, float]
-    """The dampings in Ns/m with which it is safe at all."""
+    """The range of dampings in Ns/m with which the stiffness is safe."""
     delay_margin: float
-    """So many seconds more delay are likely to be borne, by some arms; ``delay_margin`` proves."""
+    """Estimated delay margin in s, from some arms; :meth:`SafeWalls.delay_margin` proves one."""
 
 
 @dataclass(frozen=True)
@@ -151,9 +151,9 @@ class SafeWalls:
         )
 
     def best_damping(self, K: float) -> Best:
-        """The damping with which the stiffness ``K`` in N/m bears the most delay.
+        """The damping with the largest delay margin for the stiffness ``K`` in N/m.
 
-        Raises :class:`ValueError` where no damping makes this stiffness safe.
+        Raises :class:`ValueError` if no damping makes this stiffness safe.
         """
         K = number("K", K, "N/m")
         (safe,) = np.nonzero((self._tops >= K) & (self.softest <= K))
@@ -172,10 +172,11 @@ class SafeWalls:
         return Best(float(tried[best]), (low, high), spare)
 
     def delay_margin(self, K: float, B: float) -> float:
-        """So many seconds more delay the wall ``K`` (N/m), ``B`` (Ns/m) bears with every arm.
+        """Delay in s that may be added with every arm for the wall ``K`` (N/m), ``B`` (Ns/m).
 
-        Proved, and so a little less than what is so.  Raises :class:`ValueError` for a wall that
-        is not proved safe.
+        A proved lower bound of the smallest delay margin of all arms.  The wall is stable for
+        every delay from the scene's own to that plus the margin.  Raises :class:`ValueError` for a
+        wall that is not proved safe.
         """
         K, B = number("K", K, "N/m"), number("B", B, "N*s/m")
         if not self.contains(K, B):
@@ -259,6 +260,13 @@ def _range(arm: Arms) -> ArmRange:
 
 def safe_walls(scene: Scene, arm: Arms) -> SafeWalls:
     """What :meth:`symhaptic.scene.scene.Scene.safe_walls` returns."""
+    if scene.arm is not None:
+        if arm is not None:
+            raise ValueError(
+                f"arm: {shown(arm)} beside the scene's {scene.arm!r} is not allowed; "
+                "scene.device.safe_walls(...) takes another arm"
+            )
+        scene, arm = scene.device, scene.arm
     arms = _range(arm)
     loops = Loops(
         decimal(scene.mass),

@@ -1,11 +1,12 @@
-"""What is in the loop, and so which symbols exist at all; and all that may be asked of it.
+"""The device, its arm and its loop in SI units, with the questions that may be asked of them.
 
-A part that a scene leaves out is not set to zero: the model is derived without it.  A question
-is answered by the file that its method imports from.
+A part that a scene leaves out is not set to zero: the model is derived without it.  Each method
+imports the module that answers it.
 """
 
 from __future__ import annotations
 
+import copy
 import warnings
 from dataclasses import dataclass
 from fractions import Fraction
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from symhaptic.bounds.simplest.choose import Simplest
-    from symhaptic.scene.arms import Arm
+    from symhaptic.scene.arms import Arm, Coupled
     from symhaptic.scene.safe import Arms, SafeWalls
     from symhaptic.scene.walls import PassiveWalls, StableWalls
 
@@ -40,26 +41,49 @@ _LONG = 100
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """gamma = k T^2/m, delta = b T/m, d = t_d/T: a device in SI units, behind a delay.
+    """A haptic device in SI units, with its sampling period, its delay and the arm that holds it.
 
-    ===================  ============  =====  =======================================
-    ``mass``             m             kg     > 0, device and arm together
-    ``sampling_period``  T             s      > 0
-    ``damping``          b             Ns/m   >= 0, physical
-    ``stiffness``        k             N/m    >= 0, physical
-    ``delay``            t_d           s      >= 0, computation and transport
-    ``delay_samples``    d                    >= 0, the delay in sampling periods instead
-    ===================  ============  =====  =======================================
+    Stability counts device and arm together, (2) of the paper.  Passivity counts the device alone,
+    (3).  A part that is left out (``None``) is not modelled.  Walls have the stiffness K in N/m and
+    the damping B in Ns/m.
 
-    Walls have the stiffness K in N/m and the damping B in Ns/m.  A part that is left out
-    (``None``) is not modelled.  Numbers become float64 and count as the decimals that they print
-    as: a delay of 3e-4 s is exactly three periods of 1e-4 s, and so is one of 3 * 1e-4 s, which
-    is 0.00030000000000000003.  Quantities of Pint's are converted.
+    Parameters
+    ----------
+    mass : float
+        m_D of the device in kg, > 0.
+    sampling_period : float
+        T in s, > 0.
+    damping : float, optional
+        Physical damping b_D of the device in Ns/m, >= 0, without the arm's.
+    stiffness : float, optional
+        Physical stiffness of the device in N/m, >= 0, without the arm's.
+    delay : float, optional
+        t_d in s, >= 0, of computation and transport.
+    delay_samples : float, optional
+        The delay d in sampling periods instead, >= 0.
+    arm : Arm, optional
+        The arm that holds the device.
 
-    Raises :class:`ValueError` for a mass or period that is not positive, a negative damping,
-    stiffness or delay, for anything infinite, NaN, a truth value or of the wrong dimension, and
-    for two delays.  Warns of a ``delay`` of more than 100 periods.
+    Raises
+    ------
+    ValueError
+        If a mass or period is not positive, a damping, stiffness or delay is negative, two delays
+        are given, or a value is infinite, NaN, a truth value or of the wrong dimension.
 
+    Warns
+    -----
+    UserWarning
+        If ``delay`` is longer than 100 periods.
+
+    Notes
+    -----
+    In dimensionless numbers gamma = k T^2/m, delta = b T/m and d = t_d/T, with m, b and k of device
+    and arm together.  Numbers become float64 and count as the decimals that they print as: a delay
+    of 3e-4 s is exactly three periods of 1e-4 s, and so is one of 3 * 1e-4 s, which is
+    0.00030000000000000003.  Quantities of Pint are converted.
+
+    Examples
+    --------
     >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.001)
     >>> scene.dimensionless
     Dimensionless(gamma=0.0, delta=0.005, delay=1.0)
@@ -68,17 +92,19 @@ class Scene:
     """
 
     mass: float
-    """m in kg, device and arm together, > 0."""
+    """m_D of the device in kg, > 0."""
     sampling_period: float
     """T in s, > 0."""
     damping: float | None = None
-    """b in Ns/m, >= 0."""
+    """b_D of the device in Ns/m, >= 0."""
     stiffness: float | None = None
-    """k in N/m, >= 0."""
+    """Stiffness of the device in N/m, >= 0."""
     delay: float | None = None
     """t_d in s, >= 0."""
     delay_samples: float | None = None
-    """d in sampling periods, >= 0, where the delay is not given in s."""
+    """d in sampling periods, >= 0, if the delay is not given in s."""
+    arm: Arm | None = None
+    """The arm that holds the device."""
 
     def __post_init__(self) -> None:
         for name, unit in UNITS.items():
@@ -91,6 +117,12 @@ class Scene:
                 f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
                 "allowed; one of them is"
             )
+        if self.arm is not None:
+            from symhaptic.scene.arms import checked
+
+            checked(self.arm)
+            for name, value in self.coupled._asdict().items():
+                number(name, value, UNITS[name], "> 0" if name == "mass" else ">= 0")
         if self.delay is not None and self.periods > _LONG:
             warnings.warn(
                 f"delay: {self.delay!r} s are {nearest(self.periods):g} sampling periods; "
@@ -138,28 +170,54 @@ class Scene:
         return published()
 
     def held_by(self, arm: Arm) -> Scene:
-        """The loop with an arm that holds the device, (2): masses, dampings and stiffnesses add.
+        """The same device, coupled to an arm.
 
-        An arm that was measured together with its device (``arm.with_device``) takes its place.
+        Masses, dampings and stiffnesses add up for stability, (2); passivity counts the device
+        alone, (3).  An arm that was measured together with its device (``arm.with_device``) takes
+        the device's place for stability.
 
-        Raises :class:`ValueError` for what is no :class:`Arm`.
+        Raises
+        ------
+        ValueError
+            If ``arm`` is not an :class:`symhaptic.Arm`, or if the scene has an arm already.
 
+        Examples
+        --------
         >>> from symhaptic import Arm
         >>> alone = Scene(mass=0.072, damping=0.005, sampling_period=0.001)
         >>> held = alone.held_by(Arm.of("Lawrence and Chapel"))
-        >>> round(held.mass, 6), round(held.damping, 6), held.stiffness
-        (0.572, 6.005, 40.0)
+        >>> held.coupled
+        Coupled(mass=0.572, damping=6.005, stiffness=40.0)
+        >>> held.damping, held.max_passive_stiffness() == alone.max_passive_stiffness()
+        (0.005, True)
         """
         from symhaptic.scene.arms import held_by
 
         return held_by(self, arm)
 
     @property
+    def device(self) -> Scene:
+        """The loop of the device alone, without the arm: the one that passivity counts, (3)."""
+        if self.arm is None:
+            return self
+        alone = copy.copy(self)
+        object.__setattr__(alone, "arm", None)
+        return alone
+
+    @property
+    def coupled(self) -> Coupled:
+        """Mass, damping and stiffness of device and arm together, which stability counts, (2)."""
+        from symhaptic.scene.arms import coupled
+
+        return coupled(self)
+
+    @property
     def parts(self) -> Parts:
-        """What is in the loop."""
+        """Parts of the loop, with the arm's damper and spring."""
+        _, damping, stiffness = self.coupled
         return Parts(
-            stiffness=self.stiffness is not None,
-            damping=self.damping is not None,
+            stiffness=stiffness is not None,
+            damping=damping is not None,
             delay=self.delay is not None or self.delay_samples is not None,
         )
 
@@ -170,17 +228,30 @@ class Scene:
 
     @property
     def dimensionless(self) -> Dimensionless:
-        """gamma, delta and the delay in periods; 0 for what is not there.
+        """gamma, delta and the delay d in periods; 0 for what is not modelled.
 
-        Raises :class:`ValueError` for what no function takes, by the names that it has here.
+        gamma and delta are those of device and arm together, (2), which stability takes.  Passivity
+        takes those of the device alone, ``scene.device.dimensionless``.
+
+        Raises
+        ------
+        ValueError
+            If a number is beyond what the functions take.
         """
         return dimensionless(self)
 
     def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
         """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
 
-        Raises :class:`ValueError` for what is no number.
+        m is the mass of device and arm together.
 
+        Raises
+        ------
+        ValueError
+            If an argument is not one number.
+
+        Examples
+        --------
         >>> limit = Scene(mass=0.1, sampling_period=0.001).limit(0.5, 0.25, 1.0)
         >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
         (50000.0, 25.0, 159.155)
@@ -204,9 +275,10 @@ class Scene:
         return is_stable(self, K, B)
 
     def is_passive(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Whether no motion extracts energy from walls of ``K`` in N/m and ``B`` in Ns/m.
+        """Whether no motion of the device extracts energy from walls of ``K`` and ``B``.
 
-        The margin of :meth:`passivity_margin` is not negative.  Arguments as for :meth:`is_stable`.
+        Counts the device alone, (3), whatever arm holds it.  A wall is passive if its
+        :meth:`passivity_margin` is not negative.  Arguments as for :meth:`is_stable`.
 
         >>> Scene(mass=0.1, damping=0.5, sampling_period=0.001).is_passive(999.0, 0.0)  # 2 b/T
         True
@@ -216,10 +288,10 @@ class Scene:
         return is_passive(self, K, B)
 
     def passivity_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """b minus the damping that walls of ``K`` in N/m and ``B`` in Ns/m need, in Ns/m.
+        """Damping of the device minus the damping that walls of ``K`` and ``B`` require, in Ns/m.
 
-        Negative for a wall that is not passive, -inf for ``K`` < 0.  Arguments as for
-        :meth:`is_stable`.
+        Counts the device alone, (3), whatever arm holds it.  Negative for a wall that is not
+        passive, -inf for ``K`` < 0.  Arguments as for :meth:`is_stable`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.passivity_margin(400.0, 0.0), 9)  # b - K T/2
@@ -259,9 +331,9 @@ class Scene:
         return stable_region(self)
 
     def passive_region(self) -> PassiveWalls:
-        """The passive walls of the (K, B) plane, in N/m and Ns/m: outline, area, stiffest wall.
+        """The passive walls of the (K, B) plane, in N/m and Ns/m: outline, area, maximum stiffness.
 
-        Empty without a damper.
+        Counts the device alone, (3).  Empty if the device has no damping.
 
         >>> region = Scene(mass=0.1, damping=0.5, sampling_period=0.001).passive_region()
         >>> round(region.area, 3), region.contains(400.0, 0.2)  # a triangle, b times 2 b/T
@@ -303,11 +375,12 @@ class Scene:
     def max_passive_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
         """Largest stiffness in N/m of a passive wall, of any damping or of the damping ``B``.
 
-        A number, which also knows ``.B`` in Ns/m and the worst frequency ``.frequency_hz``; with
-        a ``B`` that is an array a :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.
-        NaN where no wall of this damping is passive.
+        Counts the device alone, (3), whatever arm holds it.  Returns a number with the attributes
+        ``.B`` in Ns/m and ``.frequency_hz``, the worst frequency.  For an array ``B`` returns a
+        :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.  NaN if no wall of this
+        damping is passive.
 
-        Raises :class:`ValueError` for a ``B`` that is no finite number.
+        Raises :class:`ValueError` if ``B`` is not a finite number.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.max_passive_stiffness(), 6)  # 2 b/T
@@ -321,8 +394,8 @@ class Scene:
             return one_or_many(passive_limit_at(self, B))
         from symhaptic.numeric.passivity import max_passive_stiffness
 
-        _, delta, delay = self.dimensionless
-        return Stiffness(*limit(self, *max_passive_stiffness(delta, delay)))
+        _, delta, delay = self.device.dimensionless
+        return Stiffness(*limit(self.device, *max_passive_stiffness(delta, delay)))
 
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
@@ -344,12 +417,12 @@ class Scene:
         return limit_at(self, B)
 
     def sensitivity(self, B: float | None = None) -> dict[str, float]:
-        """By how many per cent the stiffness limit grows where a parameter grows by one per cent.
+        """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
 
-        Of :meth:`max_stable_stiffness`, or of :meth:`limit_at` for a damping ``B`` in Ns/m that is
-        given; a parameter that is left out or 0 has no entry.  A delay in s stays as it is where
-        the sampling period changes, and one in periods goes with it.  By differences, to some
-        1e-6.
+        The limit is :meth:`max_stable_stiffness`, or :meth:`limit_at` if a damping ``B`` in Ns/m is
+        given.  A parameter that is left out or 0 has no entry; those of an arm are ``arm_mass``,
+        ``arm_damping`` and ``arm_stiffness``.  A delay in s stays as it is when the sampling period
+        changes, and a delay in periods changes with it.  Computed by differences, to about 1e-6.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001, delay_samples=1)
         >>> {name: round(x, 3) for name, x in scene.sensitivity().items()}
@@ -361,6 +434,8 @@ class Scene:
 
     def describe(self) -> str:
         """The scene and its limits in words, with units.
+
+        With an arm, stability is that of device and arm together and passivity that of the device.
 
         >>> print(Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015).describe())
         mass             0.1 kg
@@ -395,11 +470,11 @@ class Scene:
     ) -> Axes:
         """Draw the stable and the passive walls over B in Ns/m and K in N/m.
 
-        With an ``arm`` that holds the device the stable walls are those of both, and the passive
-        ones still those of the device.  A wall ``K``, ``B`` is marked, with what is left to the
-        stiffness limit above it.  Draws into ``axes`` of matplotlib's, or new ones; returns them.
+        With an arm, the scene's or ``arm``, the stable walls are those of device and arm together
+        and the passive walls those of the device.  A wall ``K``, ``B`` is marked, with its distance
+        to the stiffness limit.  Draws into ``axes`` of Matplotlib or new ones and returns them.
 
-        Raises :class:`ValueError` where only one of ``K`` and ``B`` is given.
+        Raises :class:`ValueError` if only one of ``K`` and ``B`` is given.
         """
         from symhaptic.scene.picture import draw, new_axes
 
@@ -409,19 +484,28 @@ class Scene:
         if K is not None and B is not None:
             wall = number("K", K, "N/m"), number("B", B, "N*s/m")
         axes = axes if axes is not None else new_axes()
-        draw(axes, self.held_by(arm) if arm else self, self, wall)
+        draw(axes, self.held_by(arm) if arm else self, wall)
         return axes
 
     def safe_walls(self, arm: Arms = None) -> SafeWalls:
-        """The walls (K, B) that are proved stable, and passive, for every arm of a range.
+        """Walls (K, B) that are proved stable for every arm of a range, and passive walls.
 
-        The scene is the device without an arm.  ``arm`` is an :class:`symhaptic.ArmRange`, an
-        :class:`Arm`, or some of them, which stand for all between them; left out it is (23) of the
-        paper: up to 23 kg, 1000 N/m and 20 Ns/m per kg, and no arm at all.  Proved by enclosure,
-        with a certificate that a second check confirmed; whole and fractional delays up to 60
-        periods.  Takes some seconds.
+        Proved by enclosure, with a certificate that a second check confirms, for integer and
+        fractional delays up to 60 periods.  The walls are below the true limit: by about 1 % for
+        short delays, by 10 % and more for delays of 5 to 50 ms.  Takes some seconds.
 
-        Raises :class:`ValueError` in one line for another ``arm``, and where no wall is proved.
+        Parameters
+        ----------
+        arm : ArmRange, Arm or several Arms, optional
+            The range of arms; several arms stand for all between them.  If left out, the scene's
+            own arm, or else the range (23) of the paper: 0 to 23 kg, up to 1000 N/m and 20 Ns/m
+            per kg, the device without an arm included.
+
+        Raises
+        ------
+        ValueError
+            If ``arm`` is something else or given for a scene that has an arm, and if no wall is
+            proved.
 
         >>> from symhaptic import Arm
         >>> device = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
@@ -453,8 +537,8 @@ class Scene:
 
         ``mass``, ``damping``, ``stiffness`` and ``B`` take the scene's place: a number, or a range
         (lowest, highest) over which the bound holds.  Numbers are the decimals that they print as.
-        Bounds are proved by ball arithmetic, for whole delays; what is not proved is infinite,
-        with its reason, and does not count.
+        Bounds are proved by ball arithmetic, for integer delays; what is not proved is infinite,
+        with its reason, and does not count.  All parameters are those of device and arm together.
 
         Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
 
@@ -469,13 +553,12 @@ class Scene:
         from symhaptic.bounds.simplest.choose import Loop, simplest
 
         over = {"mass": mass, "damping": damping, "stiffness": stiffness, "B": B}
-        loop = Loop(
-            self.parts, self.periods, self.sampling_period, self.mass, self.stiffness, self.damping
-        )
+        m, b, k = self.coupled
+        loop = Loop(self.parts, self.periods, self.sampling_period, m, k, b)
         return simplest(loop, rtol, over)
 
     def to_control(self) -> Any:
-        """The sampled device behind its delay, from N to m, for python-control.
+        """The sampled device with its arm and its delay, from N to m, for python-control.
 
         Raises :class:`ModuleNotFoundError` where that is not installed.
         """
@@ -484,7 +567,7 @@ class Scene:
         return control_system(self)
 
     def to_scipy(self) -> Any:
-        """The sampled device behind its delay, from N to m, as a ``scipy.signal.dlti``.
+        """The sampled device with its arm and its delay, from N to m, as a ``scipy.signal.dlti``.
 
         >>> system = Scene(mass=1.0, sampling_period=1.0, delay=0.5).to_scipy()
         >>> system.num.tolist(), system.den.tolist()
@@ -495,20 +578,37 @@ class Scene:
         return scipy_system(self)
 
     def to_sympy(self) -> Any:
-        """The sampled device behind its delay, from N to m, as SymPy's ``TransferFunction``."""
+        """The sampled device with arm and delay, from N to m, as a SymPy ``TransferFunction``."""
         from symhaptic.scene.systems import sympy_system
 
         return sympy_system(self)
 
     def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
-        """Largest delay in s up to which walls of stiffness ``K`` (N/m), ``B`` (Ns/m) are stable.
+        """Delay in s that may be added until walls of ``K`` (N/m) and ``B`` (Ns/m) are unstable.
 
-        The scene's own delay does not count.  Arguments as for :meth:`is_stable`.
+        The wall is stable for every delay from the scene's own to that plus the margin.  0 for a
+        wall that is unstable at the scene's delay.  NaN for a wall that is stable there but not at
+        every smaller delay, where the margin is not computed.  See :meth:`max_delay` for the sum
+        of both.  Arguments as for :meth:`is_stable`.
 
-        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
-        4.401
+        2.901
         """
         from symhaptic.scene.walls import delay_margin
 
         return delay_margin(self, K, B)
+
+    def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
+        """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.
+
+        The wall is stable for every delay from 0 to this one, whatever delay the scene has.  0 for
+        a wall that is unstable without delay.  Arguments as for :meth:`is_stable`.
+
+        >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
+        >>> round(1000 * scene.max_delay(K=1000.0, B=5.0), 3)  # ms
+        4.401
+        """
+        from symhaptic.scene.walls import max_delay
+
+        return max_delay(self, K, B)

@@ -1,7 +1,7 @@
-"""A scene as a system of other tools: the device, sampled behind its delay, from N to m.
+"""A scene as a system of other tools: the sampled device with its arm and its delay, from N to m.
 
-Exact, a fraction of a period included: the held force then changes inside a period, which gives
-one more coefficient (modified z-transform), not an approximation of the delay.
+Exact for fractional delays, too: the held force then changes inside a period, which gives one more
+coefficient (modified z-transform).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
         else haptic.discretize(gamma, delta)
     )
     *force, a, e = map(float, found)
-    scale = scene.sampling_period**2 / scene.mass
+    scale = scene.sampling_period**2 / scene.coupled.mass
     top = [scale * v for v in force]
     return top, [1.0, -a, e] + [0.0] * (steps + (part > 0))
 
@@ -72,11 +72,12 @@ def sympy_system(scene: Scene) -> Any:
     from symhaptic.model import fractional, plant
     from symhaptic.notation import z
 
-    period, mass = (_exact(v) for v in (scene.sampling_period, scene.mass))
+    mass, damping, stiffness = map(_exact, scene.coupled)
+    period = _exact(scene.sampling_period)
     exact = plant.Plant(
         sp.S.One,
-        _exact(scene.damping) * period / mass if scene.damping else None,
-        _exact(scene.stiffness) * period**2 / mass if scene.stiffness else None,
+        damping * period / mass or None,
+        stiffness * period**2 / mass or None,
     )
     delay = sp.Rational(*scene.periods.as_integer_ratio())
     steps = sp.floor(delay)
@@ -89,7 +90,7 @@ def sympy_system(scene: Scene) -> Any:
     return TransferFunction(sp.expand(period**2 / mass * top), bottom, z)
 
 
-def _exact(value: float) -> Any:
+def _exact(value: float | None) -> Any:
     import sympy as sp
 
-    return sp.Rational(*decimal(value).as_integer_ratio())
+    return sp.Rational(*decimal(value or 0.0).as_integer_ratio())

@@ -42,7 +42,8 @@ def is_stable(scene: Scene, K: Any, B: Any) -> Any:
 
 
 def is_passive(scene: Scene, K: Any, B: Any) -> Any:
-    """Whether no motion extracts energy."""
+    """Whether no motion extracts energy, by the damping of the device alone (3)."""
+    scene = scene.device
     _, delta, delay = scene.dimensionless
 
     @kept(is_passive=bool)
@@ -53,7 +54,8 @@ def is_passive(scene: Scene, K: Any, B: Any) -> Any:
 
 
 def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
-    """The physical damping in Ns/m minus the damping that a wall needs."""
+    """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
+    scene = scene.device
     _, delta, delay = scene.dimensionless
 
     @kept(passivity_margin=float)
@@ -64,13 +66,25 @@ def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
     return _asked(answer, K, B, float, "N*s/m")
 
 
-def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
-    """The delay in s up to which a wall stays stable."""
+def max_delay(scene: Scene, K: Any, B: Any) -> Any:
+    """The largest delay in s up to which a wall is stable."""
     gamma, delta, _ = scene.dimensionless
+
+    @kept(max_delay=float)
+    def answer(K: Any, B: Any) -> Any:
+        found = margin.max_delay(*_scaled(scene, K, B), gamma, delta)
+        return found * scene.sampling_period
+
+    return _asked(answer, K, B, float, "s")
+
+
+def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
+    """The delay in s that may be added until a wall is unstable."""
+    gamma, delta, delay = scene.dimensionless
 
     @kept(delay_margin=float)
     def answer(K: Any, B: Any) -> Any:
-        found = margin.delay_margin(*_scaled(scene, K, B), gamma, delta)
+        found = margin.delay_margin(*_scaled(scene, K, B), gamma, delta, delay)
         return found * scene.sampling_period
 
     return _asked(answer, K, B, float, "s")
@@ -80,7 +94,7 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
     """The walls with which the loop swings at these frequencies."""
     gamma, delta, delay = scene.dimensionless
     period = scene.sampling_period
-    unit_K, unit_B = units(scene.mass, period)
+    unit_K, unit_B = units(scene.coupled.mass, period)
 
     @kept(K=float, B=float)
     def answer(frequency_hz: Any) -> Any:
@@ -99,7 +113,7 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
 def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
     """alpha and beta."""
     K, B = Given(K=K, B=B).values
-    stiff, damped = per_unit(scene.mass, scene.sampling_period)
+    stiff, damped = per_unit(scene.coupled.mass, scene.sampling_period)
     return K * stiff, B * damped
 
 
@@ -154,6 +168,7 @@ class PassiveWalls(Shape):
     """The walls (K, B) from which no motion extracts energy, in N/m and Ns/m."""
 
     scene: Scene
+    """The device alone."""
     polygon: Any
     """Shapely's polygon, inside the curved border; ``area`` is in N^2 s/m^2."""
 
@@ -171,6 +186,7 @@ def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
     """The passive walls of the (K, B) plane: convex, from (0, -b) to (0, b) and beyond."""
     from shapely import MultiPoint, Polygon
 
+    scene = scene.device
     b, period = scene.damping or 0.0, scene.sampling_period
     if b == 0:
         return PassiveWalls(scene, Polygon())
@@ -189,7 +205,7 @@ def limit_at(scene: Scene, B: Any) -> Limit:
     from symhaptic.numeric.tracing.extremes import stiffest_at
 
     gamma, delta, delay = scene.dimensionless
-    _, scale = per_unit(scene.mass, scene.sampling_period)
+    _, scale = per_unit(scene.coupled.mass, scene.sampling_period)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat
@@ -201,7 +217,8 @@ def limit_at(scene: Scene, B: Any) -> Limit:
 
 
 def passive_limit_at(scene: Scene, B: Any) -> Limit:
-    """The largest passive stiffness at a damping, or at each of many."""
+    """The largest passive stiffness at a damping, or at each of many, of the device alone (3)."""
+    scene = scene.device
     _, delta, delay = scene.dimensionless
     period = scene.sampling_period
     _, scale = per_unit(scene.mass, period)
@@ -242,19 +259,28 @@ _STEP = 1e-4
 
 
 def sensitivity(scene: Scene, B: float | None = None) -> dict[str, float]:
-    """By how many per cent the stiffness limit grows where a parameter grows by one."""
-
-    def limit(**changed: float) -> float:
-        return replace(scene, **changed).max_stable_stiffness(B).K
-
-    here, found = limit(), {}
-    for name in ("mass", "damping", "stiffness", "sampling_period", "delay", "delay_samples"):
-        value = getattr(scene, name)
+    """Change of the stiffness limit in per cent for a 1 % increase of each parameter."""
+    arm: tuple[str, ...] = ("arm_mass", "arm_damping", "arm_stiffness") if scene.arm else ()
+    here, found = scene.max_stable_stiffness(B).K, {}
+    for name in ("mass", "damping", "stiffness", *arm, "sampling_period", "delay", "delay_samples"):
+        owner = scene.arm if name in arm else scene
+        value = getattr(owner, name.removeprefix("arm_"))
         if value:
-            # forward alone: a delay that is whole has another slope to its left
-            more, most = (limit(**{name: value * (1 + n * _STEP)}) for n in (1, 2))
+            # forward alone: at an integer delay the slope to the left is another one
+            more, most = (
+                _changed(scene, name, value * (1 + n * _STEP)).max_stable_stiffness(B).K
+                for n in (1, 2)
+            )
             found[name] = (4 * more - 3 * here - most) / (2 * _STEP * here)
     return found
+
+
+def _changed(scene: Scene, name: str, value: float) -> Scene:
+    """The scene with another value of a parameter, of its own or of its arm."""
+    own: dict[str, Any] = {name.removeprefix("arm_"): value}
+    if name in own or scene.arm is None:
+        return replace(scene, **own)
+    return replace(scene, arm=replace(scene.arm, **own))
 
 
 def stable_region(scene: Scene) -> StableWalls:
@@ -262,5 +288,5 @@ def stable_region(scene: Scene) -> StableWalls:
     from shapely.affinity import scale
 
     found = tracing.stable_region(*scene.dimensionless)
-    own = units(scene.mass, scene.sampling_period)
+    own = units(scene.coupled.mass, scene.sampling_period)
     return StableWalls(scene, found, scale(found.polygon, *own, origin=(0, 0)), found.corners * own)

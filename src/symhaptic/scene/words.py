@@ -1,4 +1,4 @@
-"""What there is to say of a scene, as text, HTML or LaTeX."""
+"""The parameters and limits of a scene as text, HTML or LaTeX."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def lines(facts: Mapping[str, str]) -> str:
 
 
 def facts(scene: Scene) -> dict[str, str]:
-    """What a scene is, and its limits, with units."""
+    """Parameters and limits of a scene, with units."""
     units = (("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"), ("sampling_period", "s"))
     given = {name: (getattr(scene, name), unit) for name, unit in units}
     found = {
@@ -46,6 +46,8 @@ def facts(scene: Scene) -> dict[str, str]:
     if scene.parts.delay:
         seconds = float(scene.periods) * scene.sampling_period
         found["delay"] = f"{seconds:g} s, {float(scene.periods):g} sampling periods"
+    if scene.arm is not None:
+        found["arm"] = str(scene.arm)
     most, free = scene.max_stable_stiffness(), scene.limit_at(B=0.0)
     found["stable up to"] = _limit(most.K, most.frequency_hz, most.B)
     found["without B"] = _limit(free.K, free.frequency_hz)
@@ -53,7 +55,10 @@ def facts(scene: Scene) -> dict[str, str]:
         safe = scene.max_passive_stiffness()
         found["passive up to"] = _limit(safe.K, safe.frequency_hz, safe.B)
     else:
-        found["passive up to"] = "nothing, for no damper is there"
+        found["passive up to"] = "nothing, because the device has no damping"
+    if scene.arm is not None:  # (2) and (3)
+        found["stable up to"] += ", device and arm"
+        found["passive up to"] += ", device alone"
     return found
 
 
@@ -67,19 +72,30 @@ def _limit(K: float, hz: float, B: float | None = None) -> str:
 def latex(scene: Scene) -> str:
     r"""The parameters and the dimensionless ones of Table I, as LaTeX.
 
+    With an arm, gamma and delta are those of device and arm together.
+
     >>> from symhaptic.scene.scene import Scene
     >>> print(latex(Scene(mass=0.1, sampling_period=0.001, delay=0.001)))
     $m = 0.1\,\mathrm{kg},\ T = 0.001\,\mathrm{s},\ t_d = 0.001\,\mathrm{s};\ d = 1$
     """
-    n = scene.dimensionless
+    n, arm = scene.dimensionless, scene.arm
     seconds = float(scene.periods) * scene.sampling_period
-    parts = (
-        ("m", scene.mass, "kg"),
-        ("b", scene.damping, "Ns/m"),
-        ("k", scene.stiffness, "N/m"),
+    device = "" if arm is None else "_D"
+    parts = [
+        (f"m{device}", scene.mass, "kg"),
+        (f"b{device}", scene.damping, "Ns/m"),
+        (f"k{device}", scene.stiffness, "N/m"),
+    ]
+    if arm is not None:
+        parts += [
+            ("m_H", arm.mass, "kg"),
+            ("b_H", arm.damping, "Ns/m"),
+            ("k_H", arm.stiffness, "N/m"),
+        ]
+    parts += [
         ("T", scene.sampling_period, "s"),
         ("t_d", seconds if scene.parts.delay else None, "s"),
-    )
+    ]
     given = [rf"{s} = {_number(v)}\,\mathrm{{{unit}}}" for s, v, unit in parts if v is not None]
     without = [
         rf"{symbol} = {_number(value)}"

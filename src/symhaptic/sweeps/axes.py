@@ -37,7 +37,7 @@ def plan_of(
     Raises :class:`ValueError` for what is impossible.
     """
     scene_or_none(scene)
-    work = work_of(quantity, axes, scene is not None)
+    work = work_of(quantity, axes, scene)
     given = {n: v for n, v in axes.items() if n not in work.words}
     if scene is not None:
         given = _of_scene(scene, work, given)
@@ -104,7 +104,7 @@ def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
 
 
 def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:
-    """What is given, and what the scene has besides."""
+    """The given arguments, and the scene's own for the others; masses are those of the device."""
     if "delay" in given and "delay_samples" in given:
         raise ValueError("delay_samples: beside delay= is not allowed; one of them is")
     found: dict[str, Any] = dict(given)

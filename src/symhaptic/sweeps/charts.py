@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symhaptic.notation.quantities import shown
+from symhaptic.scene.arms import together
 from symhaptic.scene.dimensionless import units
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
@@ -53,7 +54,7 @@ def robust_limits(
 
     >>> figure = robust_limits(points=20)
     """
-    scene_or_none(scene)
+    scene = _together(scene)
     names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
     late: dict[str, Any] = {} if delay is None else {"delay": delay}
     if scene is None:
@@ -104,7 +105,7 @@ def stiffest(
 
     >>> figure = stiffest(points=20)
     """
-    scene_or_none(scene)
+    scene = _together(scene)
     fixed: dict[str, Any] = {}
     if scene is None:
         axes_of = {"delay": delay or (0.0, 4.0), "delta": damping or DAMPED}
@@ -132,19 +133,21 @@ def delay_margin(
     B: Range | None = None,
     points: int = 100,
 ) -> Figure:
-    """How much delay walls bear: the largest delay up to which a wall stays stable.
+    """Delay margin of walls: the delay that may be added to that of the scene.
 
-    ``K`` in N/m and ``B`` in Ns/m are the ends of the axes, by default all walls that are stable
-    half a period late.  Without a ``scene`` alpha and beta of a free mass that is damped as the
-    middle of the paper's (23), and margins in periods.  The scene's own delay does not count.
+    ``K`` in N/m and ``B`` in Ns/m are the ends of the axes, by default those of all walls that are
+    stable with half a period of added delay.  Without a ``scene``, alpha and beta of a free mass
+    with the mean damping of the paper's (23), without delay, and margins in periods.
 
     >>> figure = delay_margin(points=12)
     """
-    scene_or_none(scene)
+    scene = _together(scene)
     names = ("alpha", "beta") if scene is None else ("K", "B")
     fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
-    half: dict[str, Any] = {"delay": 0.5} if scene is None else {"delay_samples": 0.5}
-    far = sweep("max_stable_stiffness", scene, **fixed, **half)
+    later: dict[str, Any] = {"delay": 0.5}
+    if scene is not None:
+        later = {"delay_samples": float(scene.periods) + 0.5}
+    far = sweep("max_stable_stiffness", scene, **fixed, **later)
     high = (float(far[names[0]]), 2.2 * float(far[names[1]]))
     ends = {"K": K or (0.0, high[0]), "B": B or (0.0, high[1])}
     lines = (_line(name, e, _enough(points)) for name, e in ends.items())
@@ -156,7 +159,7 @@ def delay_margin(
     filled(figure, axes, x, y, margin, said(margin))
     lost = (margin == 0).astype(float)
     axes.contourf(x, y, lost, levels=[0.5, 1.5], colors=["#dddddd"])
-    axes.fill([], [], color="#dddddd", label="not stable without delay")
+    axes.fill([], [], color="#dddddd", label="not stable")
     ever = np.isinf(margin).astype(float)
     if bool(ever.any()):
         axes.contourf(x, y, ever, levels=[0.5, 1.5], colors=[PASSIVE])
@@ -183,7 +186,7 @@ def model_costs(
     """
     from matplotlib.ticker import LogFormatter
 
-    scene_or_none(scene)
+    scene = _together(scene)
     period = 1.0 if scene is None else scene.sampling_period
     names = ("gamma", "delta") if scene is None else _SI[2:]
     arms = _arms(scene, stiffness, damping)
@@ -245,6 +248,12 @@ def _enough(points: int) -> int:
     if not isinstance(points, Integral) or points < 2:
         raise ValueError(f"points: {shown(points)} is not allowed; whole numbers >= 2 are")
     return points
+
+
+def _together(scene: Scene | None) -> Scene | None:
+    """Device and arm as one: the charts show stability, and their ranges are those of both."""
+    scene_or_none(scene)
+    return scene and together(scene)
 
 
 def _own(scene: Scene, part: str) -> Range:

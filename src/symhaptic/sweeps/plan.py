@@ -196,6 +196,8 @@ class Plan:
         from symhaptic import __version__
 
         words = {name: str(value) for name, value in self.work.words.items()}
+        if self.work.arm is not None:
+            words["arm"] = str(self.work.arm)
         made = f"symhaptic {__version__}, {kernels_used()} kernels"
         return {"title": self.work.says, "source": made, **words}
 
@@ -245,6 +247,7 @@ class Plan:
             "quantity": self.work.says,
             "function": self.work.body,
             "words": {n: str(v) for n, v in self.work.words.items()},
+            "arm": repr(self.work.arm),
             "variables": [v.name for v in self.variables],
             "inputs": {
                 name: [

@@ -19,7 +19,9 @@ import numpy as np
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.quantities import decimal, nearest, shown
 from symhaptic.notation.suggest import suggested
+from symhaptic.scene.arms import UNITS, Arm, added
 from symhaptic.scene.dimensionless import per_unit, units
+from symhaptic.scene.scene import Scene
 
 
 class Meaning(NamedTuple):
@@ -45,11 +47,13 @@ class Result(NamedTuple):
 
 
 class Quantity(NamedTuple):
-    """A function of arrays: where it is, what it gives, and the statement that it rests on."""
+    """A function of arrays: its module, its results, and the statement that it rests on."""
 
     home: str
     results: tuple[Result, ...]
     statement: str
+    passive: bool = False
+    """Whether it counts the device alone, (3), and not the arm that holds it."""
 
 
 def _symbol(name: str, says: str = "") -> Meaning:
@@ -90,7 +94,8 @@ _SAFEST = (
 )
 _EDGE = (Result("alpha", _symbol("alpha")), Result("beta", _symbol("beta")))
 _MARGIN = Meaning("1", "physical damping minus the damping that the wall needs, times T/m")
-_LONGEST = Meaning("1", "delay margin, in sampling periods", "d")
+_ADDED = Meaning("1", "delay margin, in sampling periods")
+_LONGEST = Meaning("1", "largest delay up to which the loop is stable, in sampling periods", "d")
 
 QUANTITIES: dict[str, Quantity] = {
     "is_stable": Quantity("numeric.stability", (Result("is_stable", _TRUE, bool),), "eq18"),
@@ -104,21 +109,28 @@ QUANTITIES: dict[str, Quantity] = {
         "numeric.tracing.extremes", _STIFFEST, "fractional-boundary"
     ),
     "delay_margin": Quantity(
-        "numeric.tracing.margin", (Result("delay_margin", _LONGEST),), "delay-margin"
+        "numeric.tracing.margin", (Result("delay_margin", _ADDED),), "delay-margin"
+    ),
+    "max_delay": Quantity(
+        "numeric.tracing.margin", (Result("max_delay", _LONGEST),), "delay-margin"
     ),
     "is_passive": Quantity(
         "numeric.passivity",
         (Result("is_passive", Meaning("1", "whether no motion extracts energy"), bool),),
         "fractional-passivity",
+        passive=True,
     ),
     "passivity_margin": Quantity(
-        "numeric.passivity", (Result("passivity_margin", _MARGIN),), "fractional-passivity"
+        "numeric.passivity",
+        (Result("passivity_margin", _MARGIN),),
+        "fractional-passivity",
+        passive=True,
     ),
     "passivity_margin_at": Quantity(
-        "numeric.passivity", (Result("passivity_margin", _MARGIN),), "eq5"
+        "numeric.passivity", (Result("passivity_margin", _MARGIN),), "eq5", passive=True
     ),
-    "passivity_boundary": Quantity("numeric.passivity", _EDGE, "eq27"),
-    "max_passive_stiffness": Quantity("numeric.passivity", _SAFEST, "eq11"),
+    "passivity_boundary": Quantity("numeric.passivity", _EDGE, "eq27", passive=True),
+    "max_passive_stiffness": Quantity("numeric.passivity", _SAFEST, "eq11", passive=True),
     "linear_limit": Quantity("numeric.linear", (_EDGE[0],), "eq25"),
     "discretize": Quantity(
         "numeric.plant", tuple(Result(n, _symbol(f"{n[0]}_{n[1]}" if n[1:] else n))
@@ -135,7 +147,8 @@ _SI: dict[str, tuple[str, Meaning]] = {
         "passivity_margin",
         Meaning("Ns/m", "physical damping minus the damping that the wall needs"),
     ),
-    "delay_margin": ("delay_margin", Meaning("s", "delay margin", "t_d")),
+    "delay_margin": ("delay_margin", Meaning("s", "delay margin")),
+    "max_delay": ("max_delay", Meaning("s", "largest delay up to which the loop is stable", "t_d")),
 }
 """What results are called for a scene; a meaning that stays loses its last words, the formula."""
 
@@ -147,7 +160,7 @@ _PARTS = {
 
 @dataclass(frozen=True)
 class Work:
-    """A function of arrays by name, whose results stand beside each other in a tuple."""
+    """A function of arrays by name that returns a tuple of results."""
 
     function: Callable[..., Any]
     arguments: tuple[str, ...]
@@ -159,11 +172,15 @@ class Work:
     """The quantity's name."""
     statement: str = ""
     in_si: bool = False
+    arm: Arm | None = None
+    """The arm that is added to the device, for results that count it."""
 
     def __call__(self, **arrays: Any) -> tuple[Any, ...]:
         """The results for arrays that broadcast."""
         if not self.in_si:
             return self._plain(arrays)
+        if self.arm is not None:
+            arrays = {n: _together(self.arm, n, values) for n, values in arrays.items()}
         period, mass = arrays["sampling_period"], arrays["mass"]
         try:
             found = self._plain({n: _scaled(n, arrays) for n in self.own_arguments})
@@ -178,6 +195,7 @@ class Work:
             "frequency_hz": 1 / (2 * math.pi * period),
             "passivity_margin": unit_B,
             "delay_margin": period,
+            "max_delay": period,
         }
         return tuple(
             value * scale[result.name] if result.name in scale else value
@@ -203,6 +221,14 @@ class Work:
         return tuple(found) if isinstance(found, tuple) else (found,)
 
 
+def _together(arm: Arm, name: str, values: Any) -> Any:
+    """A mass, damping or stiffness of the device, with that of the arm."""
+    if name not in UNITS:
+        return values
+    summed = np.frompyfunc(lambda own: own if math.isnan(own) else added(arm, name, own), 1, 1)
+    return np.asarray(summed(values), dtype=np.float64)
+
+
 def _scaled(name: str, si: Mapping[str, Any]) -> Any:
     """An argument without units; whole delays written in decimals stay whole."""
     period, mass = si["sampling_period"], si["mass"]
@@ -226,7 +252,9 @@ def _in_periods(late: float, period: float) -> float:
 _periods = np.frompyfunc(_in_periods, 2, 1)
 
 
-def work_of(quantity: str | Callable[..., Any], axes: Mapping[str, Any], in_si: bool) -> Work:
+def work_of(
+    quantity: str | Callable[..., Any], axes: Mapping[str, Any], scene: Scene | None
+) -> Work:
     """The quantity of this name, a public function, or a function of the user's own.
 
     What a public function takes besides its arrays goes to it as it is, and what is text to a
@@ -240,16 +268,19 @@ def work_of(quantity: str | Callable[..., Any], axes: Mapping[str, Any], in_si: 
         if callable(quantity) and quantity is not function:
             known = None
     if known is None:
-        return _own(quantity, {n: v for n, v in axes.items() if isinstance(v, str)}, in_si)
+        words = {n: v for n, v in axes.items() if isinstance(v, str)}
+        return _own(quantity, words, scene is not None)
     takes = inspect.signature(function).parameters
     needed = tuple(n for n in takes if n in INPUTS)
     words = {n: v for n, v in axes.items() if n in takes and n not in INPUTS}
-    if not in_si:
+    if scene is None:
+        needed = tuple(n for n in needed if n in axes or takes[n].default is takes[n].empty)
         return Work(function, needed, known.results, words, name, known.statement)
     parts = [p for n in needed for p in _PARTS.get(n, (n,))]
     results = tuple(_in_si(r) for r in known.results)
     all_parts = (*parts, "mass", "sampling_period")
-    return Work(function, all_parts, results, words, name, known.statement, True)
+    arm = None if known.passive else scene.arm
+    return Work(function, all_parts, results, words, name, known.statement, True, arm)
 
 
 def _in_si(result: Result) -> Result:

@@ -44,8 +44,10 @@ def sweep(
     xarray's arrays with dimensions of their own (arms whose gamma and delta belong together share
     one).  With a ``scene`` they are its parts in SI units instead: ``stiffness``, ``damping``,
     ``mass``, ``sampling_period``, ``delay`` or ``delay_samples``, of a wall ``K`` and ``B``, or
-    ``frequency_hz``; what is not named is the scene's, and results are in N/m, Ns/m, s and Hz.  A
-    function of one's own takes arrays by name, and may run on processes where it can be imported.
+    ``frequency_hz``; what is not named is the scene's, and results are in N/m, Ns/m, s and Hz.
+    ``mass``, ``damping`` and ``stiffness`` are those of the device: stability adds the scene's arm,
+    (2), and passivity counts the device alone, (3).  A function of one's own takes arrays by name,
+    and may run on processes if it can be imported there.
 
     ``reduce`` is what becomes of the dimensions ``over``: ``min``, ``max`` or ``mean`` of numbers,
     ``all``, ``any``, ``mean`` or ``count`` of truth values, one or several; NaN is not left out.

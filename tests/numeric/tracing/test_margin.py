@@ -1,14 +1,16 @@
 """Delay margins beside a scan over real delays with the eigenvalues of the delayed loop."""
 
+import warnings
+
 import mpmath
 import numpy as np
 import pytest
 import scipy.linalg
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
-from oracle import moduli, radius
+from oracle import all_inside, moduli, radius
 
-from symhaptic import delay_margin, is_stable, stability_boundary
+from symhaptic import delay_margin, is_stable, max_delay, stability_boundary
 from symhaptic.numeric.crossings import crossings, surplus, wall
 from symhaptic.numeric.plant import device
 from symhaptic.numeric.tracing import losses
@@ -25,6 +27,49 @@ def stable_loops(rng, count):
     alpha = np.where(alpha < -gamma, -alpha, alpha)
     keep = np.asarray(is_stable(alpha, beta, gamma, delta, 0))
     return tuple(v[keep] for v in (alpha, beta, gamma, delta))
+
+
+@pytest.mark.parametrize("sheet", ["exact", "principal"])
+def test_the_margin_is_what_may_be_added_to_the_delay(sheet):
+    loop = [v[:300] for v in stable_loops(np.random.default_rng(40), 900)]
+    most = max_delay(*loop, sheet=sheet)
+    assert delay_margin(*loop, sheet=sheet).tolist() == most.tolist()
+    for delay in (0.5, 1.0, 3.0):
+        margin = delay_margin(*loop, delay, sheet=sheet)
+        below = most > delay
+        assert below.sum() > 50
+        assert margin[below].tolist() == (most - delay)[below].tolist()
+        stable = is_stable(*loop, delay, sheet=sheet)
+        assert np.all(margin[~stable] == 0)
+        assert np.all(np.isnan(margin[stable & ~below]))  # the margin is not computed there
+
+
+def test_the_delay_plus_the_margin_is_where_an_eigenvalue_leaves_the_circle():
+    loop = (0.01, 0.05, 0.0, 0.005)
+    total = 1.5 + float(delay_margin(*loop, 1.5))
+    assert moduli(*loop, total - 1e-4).max() < 1 < moduli(*loop, total + 1e-4).max()
+
+
+def test_a_wall_that_only_a_delay_makes_stable_has_no_known_margin():
+    """Unstable without delay and stable at three periods, by eigenvalues."""
+    loop = (0.0877960, -0.12466, 0.649895, 0.0005)
+    assert moduli(*loop, 0.0).max() > 1 > moduli(*loop, 3.0).max()
+    assert max_delay(*loop) == 0
+    assert np.isnan(delay_margin(*loop, 3.0))
+    assert not delay_margin(*loop, 3.0) > 0
+    assert delay_margin(*loop) == delay_margin(*loop, 20.0) == 0
+
+
+def test_the_delay_of_a_margin_is_checked():
+    wall = (0.01, 0.05, 0.0, 0.0)
+    for bad in (-0.5, [0.0, -1e-9], np.inf):
+        with pytest.raises(ValueError, match=r"^delay: .* are$"):
+            delay_margin(*wall, bad)
+    with pytest.raises(ValueError, match=r"^delay: 'principal' is not allowed; real "):
+        delay_margin(*wall, "principal")  # the delay stands before the sheet
+    assert np.isnan(delay_margin(*wall, np.nan))
+    assert np.isinf(delay_margin(0.0, 0.0, 0.3, 0.1, 1e6))
+    assert delay_margin(*wall, [[0.0], [1.0]]).shape == (2, 1)
 
 
 @pytest.mark.slow
@@ -244,7 +289,7 @@ def test_a_wall_weaker_than_the_device_at_every_angle_bears_any_delay(loop):
 
 
 MOST_PARTS = 3000
-"""Of a period, for a wall: some 10 microseconds each.  Those below need 1364 at most."""
+"""Of a period, for a wall: some 10 microseconds each.  Those below take 1500 at most."""
 
 
 def test_no_wall_is_cut_into_very_many_parts(monkeypatch):
@@ -418,9 +463,111 @@ def test_the_margin_where_little_is_left_of_the_force_at_minus_one():
     assert exact_radius(*loop, margin - 1e-6) < 1 < exact_radius(*loop, margin + 1e-6)
 
 
-def test_what_has_no_bound_decides_nothing_and_is_not_warned_of():
-    margin = delay_margin(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0)
-    # beside the count of roots, which is another code
-    assert is_stable(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0, 0.4999)
-    assert not is_stable(-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0, 0.5001)
-    assert margin == pytest.approx(0.5, abs=1e-4)
+def test_a_root_that_leaves_at_minus_one_next_to_three_half_turns_is_not_missed():
+    """Of a wall with alpha + 2 beta near 0: once 0.835, where a real root is outside from 0.168."""
+    loop = 88.73761316747441, -44.36880658419819, 88.82643960980423, 6.896720153027982e-13
+    margin = float(delay_margin(*loop))
+    assert margin == pytest.approx(0.168395224, abs=1e-8)
+    assert all_inside(*loop, margin - 1e-9)
+    assert not all_inside(*loop, margin + 1e-9)
+    assert not all_inside(*loop, 0.4)
+
+
+@pytest.mark.parametrize("loop", [(1.0, 1.0, 1e-3, 1e6), (2.0, 1.0, 0.5, 1e4)])
+def test_a_crossing_that_is_known_to_the_last_digit_is_one(loop):
+    """Of an overdamped device, whose crossing does not move with the fraction of a period."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        margin = float(delay_margin(*loop))
+    with mpmath.workdps(60):
+        below, above = (late_moduli(*loop, margin + step) for step in (-1e-3, 1e-3))
+    assert below < 1 < above
+
+
+DECIDED = [  # that once took minutes
+    (9.869594531172535, -4.934797265638365, 9.86960440108937, 2.0488802950799472e-14),
+    (-88.82643952195721, 44.41321976101254, 88.82643960980423, 2.5109342757418348e-11),
+    (8.882643960594166, -4.441321980343782, 9.869604401163086, 1.9036980063391101e-13),
+]
+UNDECIDED = [
+    (-9.869604389753139, -2.772755856245793, 9.869604401100238, 0.0),
+    (-25.128717983211065, -15.465677658088072, 39.47841760435743, 1.2977515917543777e-13),
+    (9.870547742813553, -4.935035722263989, 9.869604401089358, 0.0001932858353835606),
+]
+
+
+@pytest.mark.parametrize("loop", DECIDED)
+def test_hardly_any_force_at_minus_one_takes_no_time(loop):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        margin = float(delay_margin(*loop))
+    top = min(margin, 3.0)
+    for delay in (0.1 * top, 0.6 * top, max(0.0, top - 1e-8)):
+        assert all_inside(*loop, delay)
+    if margin < 3:
+        assert not all(all_inside(*loop, margin + step) for step in (1e-8, 1e-7, 1e-6))
+
+
+@pytest.mark.parametrize("loop", UNDECIDED)
+def test_what_is_not_decided_is_a_lower_bound_and_warned_of(loop):
+    """Walls that are next to unstable at each delay, or next to it at one."""
+    with pytest.warns(
+        RuntimeWarning, match=r"^delay_margin: alpha=.* a lower bound .*1 of 1 values"
+    ):
+        margin = float(delay_margin(*loop))
+    for share in (0.0, 0.1, 0.5, 0.9, 0.999):
+        assert all_inside(*loop, share * margin)
+
+
+def test_a_bound_is_warned_of_once_and_the_others_keep_their_values():
+    walls = np.array([UNDECIDED[1], (0.01, 0.05, 0.0, 0.0), UNDECIDED[2]]).T
+    with pytest.warns(RuntimeWarning, match="2 of 3 values") as told:
+        margin = delay_margin(*walls)
+    assert len(told) == 1
+    assert margin[1] == pytest.approx(3.969213, abs=1e-6)
+
+
+def hardly_damped(rng, count):
+    """Devices near half turns in a period, walls of any size and such as are next to a boundary."""
+    turns = rng.integers(1, 5, count)
+    near = rng.choice([-1, 0, 1], count) * 10 ** rng.uniform(-16, -4, count)
+    gamma, delta = (turns * np.pi) ** 2 * (1 + near), 10 ** rng.uniform(-16, -3, count)
+    size = 10 ** rng.uniform(-8, 1.5, count)
+    alpha, beta = rng.normal(size=(2, count)) * size
+    theta, delay = rng.uniform(0.01, 3.1, count), rng.uniform(0, 6, count)
+    beside = 1 + rng.choice([-1, 1], count) * rng.choice([1e-12, 1e-9, 1e-6, 1e-3], count)
+    wall = np.array(stability_boundary(theta, gamma, delta, delay)) * beside
+    alpha, beta = np.where(rng.random(count) < 0.5, wall, [alpha, beta])
+    keep = np.asarray(is_stable(alpha, beta, gamma, delta, 0)) & (np.abs(alpha) < 1e5)
+    return np.array([alpha, beta, gamma, delta])[:, keep]
+
+
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.ci)])
+def test_hardly_damped_devices_end_in_time_and_no_smaller_delay_is_unstable(seed, monkeypatch):
+    """120 of them beside Schur's test in balls: at five delays below, and right above."""
+    looked_at, bands = 0, losses.bands
+
+    def counted(part, wall):
+        nonlocal looked_at
+        looked_at += wall.alpha.size
+        return bands(part, wall)
+
+    monkeypatch.setattr(losses, "bands", counted)
+    rng = np.random.default_rng(seed)
+    loops, bounds, lost = hardly_damped(rng, 1000)[:, :120].T.tolist(), 0, 0
+    for loop in loops:
+        looked_at = 0
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            margin = float(delay_margin(*loop))
+        assert looked_at < losses.PARTS + 64
+        bounds += bool(told)
+        top = min(margin, 5.0)
+        for delay in (*rng.uniform(0, top, 4), max(0.0, top - 2e-9 * (1 + top))):
+            assert all_inside(*loop, float(delay)), (loop, delay)
+        if not told and margin < 5:
+            steps = margin + (1 + margin) * np.array([1e-9, 1e-8, 1e-7, 1e-6])
+            assert not all(all_inside(*loop, float(delay)) for delay in steps), loop
+            lost += 1
+    assert lost > 40
+    assert bounds < 12

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 from matplotlib.figure import Figure
-from oracle import certified, coefficients, radius
+from oracle import all_inside, certified, coefficients, radius
 
 from symhaptic import Scene, robust_region, stability_boundary, stable_region
 
@@ -256,7 +256,6 @@ def test_pieces_that_do_not_meet_are_no_empty_region(device, delay, sheet, wall)
         ((9.8696, 0.0), 0.0, np.pi**4),
         ((np.pi**2 * (1 + 1e-7), 0.0), 1.0, np.pi**4 / 3),
         ((9 * np.pi**2 * (1 - 1e-7), 0.0), 0.0, 81 * np.pi**4),
-        ((9.869604401089358, 1e-12), 0.5, 170.4035),
     ],
 )
 def test_next_to_half_swings_the_region_is_that_a_little_farther(device, delay, area):
@@ -267,3 +266,20 @@ def test_next_to_half_swings_the_region_is_that_a_little_farther(device, delay, 
     leaves an area of 4 and of 4/3 of (u, w), which is gamma^2/4 times as large of (alpha, beta).
     """
     assert stable_region(*device, delay).area == pytest.approx(area, rel=1e-5)
+
+
+def test_next_to_half_swings_a_corner_is_where_certified_roots_leave():
+    """Behind half a period, with a damping of 1e-12: at (-gamma, 9.8634), and not at 9.8664.
+
+    Walls a hundredth of the extent beside it, on both sides of the outline.
+    """
+    gamma, delta, delay = 9.869604401089358, 1e-12, 0.5
+    region = stable_region(gamma, delta, delay)
+    assert np.abs(region.corners - [-gamma, 9.8634]).max(axis=1).min() < 1e-3
+    inside = 0
+    for alpha in -gamma + np.array([1e-4, 1e-2, 0.1]):
+        for beta in np.arange(9.80, 9.89, 0.0031):
+            there = region.polygon.contains(shapely.Point(alpha, beta))
+            inside += there
+            assert there == all_inside(alpha, beta, gamma, delta, delay), (alpha, beta)
+    assert inside > 20

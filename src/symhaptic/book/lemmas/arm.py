@@ -7,12 +7,10 @@ from sympy import Eq, Expr, Ne, S, Symbol
 from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
 from symhaptic.notation.proposition import Implies, Or, Proposition, Relation, Terms
 from symhaptic.paper.propositions.arm import x, y, y_D, y_H
-from symhaptic.proof.theorems.familiar import ordered
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
-    by_cases,
     conjoined,
     discharged,
     substituted,
@@ -75,12 +73,12 @@ def weighted(claim: Proposition) -> Theorem:
         [rules[y], -T * (1 - own)],
     )
     found = conjoined(
-        combined(plain, [rules[delta], S.One]),
+        combined(plain, [rules[delta], 1 / T]),
         made,
         positive(above, [shares[0]], [rules[p], -S.One]),
         positive(below, [shares[1]], [rules[p], S.One]),
     )
-    return closed(found, mass, *apart)
+    return closed(found, mass, *apart, positive(Ne(T, 0), T > 0))
 
 
 def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
@@ -96,19 +94,16 @@ def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
 
 
 def bounds(claim: Proposition) -> list[Theorem]:
-    """gamma < T^2 k_H/m_H and delta < T (b_D/m_D + b_H/m_H), if k_H and b_D + b_H > 0."""
+    """gamma < T^2 k_H/m_H and delta < T (b_D/m_D + b_H/m_H), if k_H, b_D and b_H > 0."""
     mass, *_ = total()
     pulled = positive(T**2 * k_H * m_D > 0, [T > 0, T > 0, k_H > 0, m_D > 0])
     softer = over(
         T**2 * k_H / m_H - SPRING > 0, pulled, positive(m_H * (m_D + m_H) > 0, [m_H > 0, mass])
     )
     loss = T * (b_D * m_H**2 + b_H * m_D**2)
-
-    def burnt(device: Expr, arm: Expr) -> Theorem:
-        return positive(loss > 0, [T > 0, device, m_H > 0, m_H > 0], [T > 0, arm, m_D > 0, m_D > 0])
-
-    arm_alone = closed(burnt(b_D >= 0, b_H > 0), positive(b_H > 0, b_D + b_H > 0, b_D <= 0))
-    brakes = by_cases(ordered(0, b_D), burnt(b_D > 0, b_H >= 0), arm_alone)
+    brakes = positive(
+        loss > 0, [T > 0, b_D > 0, m_H > 0, m_H > 0], [T > 0, b_H > 0, m_D > 0, m_D > 0]
+    )
     below = positive(m_D * m_H * (m_D + m_H) > 0, [m_D > 0, m_H > 0, mass])
     calmer = over(T * (b_D / m_D + b_H / m_H) - DAMPER > 0, brakes, below)
     return _named(claim, [softer, calmer])

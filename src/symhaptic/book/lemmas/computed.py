@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from sympy import Expr
+
 from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.book.page import Page
+from symhaptic.forms.entire import Entire
+from symhaptic.notation import function
 from symhaptic.notation.proposition import both
 from symhaptic.proof.theorems.kernel import conjoined
 
@@ -30,3 +34,17 @@ def settle(page: Page, form: str, blocks: Sequence[Later], says: str) -> None:
     page.settle(
         statement(form), whole, example=None if len(shown) > 1 else blocks[0].block.example()
     )
+
+
+def upright(computed: Expr) -> Expr:
+    """A computed formula with unknown functions, named as its entire ones, for a page to define.
+
+    >>> from symhaptic.forms.entire import Sinc
+    >>> from symhaptic.notation import psi
+    >>> print(upright(2 * Sinc(psi)))
+    2*\\mathrm{Sinc}(psi)
+    """
+    named = {
+        e: function(rf"\mathrm{{{type(e).__name__}}}")(*e.args) for e in computed.atoms(Entire)
+    }
+    return computed.xreplace(named)

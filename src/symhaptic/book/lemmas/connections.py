@@ -11,7 +11,7 @@ from sympy import Eq, Expr, Ne, S
 from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, z
 from symhaptic.notation.proposition import negated, whole
-from symhaptic.paper.propositions.comparison import LOOP
+from symhaptic.paper.propositions.comparison import LOOP, PASSIVE_WALL
 from symhaptic.paper.propositions.systems import (
     CHAIN,
     FED_BACK,
@@ -22,7 +22,6 @@ from symhaptic.paper.propositions.systems import (
     R_2,
     REAL,
     SIZE,
-    WALL,
     X_1,
     connected,
 )
@@ -94,7 +93,7 @@ def passive_wall_is_stable() -> Theorem:
         *map(assume, (gamma >= 0, DAMPED, HELD, whole(l))),
         combined(d - l >= 0, [assume(l <= d)]),
         combined(d - l < 1, [assume(d < l + 1)]),
-        assume(WALL),
+        assume(PASSIVE_WALL),
     ]
     found = at(late_passive_is_stable(), behind, *given)
     return chosen(turns, found)

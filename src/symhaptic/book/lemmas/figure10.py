@@ -8,6 +8,7 @@ from typing import Any
 from sympy import Expr, Rational, S, cos, sin
 
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
@@ -92,7 +93,8 @@ def drawn() -> Theorem:
 
     def build(known: dict[Any, Expr]) -> Theorem:
         plant = {**known, gamma: STIFF}
-        _, left, *marks = then.at(known).of  # type: ignore[attr-defined]
+        _, _, left, *marks = then.at(known).of  # type: ignore[attr-defined]
+        within = numbers_known(placed(enclosed_walls_are_stable(), plant))
         solid = numbers_known(placed(stable_curve(), plant))
         line = numbers_known(placed(right_of_the_line(), plant))
         bound = for_all((alpha, beta), [left.body.of[0]], line)
@@ -101,7 +103,7 @@ def drawn() -> Theorem:
             mark(claim, known[delta], late, level)
             for claim, level in zip(marks, LEVELS, strict=True)
         )
-        return conjoined(solid, bound, *found)
+        return conjoined(solid, within, bound, *found)
 
     found = each_value(then, dict(zip(symbols, given, strict=True)), build)
     others = (

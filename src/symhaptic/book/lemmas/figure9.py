@@ -8,6 +8,7 @@ from typing import Any
 
 from sympy import Eq, Expr, Rational, S, Symbol
 
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
@@ -95,7 +96,7 @@ def right_of_the_line() -> Theorem:
 
 def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     """What the figure shows of one arm and delay."""
-    curve, left, near, tip = claim.at(corner).of
+    _, _, left, near, tip = claim.at(corner).of
     arm: Arm = (corner[gamma], corner[delta])
     late = int(corner[d])
     solid = numbers_known(placed(stable_curve(), corner))
@@ -113,8 +114,8 @@ def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     stiffest = witnessed(
         conjoined(stable, for_all((alpha, beta), [others.of[0]], most)), tip, values
     )
-    assert curve
-    return conjoined(solid, bound, reached, stiffest)
+    within = numbers_known(placed(enclosed_walls_are_stable(), corner))
+    return conjoined(solid, within, bound, reached, stiffest)
 
 
 @cache

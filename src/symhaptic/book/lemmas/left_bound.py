@@ -6,12 +6,16 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
-from sympy import Eq, Expr, Ne, S, cos, pi
+from sympy import Eq, Expr, Ne, Rational, S, cos
 
+from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
+from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.lower_boundary import is_some
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
+from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, y, z
 from symhaptic.notation.proposition import (
     And,
@@ -23,8 +27,9 @@ from symhaptic.notation.proposition import (
     whole,
 )
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.paper.propositions.stability import OTHER
-from symhaptic.proof.theorems.definitions import loop_substituted
+from symhaptic.paper.propositions.plots import CURVE
+from symhaptic.paper.propositions.stability import OTHER, PIECE
+from symhaptic.paper.ranges import RANGES
 from symhaptic.proof.theorems.familiar import (
     bounded,
     device_exists,
@@ -36,6 +41,7 @@ from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
     anything,
+    applied,
     assume,
     by_cases,
     chosen,
@@ -47,12 +53,9 @@ from symhaptic.proof.theorems.kernel import (
 )
 from symhaptic.proof.theorems.leaves import (
     combined,
-    identity,
     is_whole,
 )
-from symhaptic.proof.theorems.roots import zero_on_circle
 from symhaptic.proof.theorems.tactics import (
-    at,
     closed,
     denied_by,
     fact,
@@ -184,32 +187,57 @@ def left_bound() -> Theorem:
     return by_cases(assume(SOFT), *cases)
 
 
-HALF_SWING = {alpha: -(pi**2), gamma: pi**2, delta: S.Zero, d: S.Zero}
-"""An undamped spring that swings half a turn per period keeps a zero at -1 beside every wall."""
+# -- arms of (23) without delay --------------------------------------------------------
 
-
-def no_wall_near(claim: Proposition) -> Theorem:
-    """What is claimed of the left bound is false for this spring."""
-    false = claim.at(HALF_SWING)
-    reached = part(assume(false), false.parts[1])
-    piece = assume(reached.conclusion.parts[0])
-    length, walls = (part(piece, p) for p in piece.conclusion.parts)
-    middle = combined(-y <= 0, [length]), combined(y >= 0, [length])
-    near = at(walls, {x: S.One, beta: S.Zero}, fact(Relation(S.Zero, "<", S.One)), *middle)
-    wall = near.conclusion.parts[0].parts[1]
-    loop = closed(loop_substituted(wall.terms, z, 1, damping=False), fact(whole(S.Zero)))
-    zeros = loop.conclusion.parts[1].terms[0]
-    zero = identity(zeros.subs(z, -1), S.Zero)
-    none = denied_by(loop, zero_on_circle(zeros, z, pi, zero))
-    wrong = anything(absurd(assume(wall), none), Relation(S.One, "<", S.Zero))
-    wrong = chosen(reached, chosen(near, wrong))
-    return absurd(wrong, fact(Relation(S.Zero, "<=", S.One)), false)
+NEAR = Rational(1, 100)
+"""Walls so near to the line are stable without delay."""
+SHORT = NEAR * x / (NEAR + 2 * x)
+"""Less than x and NEAR/2."""
 
 
 @cache
-def not_soft() -> Theorem:
-    """Nor has it a damper."""
-    claim = SOFT.at(HALF_SWING)
-    strict = Relation(S.Zero, "<", S.Zero)
-    damped = by_cases(assume(claim), *(part(assume(case), strict) for case in claim.parts))
-    return absurd(damped, fact(Relation(S.Zero, "<=", S.Zero)), claim)
+def bound_of_arms() -> Theorem:
+    """What the claim s4d-left-bound says, under its hypotheses."""
+    place = sp.Symbol("q")
+    found = placed(figure9.right_of_the_line(), {alpha: place})
+    right = combined(alpha < place, [found], [assume(LINE), 1])
+    right = placed(right, {place: OTHER})
+    stable = STABLE.at({alpha: OTHER})
+    right = for_all((OTHER, beta, d), [whole(d), stable], right)
+    return conjoined(right, _reached())
+
+
+def _reached() -> Theorem:
+    """The wall SHORT to the right of the line is stable, for 1/4 <= beta <= 1/2."""
+    low, high = PIECE
+    given = [*map(proposition, (x > 0, beta >= low, beta <= high))]
+    under = positive(NEAR + 2 * x > 0, [NEAR], [2, x > 0])
+    apart = positive(Ne(NEAR + 2 * x, 0), [under])
+    step = over(SHORT > 0, positive(NEAR * x > 0, [NEAR, x > 0]), under)
+    small = over(
+        NEAR - SHORT >= 0, positive(NEAR**2 + NEAR * x >= 0, [NEAR**2], [NEAR, x > 0]), under
+    )
+    near = over(x - SHORT > 0, positive(2 * x**2 > 0, [2, x > 0, x > 0]), under)
+    wall = -gamma + y
+    ranges = {**RANGES, beta: PIECE, y: (0, NEAR)}
+    known = plants()
+    top = on_box(sp.expand(sp.fraction(CURVE)[0] - wall * WEIGHT), ranges)
+    below = over(CURVE - wall > 0, top, known["weight"])
+    between_ = conjoined(
+        positive(beta > -1, beta >= low, [low + 1]),
+        combined(-gamma < wall, [assume(y > 0)]),
+        combined(wall < CURVE, [below]),
+    )
+    stable = applied(placed(between(), {alpha: wall}), between_)
+    stable = of_every_plant(
+        closed(stable, *(not_zero(known[n]) for n in ("weight", "late", "toward")))
+    )
+    stable = placed(stable, {y: SHORT})
+    ends = step, small, positive(SHORT >= 0, [step]), positive(SHORT <= NEAR, [small])
+    stable = closed(stable, *ends, apart, positive(beta > -1, beta >= low, [low + 1]))
+    values = {OTHER: -gamma + SHORT}
+    beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
+    claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER, d: S.Zero})))
+    there = conjoined(closed(beside, apart), stable)
+    some = closed(witnessed(there, Exists((OTHER,), claim), values), apart)
+    return for_all((x, beta), given, some)

@@ -6,11 +6,9 @@ for all stiffer walls.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
-from typing import Any
 
-from sympy import Expr, Rational, S, Symbol
+from sympy import Expr, Rational, S
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
@@ -36,39 +34,31 @@ from symhaptic.book.lemmas.linear_rays import (
 )
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import Or, Proposition, Relation, negated
+from symhaptic.notation import alpha, beta, delta, gamma
+from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions.linear_error import (
     BETWEEN,
     LEVEL,
     PUSHING,
-    THRESHOLD,
     error,
-    far,
     on_boundary_at,
     size,
 )
 from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.theorems.familiar import magnitude, ordered
 from symhaptic.proof.theorems.kernel import (
-    NotShown,
     Theorem,
     absurd,
     anything,
-    applied,
     assume,
     by_cases,
-    chosen,
     conjoined,
     discharged,
     general,
-    part,
     placed,
-    substituted,
-    widened,
 )
 from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, none_of, over, positive, reductio
+from symhaptic.proof.theorems.tactics import closed, over, positive
 
 STEEP = 1 - LEVEL
 """How steep the ray of an error of -2 per cent is, beside the line."""
@@ -154,30 +144,6 @@ def _below_at_gamma(delay: int, most: Expr) -> Theorem:
 # -- the claims ------------------------------------------------------------------------
 
 
-ENOUGH = {0: Rational(175, 10**4), 1: THRESHOLD}
-"""Beyond these dampings, by delay, the error exceeds 2 per cent beside every spring of (23)."""
-
-LATE_OR_DAMPED = Or((Relation(d, "=", S.One), Relation(ENOUGH[0], "<", delta)))
-"""What the claim of the paper lacks."""
-
-
-@cache
-def far_for_every_spring() -> Theorem:
-    """The claim ``far`` beyond the damping that the paper names, one period late or damped more."""
-    late = Or(tuple(Relation(d, "=", S(n)) for n in ENOUGH))
-    cases = {n: _at_delay(n) for n in ENOUGH}
-    damped = by_cases(assume(late), *cases.values())
-    return by_cases(assume(LATE_OR_DAMPED), cases[1], damped)
-
-
-def _at_delay(delay: int) -> Theorem:
-    ranges = {**RANGES, delta: (ENOUGH[delay], DAMPED)}
-    found = beyond(delay, S.One, Rational(1, 10**5), ranges)
-    least = positive(delta >= ENOUGH[delay], delta > ENOUGH[delay])
-    same = combined(Relation(S(delay), "=", d), [assume(Relation(d, "=", S(delay))), -S.One])
-    return substituted(far(), d, closed(found, least), same)
-
-
 SPRINGS = {0: Rational(983, 1000), 1: Rational(972, 1000)}
 """y/gamma of the wall that is taken."""
 
@@ -205,38 +171,3 @@ def _stiff(theorem: Theorem) -> Theorem:
     """For gamma = 0.001."""
     ends = (Relation(S.Zero, "<=", STIFF), Relation(STIFF, "<=", STIFF))
     return closed(placed(theorem, {gamma: STIFF}), *map(number, ends))
-
-
-EXCEPTION = {gamma: STIFF, delta: Rational(16, 1000), d: S.Zero}
-
-
-@cache
-def not_far() -> Theorem:
-    """Without delay (26) exceeds 2 per cent nowhere for delta = 0.016, gamma = 0.001."""
-    wanted = far().at(EXCEPTION)
-    body = assume(wanted.body)  # type: ignore[attr-defined]
-    known = placed(nowhere_at(0), {delta: EXCEPTION[delta]})
-    ends = (
-        Relation(S.Zero, "<=", EXCEPTION[delta]),
-        Relation(EXCEPTION[delta], "<=", BETWEEN[0][0]),
-    )
-    most = closed(applied(known, body), *map(number, ends))
-    never = absurd(part(body, body.conclusion.of[-1]), most)  # type: ignore[attr-defined]
-    return reductio(chosen(assume(wanted), never), wanted)
-
-
-def one_of(claim: Proposition, point: Mapping[Symbol, Expr]) -> Theorem:
-    """One of the cases holds at a point."""
-    there = claim.at(point)
-    for case in there.of:  # type: ignore[attr-defined]
-        try:
-            return widened(number(case), there)
-        except NotShown:
-            continue
-    raise NotShown(f"{there} is not seen to hold")
-
-
-def neither_of(claim: Proposition, point: Mapping[Symbol, Expr]) -> Theorem:
-    """None of the cases holds at a point."""
-    there: Any = claim.at(point)
-    return none_of(there, *(number(negated(case)) for case in there.of))

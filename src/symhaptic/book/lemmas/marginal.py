@@ -6,31 +6,37 @@ not pull if there is no damper.
 
 from __future__ import annotations
 
+from functools import cache, partial
 from typing import Any
 
-from sympy import Eq, Expr, Rational, S, pi
+from sympy import Eq, Expr, Ne, Rational, S, Symbol, pi
 
+from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
 from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
 from symhaptic.notation.proposition import Exists, Proposition, Relation, conjuncts
-from symhaptic.paper.propositions.conclusion import HARDLY
+from symhaptic.paper.propositions import conclusion
+from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
 from symhaptic.paper.propositions.ratio import WALL
-from symhaptic.paper.ranges import RANGES
+from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     assume,
     chosen,
+    conjoined,
     placed,
     substituted,
+    witnessed,
 )
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import at, closed, fact, positive, reductio
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import at, closed, fact, over, positive, reductio
 
 LIMIT = Rational("0.6899") + Rational("1.2") * delta
 """A little stiffer than every stable wall without delay, for all springs of (23)."""
 NEAR = UNDELAYED[1]
+SMALL = Rational(105, 100)
 AT_ONCE = Eq(d, 0)
 LONG = {gamma: (pi / 100) ** 2, d: S(49)}
 
@@ -42,32 +48,66 @@ def behind(delay: int, claim: Proposition, theorem: Theorem) -> Theorem:
     return substituted(claim, place, theorem, equal)
 
 
-def hardly(claim: Proposition, best: dict[Any, Expr], others: dict[Any, Expr]) -> Theorem:
-    """Without delay there is a wall of one device that no wall of the other exceeds by much."""
+def by_a_factor(claim: Any, best: dict[Any, Expr], others: dict[Any, Expr]) -> Theorem:
+    """Without delay some wall of one device is outdone by less than 5 per cent by the other's."""
     undelayed = claim.at({d: S.Zero})
+    some = undelayed.body.at({FACTOR: SMALL}).of[1]
     wall = tuple(v.subs(best) for v in UNDELAYED)
     stable = _there(stable_wall(0, UNDELAYED, RANGES), best)
     limit = _there(no_stiffer(0, (LIMIT, NEAR), RANGES), others)
-    rest = HARDLY * wall[0] - LIMIT.subs(others)
+    rest = SMALL * wall[0] - LIMIT.subs(others)
 
     def bound(wanted: Any) -> Theorem:
         return positive(wanted, [limit], *linear(rest, RANGES[delta]))
 
-    return behind(0, claim, beside(undelayed, stable, wall, bound))
+    more = number(Relation(S.Zero, "<", SMALL))
+    found = conjoined(more, beside(some, stable, wall, bound))
+    return behind(0, claim, witnessed(found, undelayed, {FACTOR: SMALL}))
 
 
 def _there(theorem: Theorem, values: dict[Any, Expr]) -> Theorem:
     """For one spring or one damper of the range."""
-    found = placed(theorem, values)
-    return numbers_known(found)
+    return numbers_known(placed(theorem, values))
 
 
 def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theorem:
-    """No wall of the undamped device is hardly exceeded by ``wall``, which is stable and pushes."""
-    best, others = (assume(p) for p in conjuncts(claim.body))
+    """No stable wall of the undamped device is within a factor of ``wall``, which is stable."""
+    factor, some = (assume(p) for p in conjuncts(claim.body))
+    inner: Any = some.conclusion
+    best, others = (assume(p) for p in conjuncts(inner.body))
     below = at(others, dict(zip(WALL, wall, strict=True)), stable)
-    share = 1 / HARDLY
-    least = combined(Relation(S.Zero, "<=", x), [share, below], [share * wall[0]])
+    push = over(x > 0, positive(FACTOR * x > 0, [below], [wall[0]]), factor)
+    least = closed(positive(x >= 0, [push]), positive(Ne(FACTOR, 0), [factor]))
     false = placed(excluded(), {alpha: x, beta: y, d: S(49)})
     false = closed(false, least, best, *(fact(p) for p in false.hypotheses if not p.free))
-    return reductio(chosen(assume(claim), false), claim)
+    return reductio(chosen(assume(claim), chosen(some, false)), claim)
+
+
+@cache
+def changed(parameter: Symbol, other: Expr, delay: int) -> Theorem:
+    """The change of the stiffness between two decimals: walls next to both tips, and bounds."""
+    claim: Any = conclusion.changed(parameter, other, delay)
+    rest, end = (delta, STIFF) if parameter == gamma else (gamma, DAMPED)
+    strong, weak = (S.Zero, end) if parameter == gamma else (end, S.Zero)
+    arms = [tuple({parameter: v, rest: other}[s] for s in (gamma, delta)) for v in (strong, weak)]
+    found = []
+    for some, best, others in zip(claim.of, arms, arms[::-1], strict=True):
+        wall, held = wall_below(best, delay, FINE)
+        limit, softer = none_above(others, delay, FINE)
+        found.append(beside(some, held, wall, partial(_below, limit, softer)))
+    return conjoined(*found)
+
+
+def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
+    """c alpha < g x for all stable walls of the other device, alpha < L and x a number."""
+    share = wanted.left.coeff(alpha)
+    return combined(wanted, [share, softer], [wanted.right - share * limit])
+
+
+@cache
+def changes(parameter: Symbol) -> Theorem:
+    """All changes with one parameter."""
+    rows = CHANGES[parameter]
+    return conjoined(
+        *(changed(parameter, v, n) for v, row in rows.items() for n in range(len(row)))
+    )

@@ -3,20 +3,41 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
-from sympy import Expr, I, Ne, S, exp, pi
+from sympy import Eq, Expr, I, Ne, S, exp, pi
 
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import alpha, beta, delta, gamma, l, z
-from symhaptic.notation.proposition import Predicate, Relation, whole
-from symhaptic.paper.propositions.comparison import LATE, MIRROR, q
+from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, l, n_1, z
+from symhaptic.notation.proposition import Predicate, Relation, conjuncts, whole
+from symhaptic.paper.propositions.comparison import (
+    LATE,
+    MIRROR,
+    NUMBERS,
+    TURNED,
+    WALLS,
+    limit_stable_undelayed,
+    q,
+    split_off,
+)
 from symhaptic.proof.theorems.familiar import (
+    axiom,
+    of_device,
     rising,
     sign_of,
     square,
 )
-from symhaptic.proof.theorems.kernel import Theorem, assume
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    assume,
+    conjoined,
+    discharged,
+    general,
+    part,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import (
     combined,
     factor,
@@ -24,8 +45,8 @@ from symhaptic.proof.theorems.leaves import (
     is_whole,
     number,
 )
-from symhaptic.proof.theorems.roots import pole_at
-from symhaptic.proof.theorems.tactics import closed, positive
+from symhaptic.proof.theorems.roots import jury, pole_at
+from symhaptic.proof.theorems.tactics import chained, closed, either_way, for_all, positive
 
 
 @cache
@@ -66,3 +87,77 @@ def inside() -> tuple[Theorem, Theorem]:
     low = closed(rising(exp, -delta / 2, S.Zero), positive(-delta / 2 < 0, [S.Half, delta > 0]))
     high = positive(MIRROR < 1, [sign_of(exp, -delta / 2)], [S.One])
     return positive(MIRROR > -1, [low]), high
+
+
+@cache
+def undamped() -> dict[str, Theorem]:
+    """a = -2, e = 1, n_1 = n_0 and n_1 = 2/pi^2 of the device without damping."""
+    device = axiom("undamped device", pi, *NUMBERS)
+    turn, alike = (part(device, claim) for claim in device.conclusion.parts)
+    here = assume(Predicate("device", (), (pi**2, S.Zero, *NUMBERS)))
+    loss = combined(Eq(e, 1), [of_device("device's loss", here)])
+    half = 1 / (2 * pi**2)
+    length = combined(
+        Eq(n_1, TURNED),
+        [-half, of_device("device at rest", here)],
+        [S.Half, alike],
+        [-half, turn],
+        [half, loss],
+    )
+    return {"turn": turn, "alike": alike, "loss": loss, "length": length}
+
+
+@cache
+def split() -> Theorem:
+    """The polynomial is z + 1 times another one, and the device loses a pole at -1."""
+    claim = split_off()
+    given, (seen, once) = conjuncts(claim.body.of[0]), conjuncts(claim.body.of[1])  # type: ignore[attr-defined]
+    turned, left = conjuncts(seen.body)  # type: ignore[attr-defined]
+    known, late, below = undamped(), z ** (d + 1), z**2 - a * z + e
+    shown = combined(
+        turned.of[1],  # type: ignore[attr-defined]
+        [-z * late, known["turn"]],
+        [late, known["loss"]],
+        [WALLS * (z + 1), known["length"]],
+        [-WALLS, known["alike"]],
+    )
+    more = assume(left.of[0])  # type: ignore[attr-defined]
+    both_ = below * (z + 1)
+    quotient = combined(
+        left.of[1],  # type: ignore[attr-defined]
+        [TURNED * z / both_, known["turn"]],
+        [-TURNED / both_, known["loss"]],
+        [(z + 1) / below, known["length"]],
+        [-1 / below, known["alike"]],
+    )
+    apart = combined(Ne(below, 0), [more, more], [z, known["turn"]], [-1, known["loss"]])
+    quotient = closed(quotient, apart, combined(Ne(z + 1, 0), [more]))
+    pairs = ((shown, turned), (quotient, left))
+    at_each = general(conjoined(*(discharged(t, p.of[0]) for t, p in pairs)), z)  # type: ignore[attr-defined]
+    value, sum_ = once.of  # type: ignore[attr-defined]
+    there = combined(sum_, [-(pi**2) / 2, assume(value)])
+    back = combined(value, [-TURNED, assume(sum_)])
+    found = conjoined(at_each, either_way(there, back, value, sum_))
+    return for_all(claim.over, given, weakened(found, *given))  # type: ignore[attr-defined]
+
+
+@cache
+def triangle() -> Theorem:
+    """Without delay the other zeros lie inside just for the walls of a triangle."""
+    claim: Any = limit_stable_undelayed()
+    zeros, walls = claim.body.of
+    inside = jury(zeros.of[0], z)
+    half = number(Relation(S.Zero, "<", pi**2 / 2))
+    share = number(Relation(S.Zero, "<", TURNED))
+    minors = conjuncts(inside.conclusion.of[1])  # type: ignore[attr-defined]
+    left, down, right = conjuncts(walls)
+    sides = (left, right, down)
+    there = {p: combined(p, [half, assume(m)]) for p, m in zip(sides, minors, strict=True)}
+    back = [combined(m, [share, assume(p)]) for p, m in zip(sides, minors, strict=True)]
+    same = either_way(
+        conjoined(*(there[p] for p in conjuncts(walls))),
+        conjoined(*back),
+        inside.conclusion.of[1],  # type: ignore[attr-defined]
+        walls,
+    )
+    return general(chained(inside, numbers_known(same)), alpha, beta)

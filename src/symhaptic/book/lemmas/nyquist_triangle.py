@@ -37,7 +37,8 @@ from symhaptic.paper.propositions.plots import (
     triangle,
     undelayed,
 )
-from symhaptic.paper.ranges import RANGES
+from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.proof import box
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import rising, sign_of, square
 from symhaptic.proof.theorems.judge import taken_apart
@@ -52,6 +53,7 @@ from symhaptic.proof.theorems.kernel import (
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import combined, factor, number
+from symhaptic.proof.theorems.leaves import on_box as on_plain_box
 from symhaptic.proof.theorems.roots import jury
 from symhaptic.proof.theorems.tactics import (
     chained,
@@ -208,6 +210,22 @@ def other_shape_and_size() -> Theorem:
     shape = for_all((alpha, beta, delta), DAMPERS, weakened(is_triangle(), *DAMPERS))
     size = for_all((delta,), DAMPERS, weakened(stiffer(), *DAMPERS))
     return conjoined(line_and_curve(), shape, size)
+
+
+@cache
+def hardly_moved() -> Theorem:
+    """The triangle for every damper of (23), and that its sides move by less than 0.05."""
+    shape, sides = CLAIMED["s5c-delta-hardly-visible"](()).parts
+    symbols, given, _ = taken_apart(shape)
+    kept = for_all(symbols, given, weakened(is_triangle(), *given))
+    symbols, given, goals = taken_apart(sides)
+    known = []
+    for goal in conjuncts(goals):
+        gap = goal.right - goal.left  # type: ignore[attr-defined]
+        known.append(combined(goal, [on_plain_box(box.positive(gap, {delta: (0, DAMPED)}))]))
+    ends = positive(delta >= 0, delta > 0)
+    moved = for_all(symbols, given, weakened(closed(conjoined(*known), ends), *given))
+    return conjoined(kept, moved)
 
 
 def shape_and_size() -> Proposition:

@@ -5,12 +5,15 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from sympy import Expr, S, cos
+from sympy import S
 
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
+from symhaptic.book.lemmas.connections import passive_wall_is_stable
+from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
+from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
-from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS, passive_is_stable
-from symhaptic.book.lemmas.walls import HALF, LITTLE, margins, met, unstable
+from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.notation import (
     B,
     K,
@@ -20,29 +23,27 @@ from symhaptic.notation import (
     beta,
     d,
     delta,
+    epsilon,
     gamma,
+    l,
     m,
-    omega,
-    omega_hat,
     theta,
     z,
 )
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, whole
+from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.familiar import (
-    bounded,
     device_exists,
     loop_of_device,
-    not_negative,
     ordered,
-    square,
+    with_rest,
 )
-from symhaptic.proof.theorems.judge import Case, taken_apart
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -55,19 +56,17 @@ from symhaptic.proof.theorems.kernel import (
     discharged,
     part,
     placed,
+    substituted,
     weakened,
-    widened,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number
 from symhaptic.proof.theorems.roots import zero_on_circle
 from symhaptic.proof.theorems.tactics import (
-    at,
     closed,
-    counterexample,
     denied_by,
-    example,
     fact,
     for_all,
+    one,
     positive,
     zero_beyond,
 )
@@ -129,87 +128,72 @@ def right_of_the_line() -> Theorem:
 
 
 @cache
-def inside(spring: Expr = gamma) -> Theorem:
-    """A wall of (5) for delta = 0.02 with 0 < alpha is stable beside a spring; d is whole."""
-    found = closed(part(passive_is_stable(), STABLE), margins(passive()))
-    found = closed(found, positive(alpha + gamma > 0, alpha > 0, gamma >= 0))
-    found = placed(found, {delta: DAMPED, gamma: spring})
-    return closed(found, *(fact(h) for h in found.hypotheses if not h.free))
-
-
-@cache
 def in_one_plane() -> Theorem:
-    """Fig. 11, for whole delays."""
-    symbols, given, then = taken_apart(CLAIMED["fig11"](()))
+    """Fig. 11."""
+    drawn, region = CLAIMED["fig11"](()).of  # type: ignore[attr-defined]
+    symbols, given, then = taken_apart(drawn)
     arm = {gamma: STIFF, delta: DAMPED}
-    curve, *_, left, region = then.of  # type: ignore[attr-defined]
-    passive_ = passive_curve(curve)
-    solid_ = placed(stable_curve(), arm)
-    line = placed(right_of_the_line(), arm)
-    line = closed(line, *(fact(h) for h in line.hypotheses if not h.free))
+    curve, *_, left = then.of  # type: ignore[attr-defined]
+    line = numbers_known(placed(right_of_the_line(), arm))
     line = for_all(left.over, [left.body.of[0]], line)
-    within = discharged(inside(STIFF), *region.of[0].of)
-    low = closed(conjoined(passive_, solid_, line, within), not_negative(assume(whole(d))))
-    more = [*given, whole(d)]
-    return for_all(symbols, more, weakened(low, *more))
+    curves = (stable_curve(), enclosed_walls_are_stable())
+    found = conjoined(passive_curve(curve), *(placed(t, arm) for t in curves), line)
+    shown = for_all(symbols, given, weakened(_at_each(found, given[0]), *given))
+    walls, inside, _ = taken_apart(region)
+    stable = _at_each(numbers_known(placed(held_passive_is_stable(), arm)), inside[0])
+    return conjoined(shown, for_all(walls, inside, weakened(stable, *inside)))
 
 
 @cache
 def up_to_nyquist() -> Theorem:
-    """Fig. 13, for whole delays."""
-    symbols, given, then = taken_apart(CLAIMED["fig13"](()))
-    *curves, region = then.of  # type: ignore[attr-defined]
+    """Fig. 13."""
+    drawn, region = CLAIMED["fig13"](()).of  # type: ignore[attr-defined]
+    symbols, given, then = taken_apart(drawn)
+    curves = conjoined(stable_curve(), enclosed_walls_are_stable())
     found = []
-    for claim, damper in zip(curves, (DAMPED, S.Zero), strict=True):
+    for claim, damper in zip(then.of, (DAMPED, S.Zero), strict=True):  # type: ignore[attr-defined]
         springs = claim.body.of[0].of
-        found.append(
-            for_all([gamma], springs, weakened(placed(stable_curve(), {delta: damper}), *springs))
-        )
-    springs = region.of[1].body.of[0].of
-    robust = for_all([gamma], springs, weakened(inside(), *springs))
-    found.append(discharged(robust, *region.of[0].of))
-    low = closed(conjoined(*found), not_negative(assume(whole(d))))
-    more = [*given, whole(d)]
-    return for_all(symbols, more, weakened(low, *more))
+        found.append(for_all([gamma], springs, weakened(placed(curves, {delta: damper}), *springs)))
+    shown = for_all(symbols, given, weakened(_at_each(conjoined(*found), given[0]), *given))
+    walls, inside, robust = taken_apart(region)
+    springs = robust.body.of[0].of  # type: ignore[attr-defined]
+    stable = closed(passive_wall_is_stable(), positive(alpha + gamma > 0, alpha > 0, gamma >= 0))
+    stable = numbers_known(placed(stable, {delta: DAMPED}))
+    stable = for_all([gamma], springs, weakened(stable, *springs))
+    stable = _at_each(stable, inside[0])
+    return conjoined(shown, for_all(walls, inside, weakened(stable, *inside)))
 
 
-HALF_LATE = {alpha: LITTLE, beta: LITTLE / 2, delta: DAMPED, d: S.Half}
-"""A wall that meets (5) half a period late, and is not stable by (18): in the root of z."""
+def _at_each(theorem: Theorem, delays: Any) -> Theorem:
+    """For each of some delays, what is shown of whole ones or of those that are not negative."""
+    for hypothesis in theorem.hypotheses & {proposition(d >= 0), whole(d)}:
+        cases = []
+        for choice in delays.of:
+            value = choice.terms[1]
+            equal = combined(Relation(value, "=", d), [assume(choice), -S.One])
+            there = fact(hypothesis.at({d: value}))
+            cases.append(substituted(hypothesis, d, there, equal))
+        theorem = closed(theorem, by_cases(assume(delays), *cases))
+    return theorem
 
 
 @cache
-def meets_the_condition() -> Theorem:
-    """(5), which wants alpha cos(omega/2) - beta cos(3 omega/2) of the damper."""
-    slow, fast = omega / 2, 3 * omega / 2
-    turns = [[HALF * LITTLE, t] for t in (square(1 - cos(slow)), bounded(cos, slow))]
-    turns += [[HALF * LITTLE / 2, t] for t in (square(1 + cos(fast)), bounded(cos, fast))]
-    return met(HALF_LATE, *turns, [DAMPED - 3 * LITTLE / 2])
+def not_pulling() -> Theorem:
+    """0 <= alpha of a passive wall beside a damper, for every delay of the held force."""
+    turns = closed(with_rest(d, S.One, l), one())
+    units = {K: alpha, B: beta, b: delta, T: S.One, epsilon: d - l}
+    passive = closed(
+        placed(passive_late(), units),
+        combined(d - l >= 0, [assume(l <= d)]),
+        positive(d - l <= 1, [combined(d - l < 1, [assume(d < l + 1)])]),
+        number(Relation(S.Zero, "<", S.One)),
+    )
+    return chosen(turns, part(applied(passive, assume(PASSIVE_WALL)), alpha >= 0))
 
 
-def half_late(id: str, but: Proposition) -> Case:
-    """What Figs. 11 and 13 show of d = 0.5 is not so of this wall."""
-    claim = CLAIMED[id](())
-    _, [delays], then = taken_apart(claim)
-    case = {**HALF_LATE, omega_hat: S.One}
-    there = then.at(case)
-    region = there.of[-1]  # type: ignore[attr-defined]
-    right = number(Relation(S.Zero, "<", LITTLE))
-    held = applied(part(assume(there), region), conjoined(right, meets_the_condition()))
-    spring = STIFF
-    if isinstance(held.conclusion, ForAll):
-        spring = S.Zero
-        ends = [fact(p.at({gamma: spring})) for p in held.conclusion.body.of[0].of]  # type: ignore[attr-defined]
-        held = at(held, {gamma: spring}, *ends)
-    denied = absurd(held, unstable({**HALF_LATE, gamma: spring}), there)
-    some = widened(identity(S.Half, S.Half), delays.at(case))
-    symbols = {s: v for s, v in case.items() if s in claim.over}  # type: ignore[attr-defined]
-    return counterexample(claim, symbols, some, denied, but=but)
-
-
-def drawn_at(id: str) -> Case:
-    """A point of the figure, without delay."""
-    claim = CLAIMED[id](())
-    symbols, [delays], _ = taken_apart(claim)
-    point = dict.fromkeys(symbols, S.One) | {d: S.Zero}
-    some = widened(identity(S.Zero, S.Zero), delays.at(point))
-    return example(point, [delays, whole(d)], some)
+@cache
+def held_passive_is_stable() -> Theorem:
+    """A passive wall keeps a device with spring and damper stable, for every delay."""
+    held = positive(alpha + gamma > 0, [not_pulling()], gamma > 0)
+    stiff = positive(gamma >= 0, gamma > 0)
+    return closed(passive_wall_is_stable(), held, stiff)

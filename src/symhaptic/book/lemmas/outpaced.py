@@ -8,10 +8,10 @@ the angle of the tip of the stable region this bound is the tip itself.
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
-from sympy import Expr, S, cos
+from sympy import Expr, S, Symbol, cos
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
@@ -34,6 +34,9 @@ from symhaptic.proof.theorems.kernel import (
 from symhaptic.proof.theorems.leaves import combined, is_whole, on_plants
 from symhaptic.proof.theorems.roots import outpaces
 from symhaptic.proof.theorems.tactics import closed, fact, positive
+
+Side: TypeAlias = tuple[Expr, Expr, Expr]
+"""p, q and c of the half plane p alpha + q beta < c."""
 
 POWERS = {
     d + 3: S.One,
@@ -66,51 +69,57 @@ def room() -> Theorem:
     return closed(found, *steps)
 
 
-@cache
-def beyond() -> dict[str, Expr]:
-    """-ROOM at alpha + u and beta: its coefficients of powers of u, and of v for beta."""
-    plain = {c: sp.Dummy() for c in ROOM.atoms(cos)}
-    form = powers(-ROOM.xreplace(plain), alpha)
-    back = {c: f for f, c in plain.items()}
-    one, u, v, uu, uv, vv = (
-        powers(form[i], beta).get(j, S.Zero).xreplace(back)
-        for i, j in ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-    )
-    raised = {"": one + u * alpha + uu * alpha**2, "u": u + 2 * uu * alpha, "v": v + uv * alpha}
-    return {**raised, "uu": uu, "uv": uv, "vv": vv}
-
-
 def at_point(expr: Expr, ranges: Ranges) -> Theorem:
     """0 < f of the plant's numbers on a small box, by balls."""
-    found = box.positive(sp.sympify(expr), ranges, named({**BALLS, n_0: LATE}))
-    certificate: Any = found.certificates[0]
-    return on_plants(certificate)
+    return on_plants(box.positive(sp.sympify(expr), ranges, named({**BALLS, n_0: LATE})))
 
 
 def softer_than(limit: Expr, delay: int, angle: Expr, ranges: Ranges) -> Theorem:
     """alpha < ``limit`` for every stable wall and all plants of the box."""
+    return on_this_side((S.One, S.Zero, limit), delay, angle, ranges)
+
+
+def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem:
+    """p alpha + q beta < c for every stable wall and all plants of the box.
+
+    ``side`` is p, q and c; at the angle of the point of the boundary that it touches nothing is
+    given away.
+    """
+    p, q, limit = side
     there = {d: S(delay), theta: angle}
-    known = placed(room(), there)
-    known = closed(known, fact(whole(S(delay))))
+    known = closed(placed(room(), there), fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
-    of = {n: c.xreplace({**there, alpha: limit}) for n, c in beyond().items()}
-    bend, stiff = of["vv"], assume(alpha >= limit)
-    rest = {
-        "": 4 * bend * of[""] - of["v"] ** 2,
-        "u": 4 * bend * of["u"] - 2 * of["uv"] * of["v"],
-        "uu": 4 * bend * of["uu"] - of["uv"] ** 2,
+    other = beta if p != 0 else alpha
+    over_, along = sp.symbols("u v")
+    moved = {other: along, (alpha if p != 0 else beta): _solved(side, over_, along)}
+    plain = {c: sp.Dummy() for c in value.atoms(cos)}
+    back = {c: f for f, c in plain.items()}
+    form = powers(-value.xreplace(plain).xreplace(moved), over_)
+    of = {
+        (i, j): powers(form.get(i, S.Zero), along).get(j, S.Zero).xreplace(back)
+        for i, j in ((0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2))
     }
-    signs = {n: at_point(f, ranges) for n, f in rest.items()}
+    bend, outside = of[0, 2], assume(p * alpha + q * beta >= limit)
+    tilt = of[1, 1] * (p * alpha + q * beta - limit) + of[0, 1]
+    rest = [
+        4 * bend * of[0, 0] - of[0, 1] ** 2,
+        4 * bend * of[1, 0] - 2 * of[1, 1] * of[0, 1],
+        4 * bend * of[2, 0] - of[1, 1] ** 2,
+    ]
     turn = at_point(bend, ranges)
     less = combined(
         Relation(4 * bend * value, "<=", S.Zero),
-        [square(2 * bend * beta + of["uv"] * (alpha - limit) + of["v"])],
-        [signs[""]],
-        [signs["u"], stiff],
-        [signs["uu"], stiff, stiff],
+        [square(2 * bend * other + tilt)],
+        *([at_point(f, ranges), *[outside] * n] for n, f in enumerate(rest)),
     )
     above = Relation(S.Zero, "<", 4 * bend * value)
     contrary = absurd(positive(above, [4, turn, known]), less)
-    wanted = Relation(alpha, "<", limit)
-    found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
+    wanted = Relation(p * alpha + q * beta, "<", limit)
+    found = by_cases(ordered(wanted.left, limit), assume(wanted), anything(contrary, wanted))
     return of_every_plant(found)
+
+
+def _solved(side: Side, over_: Symbol, along: Symbol) -> Expr:
+    """The coordinate that is eliminated, at p alpha + q beta = c + u."""
+    p, q, limit = side
+    return (limit + over_ - q * along) / p if p != 0 else (limit + over_) / q

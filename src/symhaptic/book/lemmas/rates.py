@@ -22,8 +22,8 @@ def with_damping_and_rate() -> tuple[Theorem, Theorem]:
     then: Any = taken_apart(scaled(T / y))[2]
     damped, faster = (
         either_way(
-            _moved(*same.of, *first),
-            _moved(*same.of[::-1], *second),
+            moved(*same.of, *first),
+            moved(*same.of[::-1], *second),
             *same.of,
         )
         for same, first, second in (
@@ -35,7 +35,7 @@ def with_damping_and_rate() -> tuple[Theorem, Theorem]:
     return closed(damped, *apart), closed(faster, *apart)
 
 
-def _moved(known: Any, wanted: Any, frequency: Expr, times: Any, stretch: Any) -> Theorem:
+def moved(known: Any, wanted: Any, frequency: Expr, times: Any, stretch: Any) -> Theorem:
     """(5) for one wall at every frequency, from that for another one, times a factor."""
     low, high = wanted.body.of[0].of
     ends: tuple[Proposition, ...] = known.body.of[0].at({omega: frequency}).of

@@ -9,20 +9,38 @@ from typing import Any
 import sympy as sp
 from sympy import Eq, Expr, Ne, Rational, S, Symbol
 
+from symhaptic.book.lemmas.stiffest_stable import (
+    damping_between,
+    no_stiffer,
+    numbers_known,
+    of_every_plant,
+    on_box,
+)
 from symhaptic.model.circle import powers
-from symhaptic.notation import B, K, T, b, k, m, y, z
-from symhaptic.notation.proposition import Exists, Predicate, Proposition, Relation, whole
+from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, m_D, m_H, n_0, y, z
+from symhaptic.notation.proposition import (
+    Exists,
+    Predicate,
+    Proposition,
+    Relation,
+    proposition,
+    whole,
+)
+from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import (
-    DAMPER,
     HEAVY,
+    MORE,
     SOON,
-    SPRING,
     STIFFER,
     STRONGER,
     in_units,
 )
+from symhaptic.paper.propositions.stability import (
+    SHARE as LIGHTER,
+)
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import square
+from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
     Theorem,
     absurd,
@@ -32,7 +50,9 @@ from symhaptic.proof.theorems.kernel import (
     chosen,
     conjoined,
     part,
+    placed,
     substituted,
+    weakened,
     witnessed,
 )
 from symhaptic.proof.theorems.leaves import (
@@ -43,9 +63,11 @@ from symhaptic.proof.theorems.leaves import (
 from symhaptic.proof.theorems.roots import (
     jury,
     last_coefficient,
-    zero_on_circle,
 )
-from symhaptic.proof.theorems.tactics import closed, either_way, fact, positive
+from symhaptic.proof.theorems.tactics import closed, either_way, fact, for_all, over, positive
+
+DAMPER, SPRING = MORE[1:]
+"""Damper and spring of another loop."""
 
 RATE = [Eq(DAMPER, 2 * b), Eq(SPRING, 4 * k)]
 """b T/m and k T^2/m are kept at half the period."""
@@ -58,6 +80,9 @@ HELD = [Eq(DAMPER / HEAVY, b / m), Eq(SPRING / HEAVY, k / m)]
 
 FASTER = [Eq(DAMPER, y * b), Eq(SPRING, y**2 * k)]
 """b T/m and k T^2/m are kept at y times the rate."""
+
+NOTHING = [proposition(Eq(b, 0)), proposition(Eq(k, 0))]
+"""Without damper and spring."""
 
 APART = [positive(Ne(s, 0), s > 0) for s in (T, m, SOON, HEAVY)]
 
@@ -158,6 +183,45 @@ def _both_ways(
     return closed(either_way(there, back, before, after), *APART)
 
 
+def free_mass(theorem: Theorem, kept: Sequence[Any]) -> Theorem:
+    """The same with one damper and spring, b = 0 and k = 0, which ``kept`` keeps."""
+    same = {DAMPER: b, SPRING: k}
+    found = placed(theorem, same)
+    for equation, symbol, none in zip(kept, (b, k), NOTHING, strict=True):
+        wanted: Any = proposition(equation).at(same)
+        share = sp.expand((wanted.left - wanted.right) / symbol)
+        found = closed(found, combined(wanted, [assume(none), share]))
+    return closed(found, *APART)
+
+
+@cache
+def lighter_hands() -> Theorem:
+    """What a lighter hand leaves of the walls; and that it is more beside a heavier device."""
+    walls, rises = CLAIMED["s6-light-device"](()).parts
+    heavy, light = m_D + m_H, m_D + LIGHTER * m_H
+    both_ = [m_H > 0, LIGHTER >= 0]
+    masses = positive(heavy > 0, m_D > 0, m_H > 0), positive(light > 0, [m_D > 0], both_)
+    free = free_mass(with_the_mass(STIFFER, STRONGER), HELD)
+    found = placed(free, {m: heavy, HEAVY: light, b: S.Zero, k: S.Zero})
+    rest = light / heavy
+    found = placed(found, {STIFFER: K * rest, STRONGER: B * rest})
+    zero = identity(S.Zero, S.Zero)
+    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in masses]  # type: ignore[attr-defined]
+    same = [identity(wall * rest, wall * rest) for wall in (K, B)]
+    found = closed(found, zero, *same, *masses, *apart)
+    symbols, given, _ = taken_apart(walls)
+    kept = for_all(symbols, given, weakened(found, *given))
+    symbols, given, less = taken_apart(rises)
+    lost = positive(m_H * (1 - LIGHTER) * (HEAVY - m_D) > 0, [m_H > 0, LIGHTER < 1, m_D < HEAVY])
+    more = positive(HEAVY + m_H > 0, [m_D < HEAVY], [m_D > 0], [m_H > 0])
+    size = combined((HEAVY + m_H) * heavy > 0, [more, masses[0]])
+    top, bottom = lost.conclusion.right, size.conclusion.right  # type: ignore[attr-defined]
+    gap = combined(less, [over(top / bottom > 0, lost, size)])
+    apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (more, masses[0], size)]  # type: ignore[attr-defined]
+    steep = for_all(symbols, given, weakened(closed(gap, *apart), *given))
+    return conjoined(kept, steep)
+
+
 # -- walls that cannot be made stable ----------------------------------------------------
 
 
@@ -166,18 +230,42 @@ def never(free: Symbol, wall: Proposition) -> Theorem:
     values = wall.terms
     parts = {"stiffness": values[2] != 0, "damping": values[3] != 0}
     loop = closed(loop_substituted(values, z, 1, **parts), fact(whole(values[4])))
-    inside: Any = loop.conclusion.parts[1]
     found = applied(loop, assume(wall))
-    if inside.of[0].subs(z, 1) == 0:
-        denial = zero_on_circle(inside.of[0], z, S.Zero, identity(S.Zero, S.Zero))
-        contrary = absurd(found, denial)
-    elif free == K:
-        contrary = _too_damped(found)
-    else:
-        contrary = _too_stiff(found, free)
+    contrary = _too_damped(found) if free == K else _too_stiff(found, free)
     some = Exists((free,), wall)
     wrong = chosen(assume(some), anything(contrary, Relation(S.One, "<", S.Zero)))
     return absurd(wrong, number(Relation(S.Zero, "<=", S.One)), some)
+
+
+def none_as_stiff(free: Symbol, wall: Predicate) -> Theorem:
+    """No damping makes a wall of this stiffness stable without delay, for an arm of (23)."""
+    limit = wall.of[0]
+    less = no_stiffer(0, (limit, Rational(828, 1000)), _arm(wall))
+    return _none(less, free, wall, Relation(limit, "<", limit))
+
+
+def none_as_damped(free: Symbol, wall: Predicate) -> Theorem:
+    """No stiffness makes a wall of this damping stable without delay, for an arm of (23)."""
+    limit, arm = wall.of[1], _arm(wall)
+    *_, inside = damping_between(0, arm)
+    wrong = Relation(S.One, "<", S.One)
+    more = on_box(n_0 * limit - 1, arm)
+    never = combined(wrong, [placed(inside, {beta: limit})], [more])
+    return _none(of_every_plant(never), free, wall, wrong)
+
+
+def _arm(wall: Predicate) -> dict[Symbol, tuple[Expr, Expr]]:
+    return {
+        symbol: (value, value) for symbol, value in zip((gamma, delta), wall.of[2:4], strict=True)
+    }
+
+
+def _none(never: Theorem, free: Symbol, wall: Predicate, wrong: Relation) -> Theorem:
+    """There is no such wall: of one that were stable something wrong is shown."""
+    values = dict(zip((alpha, beta, gamma, delta), wall.of[:4], strict=True))
+    some = Exists((free,), wall)
+    found = chosen(assume(some), numbers_known(placed(never, values)))
+    return absurd(found, number(Relation(wrong.right, "<=", wrong.left)), some)
 
 
 def _too_damped(inside: Theorem) -> Theorem:

@@ -8,7 +8,6 @@ where L = 1 - e and S = n_1 + n_0.
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 import sympy as sp
 from sympy import Expr, Ne, Rational, S, Symbol
@@ -88,8 +87,7 @@ def on_walls(expr: Expr) -> Theorem:
     ranges = {**WALLS, **THIN, **APART, eta: (S.Zero, 2 * THICK)}
     ranges |= dict.fromkeys((g, h), (S.Zero, STIFF))
     used = {s: ends for s, ends in ranges.items() if s in expr.free_symbols}
-    certificate: Any = box.positive(expr, used).certificates[0]
-    return on_plain_box(certificate)
+    return on_plain_box(box.positive(expr, used))
 
 
 def primed(theorem: Theorem) -> Theorem:

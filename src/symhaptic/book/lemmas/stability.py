@@ -11,13 +11,13 @@ from sympy import Expr, Symbol
 
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import whole
+from symhaptic.notation.proposition import Proposition, both, whole
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.kernel import Theorem, applied, part
-from symhaptic.proof.theorems.leaves import root_outside, roots_inside
+from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part
+from symhaptic.proof.theorems.leaves import combined, root_outside, roots_inside
 from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import chained, closed, denied_by, fact
+from symhaptic.proof.theorems.tactics import chained, closed, denied_by, either_way, fact
 
 
 def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
@@ -51,3 +51,35 @@ def by_inequalities(delay: int) -> Theorem:
     loop = part(readings, readings.conclusion.parts[1])
     zeros: Any = loop.conclusion.parts[1]
     return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
+
+
+@cache
+def free_by_inequalities(delay: int) -> Theorem:
+    """stable <=> Jury's inequalities, of a free mass with a whole delay."""
+    late = sp.Integer(delay)
+    loop = loop_substituted(
+        (alpha, beta, sp.S.Zero, sp.S.Zero, late), z, 1, stiffness=False, damping=False
+    )
+    zeros: Any = loop.conclusion.parts[1]
+    return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
+
+
+def collected(equivalence: Theorem, *inequalities: Any) -> Theorem:
+    """p <=> q with the inequalities of q in another form, without those between numbers.
+
+    Each form is a positive multiple of the inequality in its place.
+    """
+    claim: Any = equivalence.conclusion
+    raw, wanted = claim.of[1], both(inequalities)
+    left = [p for p in raw.parts if p.free]
+    pairs = list(zip(left, wanted.parts, strict=True))
+    there = conjoined(*(_scaled(other, p, raw) for p, other in pairs))
+    back = {p: _scaled(p, other, wanted) for p, other in pairs}
+    whole_again = conjoined(*(back[p] if p.free else fact(p) for p in raw.parts))
+    return chained(equivalence, either_way(there, whole_again, raw, wanted))
+
+
+def _scaled(wanted: Any, part_: Any, of: Proposition) -> Theorem:
+    """A positive multiple of an inequality that is a part of a conjunction."""
+    share = sp.cancel((wanted.right - wanted.left) / (part_.right - part_.left))
+    return combined(wanted, [share, part(assume(of), part_)])

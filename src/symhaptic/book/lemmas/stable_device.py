@@ -167,8 +167,10 @@ def _late() -> Block:
         closed(fractional_delay.at_minus_one(FULL, first, last)),
         computed()[7] - (first.rise + fallen),
         fractional_delay.across(FULL, first, n_1 + n_0, n_1 - n_0, computed()[6], h),
+        written_out(fractional_delay.half_turned(FULL)),
     )
-    exact = m_2, m_0, m_2 + m_1 + m_0, m_2 - m_1 + m_0, m_1, 2 * (m_2 - m_0)
+    at_minus_one = m_2 - m_1 + m_0
+    exact = m_2, m_0, m_2 + m_1 + m_0, at_minus_one, m_1, 2 * (m_2 - m_0), at_minus_one
     where = (*APART, *map(proposition, (Ne(epsilon, 0), Ne(epsilon, 1))))
     names = (*NUMBERS[:5], *first_names, *last_names, *AFTER)
     pairs = tuple(Relation(x, "=", y) for x, y in zip(ours, exact, strict=True))

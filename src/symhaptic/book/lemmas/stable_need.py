@@ -98,12 +98,28 @@ def half_angle() -> list[Theorem]:
 
 
 def _at_an_angle() -> Block:
-    """What is left at an angle; the sine of (2 d + 1) halves of it, and the cosine."""
-    ((computed, _),) = stable.form("passivity_margin_at").equal
-    exact = delta - (alpha * kernel(d, theta) - beta * cos((d + 1) * theta))
-    pair = Relation(written_out(computed), "=", exact)
-    point = {theta: S.One, d: S.One} | WALL
-    return Block((theta, d, alpha, beta, delta), ANGLE, (), (pair,), point, half_angle)
+    """What is left at an angle, for whole delays and for those with a fraction."""
+    computed = (written_out(ours) for ours, _ in stable.form("passivity_margin_at").equal)
+    whole, later = (
+        alpha * kernel(delay, theta) - beta * cos((delay + 1) * theta) for delay in (l, l + 1)
+    )
+    between, share = (1 - epsilon) * whole + epsilon * later, epsilon * (1 - epsilon)
+    size = alpha**2 + 4 * beta * (alpha + beta) * sin(theta / 2) ** 2
+    exact = (
+        delta - (alpha * kernel(d, theta) - beta * cos((d + 1) * theta)),
+        between,
+        delta**2 - delta * between - share * size / 4,
+        S.Zero,
+    )
+    pairs = tuple(Relation(ours, "=", known) for ours, known in zip(computed, exact, strict=True))
+    point = {theta: S.One, d: S.One, l: S.One, epsilon: HALF, w: S.One} | WALL
+    free = theta, d, l, epsilon, alpha, beta, delta, w
+    return Block(free, ANGLE, (), pairs, point, _sines)
+
+
+def _sines() -> list[Theorem]:
+    """The sine of the angle is not zero either."""
+    return [*half_angle(), not_zero(sin(theta), closed(sign_of(sin, theta)), times=S.One)]
 
 
 NEEDS, MARGIN = Later(_needs), Later(_at_an_angle)

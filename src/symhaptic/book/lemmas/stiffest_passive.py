@@ -53,6 +53,7 @@ def waves() -> dict[str, Theorem]:
             sign_of(cos, TURN), positive(-pi / 2 < TURN, [quarter], [HALF, PI]), below
         ),
         "turn": quarter,
+        "below": below,
     }
     found["double"] = positive(sin(2 * TURN) > 0, [2, found["sine"], found["cosine"]])
     return {name: closed(t, not_zero(more)) for name, t in found.items()}

@@ -63,8 +63,7 @@ def on_box(expr: Expr, ranges: Ranges) -> Theorem:
 def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Theorem:
     ranges = dict(sides)
     small = circle.expanded(expr.xreplace(NEAR_FREE))
-    found = box.positive(small, ranges, named(SMALL))
-    certificate: Any = found.certificates[0]
+    certificate = box.positive(small, ranges, named(SMALL))
     return combined(Relation(S.Zero, "<", expr), [on_plants(certificate)])
 
 

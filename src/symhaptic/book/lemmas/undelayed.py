@@ -87,6 +87,14 @@ def enough(frequencies: Any) -> Theorem:
     return for_all([omega], frequencies.body.of[0].of, by_sign_of_damping(above, below))
 
 
+def damped_side() -> Theorem:
+    """(6) is b > KT/2 + B, where B is not negative."""
+    linear = proposition(b > K * T / 2 + B)
+    there = combined(linear, [assume(SIX)], [magnitude(B), -1])
+    back = combined(proposition(SIX), [assume(linear)], [magnitude(B)])
+    return either_way(there, back, proposition(SIX), linear)
+
+
 def at_an_angle(frequencies: Any) -> Theorem:
     """The condition at an angle between 0 and pi."""
     angle = theta / T

@@ -15,9 +15,7 @@ from symhaptic.notation.proposition import Proposition, Relation, whole
 from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import (
-    bounded,
     sign_of,
-    square,
 )
 from symhaptic.proof.theorems.kernel import Theorem, assume
 from symhaptic.proof.theorems.leaves import (
@@ -39,11 +37,8 @@ from symhaptic.proof.theorems.tactics import (
     zero_beyond,
 )
 
-HALF, LITTLE = S.Half, Rational(1, 100)
+HALF = S.Half
 PI = number(Relation(S.Zero, "<", pi))
-
-LATE = {alpha: S.One, beta: LITTLE, delta: 1 + 3 * LITTLE, d: HALF}
-"""A wall half a period late that meets (5), and whose (18) has a zero outside in sqrt(z)."""
 
 
 def margins(below: Proposition) -> Theorem:
@@ -65,16 +60,6 @@ def met(point: Mapping[Expr, Expr], *products: Any) -> Theorem:
     given, relation = frequencies.body.of  # type: ignore[attr-defined]
     found = closed(combined(relation, *products), *divisors(omega))
     return for_all([omega], given.of, found)
-
-
-def fractional_sums() -> tuple[Any, ...]:
-    """1 - cos(omega/2) + (1 + cos(3 omega/2))/100 + 1/50, in squares."""
-    slow, fast = omega / 2, 3 * omega / 2
-    return (
-        *([HALF, known] for known in (square(1 - cos(slow)), bounded(cos, slow))),
-        *([LITTLE / 2, known] for known in (square(1 + cos(fast)), bounded(cos, fast))),
-        [2 * LITTLE],
-    )
 
 
 def unstable(point: Mapping[Expr, Expr]) -> Theorem:

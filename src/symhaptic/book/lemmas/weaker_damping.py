@@ -6,6 +6,7 @@ stiffness on all of (23), near enough for dampings that are two percent apart.
 
 from __future__ import annotations
 
+import itertools
 from functools import cache
 from typing import Any
 
@@ -13,9 +14,11 @@ from sympy import Eq, Expr, Rational, S, Symbol, symbols
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
-from symhaptic.book.lemmas.near_tip import none_above, wall_below
+from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
+from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
+from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import (
     ELEVEN,
@@ -25,9 +28,19 @@ from symhaptic.book.lemmas.stiffness_claims import (
     passive_walls,
 )
 from symhaptic.notation import alpha, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import And, Exists, Or, Relation, negated, proposition
-from symhaptic.paper.propositions import CLAIMED
-from symhaptic.paper.propositions.ratio import BEST, RATE, WALL
+from symhaptic.notation.proposition import (
+    And,
+    Exists,
+    Or,
+    Predicate,
+    Proposition,
+    Relation,
+    both,
+    negated,
+    proposition,
+)
+from symhaptic.paper.propositions import CLAIMED, ratio
+from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.paper.ranges import DAMPED, RANGES
 from symhaptic.proof.theorems.judge import taken_apart
@@ -46,7 +59,9 @@ from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import (
     at,
     closed,
+    every,
     fact,
+    for_all,
     none_of,
     not_all,
     over,
@@ -186,3 +201,65 @@ def not_short() -> Theorem:
     """Nor is it a short delay."""
     claim: Any = SHORT.at(FAR)
     return none_of(claim, *(not_all(p, number(negated(p.of[0]))) for p in claim.of))
+
+
+# -- longer delays, in numbers ---------------------------------------------------------------------
+
+DELAYS, DAMPERS = (2, 4, 8), tuple(Rational(n, 200) for n in (1, 2, 3, 4))
+"""The other whole delays of Fig. 11, and dampers up to 0.02."""
+
+
+def steps() -> Proposition:
+    """eta(delta) < eta(delta') for neighbouring dampers, at both ends of the range of gamma."""
+    parts = []
+    for spring in SPRINGS:
+        for delay in DELAYS:
+            for damper, heavier in itertools.pairwise(DAMPERS):
+                under = ratio.below(RATE, delay).at({delta: damper})
+                over_ = ratio.above(RATE, delay).at({delta: heavier})
+                parts.append(Exists((RATE,), both([under, over_])).at({gamma: spring}))
+    return both(parts)
+
+
+@cache
+def above_the_rate() -> Theorem:
+    """eta(d) > rho of the passive wall (11), where rho L is less than it and no stable wall has
+    alpha >= L."""
+    claim = ratio.above(RATE, d)
+    _, best = passive_tip()
+    bounded, rate = assume(every(WALL, [stable(d)], alpha < MOST)), assume(RATE > 0)
+    softer = at(bounded, {s: s for s in WALL}, assume(stable(d)))
+    room = assume(best[0] > RATE * MOST)
+    found = beside(claim, is_passive(), best, lambda w: positive(w, [rate, softer], [room]))
+    return closed(found, *known())
+
+
+@cache
+def step_by_step() -> Theorem:
+    """:func:`steps`."""
+    found = []
+    claims = iter(steps().of)  # type: ignore[attr-defined]
+    for spring in SPRINGS:
+        for delay in DELAYS:
+            for damper, heavier in itertools.pairwise(DAMPERS):
+                found.append(_step(next(claims), (spring, damper), (spring, heavier), delay))
+    return conjoined(*found)
+
+
+def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
+    """Of two dampers."""
+    wall, held = wall_below(arm, delay)
+    limit, bounded = none_above(other, delay)
+    most = least(delay, arm[1])
+    low: Any = most.conclusion.right / wall[0]  # type: ignore[attr-defined]
+    high: Any = least(delay, other[1]).conclusion.right / limit  # type: ignore[attr-defined]
+    share = rounded(float(low + high) / 2)
+    under, _ = some.body.at({RATE: share}).of
+    gap = number(Relation(S.Zero, "<", share * wall[0] - most.conclusion.right))  # type: ignore[attr-defined]
+    first = beside(under, held, wall, lambda wanted: positive(wanted, [most], [gap]))
+    here = {d: S(delay), RATE: share, MOST: limit, gamma: other[0], delta: other[1]}
+    second = placed(above_the_rate(), here)
+    rest = [fact(p) for p in second.hypotheses if isinstance(p, (Relation, Predicate))]
+    stable_ = stable(delay).at({gamma: other[0], delta: other[1]})
+    second = closed(second, for_all(WALL, [stable_], bounded), *rest)
+    return witnessed(conjoined(first, second), some, {RATE: share})

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from symhaptic.book.measured import record as records
+from symhaptic.book.measured.says import sentences
 from symhaptic.book.measured.tables import Table, about, tables
 from symhaptic.book.tex.words import escaped, prose
 
@@ -24,7 +25,20 @@ def measurement(path: Path) -> dict[str, Any]:
     record = records.read(path)
     names = ("floats", "digits", "boundary", "times", "wrong", "models", "peers")
     shown = {name: table_tex(t) for name, t in zip(names, tables(record), strict=True)}
-    return {"about": escaped(about(record)), "method": record["method"], "tables": shown}
+    says = {name: prose_tex(text) for name, text in sentences(record).items()}
+    known = {"about": escaped(about(record)), "method": record["method"]}
+    return {**known, "tables": shown, "says": says}
+
+
+def prose_tex(text: str) -> str:
+    r"""A sentence for LaTeX, its numbers and units typeset.
+
+    >>> prose_tex("1.2e-7 to 3.5 us, and 20 per cent at d = 8")
+    '$1.2\cdot10^{-7}$ to 3.5\,$\mu$s, and 20 per cent at $d = 8$'
+    """
+    shown = re.sub(r"\bd = (\d+)", r"\0\1\0", text)  # a formula, which keeps its number
+    parts = shown.split("\0")
+    return "".join(f"$d = {part}$" if i % 2 else cell_tex(part) for i, part in enumerate(parts))
 
 
 def table_tex(table: Table) -> str:

@@ -249,9 +249,9 @@ def _peers(rows: list[Row]) -> Table:
             if not row["installed"]:
                 found.append((*start, "not installed", "", "", "", ""))
                 continue
-            off = f"{share(row['wrong'])} % wrong" if row["wrong"] is not None else (
-                number(row["worst"])
-            )  # fmt: skip
+            off = number(row["worst"]) if row["wrong"] is None else f"{share(row['wrong'])} % wrong"
+            if row["missing"]:
+                off += f", {share(row['missing'])} % no answer"
             one, many = nanoseconds(row["one"]), nanoseconds(row["many"])
             ratios = number(row["ratio_one"]), number(row["ratio_many"])
             found.append((*start, one, ratios[0], many, ratios[1], off))
@@ -259,7 +259,8 @@ def _peers(rows: list[Row]) -> Table:
     says = (
         "Time of one call, and per element on arrays of 20 000, one after the other where a tool "
         "has no arrays; each beside the package's own in the same run. Errors are relative; walls "
-        "to be judged have d = 2 and lie within 1e-12 of the boundary."
+        "to be judged have d = 2 and lie within 1e-12 of the boundary. A phase margin is a delay "
+        "only where that is whole: the others' error of a delay margin is that of their question."
     )
     return Table("Beside other tools", head, tuple(found), 2, says)
 
@@ -278,7 +279,10 @@ def about(record: dict[str, Any]) -> str:
     """Machine and versions in a sentence."""
     machine = record["machine"]
     tools = ", ".join(f"{k} {v or 'not installed'}" for k, v in record["versions"].items())
+    when = [f"on {record['date']}"] if record.get("date") else []
+    when += [f"at commit {record['commit']}"] if record.get("commit") else []
+    took = f", in {record['seconds']} s" if record.get("seconds") else ""
     return (
-        f"Measured on {machine['processor']}, {machine['cores']} cores, {machine['system']}, with "
-        f"{tools}, one thread."
+        f"Measured {''.join(f'{told}, ' for told in when)}on {machine['processor']}, "
+        f"{machine['cores']} cores, {machine['system']}, with {tools}, one thread{took}."
     )

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 
+from symhaptic.book.mutation.change import Change
 from symhaptic.book.record import Settled
 from symhaptic.notation.proposition import (
     And,
@@ -25,7 +26,6 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.notation.terms import NoTerm
 from symhaptic.notation.written import written
-from symhaptic.proof.change import Change
 from symhaptic.proof.mutants import few
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart

@@ -1,73 +1,76 @@
-"""What is settled, settled again with one thing changed: print, number, condition, counterexample.
-
-The changes of what a chapter asked of the checkers are in :mod:`symhaptic.proof.changes`.
-"""
+"""Statements settled again with one thing changed: print, digit, number or theorem."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from fractions import Fraction
 
-import sympy as sp
-from sympy import Expr
-from sympy.core.relational import Relational
+from flint import arb
 
+from symhaptic.book.mutation.change import Change, because
 from symhaptic.book.mutation.judgements import changes_of_judgement
 from symhaptic.book.record import Settled
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import Notation, Printed, Unreadable, read
-from symhaptic.proof import second_opinion
-from symhaptic.proof.change import Change, because
-from symhaptic.proof.changes import AGAIN, opposite
-from symhaptic.proof.checks import Same, confirmed
-from symhaptic.proof.condition import holds as holds_at
 from symhaptic.proof.constants import measured
 from symhaptic.proof.mutants import misprints, mutants
-from symhaptic.proof.points import Point, choices
+from symhaptic.proof.refute import told_apart
 from symhaptic.proof.settle import ACCEPTED, WRONG, Settlement
-from symhaptic.proof.sign import Fact, assume
 from symhaptic.proof.verdict import Kind
+
+AGAIN = "says the same in other words"
 
 
 @dataclass(frozen=True)
 class Decided:
-    """A printed form has a verdict of these kinds."""
+    """The question whether a printed form has a verdict of one of these kinds."""
 
     settlement: Settlement
     printed: Printed
     kinds: frozenset[Kind] = ACCEPTED
 
     def holds(self) -> bool:
-        """By deciding it again."""
+        """Decide it again."""
         return self.settlement.accepts(self.printed, self.kinds)
 
 
 def changes_of(settled: Settled) -> Iterator[Change]:
-    """All changes of a statement and of the grounds that it is settled on."""
+    """All changes of a statement and of the theorems on which it is settled."""
     yield from _print(settled)
     yield from _numbers(settled)
-    yield from _claim(settled)
-    yield from _correction(settled)
-    yield from _counterexample(settled)
     yield from changes_of_judgement(settled)
 
 
 def _print(settled: Settled) -> Iterator[Change]:
-    """Another formula in print, another digit."""
+    """Another formula in print, another digit, where the print is compared with a formula."""
     statement, settlement = settled.statement, settled.settlement
     printed = statement.printed
-    if not printed or not settlement.derived:
+    if not printed or not (settlement.derived or settlement.definitions):
         return
     right = ACCEPTED if settlement.external is None else ACCEPTED | {Kind.EXTERNAL}
+    if settled.verdict.kind in WRONG:
+        right = frozenset(Kind) - WRONG - {Kind.UNDECIDED}
     lines = statement.latex if statement.reading is None else statement.reading
     digits = {form: what for form, what in _misread(lines, statement.notation) if form != printed}
+
+    def excuse(form: Printed) -> Callable[[], str | None]:
+        return lambda: AGAIN if _alike(printed, form) else None
+
     for mutant in mutants(printed):
         check = Decided(settlement, mutant.form, right)
-        yield Change("formula", mutant.change, check, _excuse(settled, mutant.form))
+        yield Change("formula", mutant.change, check, excuse(mutant.form))
         digits.pop(mutant.form, None)
     for form, what in digits.items():
-        yield Change("digit", what, Decided(settlement, form, right), _excuse(settled, form))
+        yield Change("digit", what, Decided(settlement, form, right), excuse(form))
+
+
+def _alike(one: Printed, other: Printed) -> bool:
+    """Whether no point is found at which two prints differ."""
+    return len(one) == len(other) and all(
+        told_apart(left, right) is None for left, right in zip(one, other, strict=True)
+    )
 
 
 def _misread(lines: Sequence[str], notation: Notation = ()) -> Iterator[tuple[Printed, str]]:
@@ -81,20 +84,6 @@ def _misread(lines: Sequence[str], notation: Notation = ()) -> Iterator[tuple[Pr
             yield tuple(part for form in read_ for part in form), what
 
 
-def _excuse(settled: Settled, form: Printed) -> Callable[[], str | None]:
-    settlement = settled.settlement
-
-    def excuse() -> str | None:
-        if second_opinion.alike(settled.statement.printed, form, settlement.given):
-            return AGAIN
-        wrong = settled.verdict.claimed in WRONG
-        if wrong and second_opinion.alike(settlement.derived, form, settlement.given):
-            return "this is the corrected form"
-        return None
-
-    return excuse
-
-
 def _numbers(settled: Settled) -> Iterator[Change]:
     """Another digit in a number of the text, or the other side of a bound."""
     settlement, quoted = settled.settlement, settled.settlement.quoted
@@ -102,16 +91,13 @@ def _numbers(settled: Settled) -> Iterator[Change]:
         return
     for i, (number, value) in enumerate(zip(quoted, settlement.values, strict=True)):
         ball = measured(value)
-        others = [*number.changed(), *_turned(number)]
-        for other in others:
+        for other in (*number.changed(), *_turned(number)):
             changed = replace(settlement, quoted=(*quoted[:i], other, *quoted[i + 1 :]))
             kind = "digit" if other.how == number.how else "negated"
             what = f"{other.how} {other.digits} for {number.how} {number.digits}"
             check = Decided(changed, settled.statement.printed)
             near = ball.str(8, radius=False)
-            yield Change(
-                kind, what, check, _true(number, other, near, second_opinion.says(other, ball))
-            )
+            yield Change(kind, what, check, _true(number, other, near, says(other, ball)))
 
 
 def _turned(number: Quoted) -> Iterator[Quoted]:
@@ -129,104 +115,25 @@ def _true(number: Quoted, other: Quoted, near: str, says: bool | None) -> Callab
     return because(f"{how}: the number is {near}")
 
 
-def _claim(settled: Settled) -> Iterator[Change]:
-    """The claim without its condition, without its grounds, or turned into its contrary."""
-    settlement, printed, verdict = settled.settlement, settled.statement.printed, settled.verdict
-    if settlement.external is not None:
-        return
-    if settlement.provided is not None and verdict.claimed not in WRONG:
-        free = replace(settlement, provided=None)
-        yield Change("domain", "without the condition", Decided(free, printed))
-    if verdict.claimed in WRONG:
-        right = replace(settlement, corrected=None, provided=None)
-        yield Change("negated", "said to be right", Decided(right, printed))
-    if settlement.proofs:
-        bare = replace(settlement, proofs=(), values=())
-        yield Change("grounds", "without grounds", Decided(bare, (), ACCEPTED | WRONG))
-        others = [other for other in map(opposite, settled.grounds) if other is not None]
-        if others:
-            proofs = tuple("the contrary" for other in others if confirmed(other))
-            turned = replace(settlement, proofs=proofs, values=())
-            yield Change("negated", "the contrary", Decided(turned, (), ACCEPTED | WRONG))
+def says(quoted: Quoted, ball: arb) -> bool | None:
+    """Whether a quoted number is right, from the ends of the ball in exact fractions.
+
+    >>> says(Quoted("about", "0.41"), arb("0.414 +/- 0.0001")), says(Quoted("below", "3"), arb(4))
+    (True, False)
+    """
+    ends = [_fraction(ball.lower()), _fraction(ball.upper())]
+    printed, half = Fraction(quoted.digits), Fraction(quoted.unit) / 2
+    answers = {
+        {
+            "about": abs(end - printed) < half,
+            "below": end < printed,
+            "above": end > printed,
+        }[quoted.how]
+        for end in ends
+    }
+    return answers.pop() if len(answers) == 1 else None
 
 
-def _correction(settled: Settled) -> Iterator[Change]:
-    """Another formula in the correction."""
-    settlement, printed = settled.settlement, settled.statement.printed
-    lines = settlement.corrected or ()
-    if lines and not (printed and settlement.derived):
-        excuse = "a correction of words: argued for, not compared"
-        yield Change("correction", "another correction", None, because(excuse))
-        return
-    derived = settlement.read(settlement.derived)
-    for form, what in _misread(lines):
-        check = Same(settlement.read(form), derived)
-        yield Change("correction", what, check, _excuse(settled, form))
-
-
-def _counterexample(settled: Settled) -> Iterator[Change]:
-    """No counterexample, one at a harmless point, or without what is true there."""
-    settlement, printed = settled.settlement, settled.statement.printed
-    if settlement.unless is None:
-        return
-    same = frozenset({settled.verdict.claimed})
-
-    def put(**changed: object) -> Decided:
-        return Decided(replace(settlement, **changed), printed, same)  # type: ignore[arg-type]
-
-    if settlement.truth is not None:
-        yield Change("counterexample", "nothing true beside it", put(truth=None))
-        if isinstance(settlement.truth, Relational):
-            yield Change(
-                "counterexample", "the contrary beside it", put(truth=_negated(settlement.truth))
-            )
-        elif isinstance(settlement.truth, Fact):
-            bare = put(truth=_assumed(settlement.truth))
-            yield Change("counterexample", "an assumption beside it", bare)
-        elif isinstance(settlement.truth, tuple) and isinstance(settlement.truth[-1], Fact):
-            relation, fact = settlement.truth
-            bare, other = (
-                put(truth=(relation, _assumed(fact))),
-                put(truth=(_negated(relation), fact)),
-            )
-            yield Change("counterexample", "an assumption beside it", bare)
-            yield Change("counterexample", "the contrary beside it", other)
-    if not (printed and settlement.derived) or settlement.truth is not None:
-        yield Change("counterexample", "none", put(unless=None))
-    for symbol, value in settlement.unless.items():
-        others = [v for v in choices(symbol) if v != value]
-        points = [{**settlement.unless, symbol: v} for v in others]
-        for other, point in zip(others, points, strict=True):
-            if not confirmed(put(unless=point)):
-                what = f"{symbol} = {other} for {value}"
-                yield Change("counterexample", what, put(unless=point))
-                break
-        else:
-            what = f"{symbol} = {', '.join(map(str, others))} for {value}"
-            excuse = because(_why_not(settlement, symbol, points))
-            yield Change("counterexample", what, None, excuse)
-
-
-def _why_not(settlement: Settlement, symbol: Expr, points: list[Point]) -> str:
-    """Why other values of a symbol do not make a counterexample harmless."""
-    truth = settlement.truth
-    if truth is None:
-        return "the two forms differ there, too"
-    if isinstance(truth, Expr | Relational) and symbol in truth.free_symbols:
-        return "the statement fails there, too"
-    if settlement.provided and all(holds_at(settlement.provided, p) is False for p in points):
-        return "the condition fails there, too"
-    return "not told apart: what is true beside it is said of this point"
-
-
-def _assumed(fact: Fact) -> Fact:
-    """The same as an assumption."""
-    return assume(fact.expr, fact.strict)
-
-
-def _negated(relation: Expr) -> Expr:
-    """The contrary, as it is written."""
-    contrary = {sp.Eq: sp.Ne, sp.Ne: sp.Eq, sp.StrictLessThan: sp.GreaterThan}
-    contrary |= {sp.GreaterThan: sp.StrictLessThan, sp.StrictGreaterThan: sp.LessThan}
-    contrary |= {sp.LessThan: sp.StrictGreaterThan}
-    return contrary[relation.func](*relation.args, evaluate=False)
+def _fraction(number: arb) -> Fraction:
+    mantissa, exponent = number.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -1,4 +1,4 @@
-"""Puts every statement and every step to the test: changed in one place, it must be refused.
+"""Puts every statement to the test: changed in one place, it must be refused.
 
 What comes out is committed as ``reports/mutants.json``: how many changes of which kind were
 refused, and each one that was not, by name and with the reason why it may stand.
@@ -17,12 +17,9 @@ import sympy as sp
 
 from symhaptic.book import parallel
 from symhaptic.book.chapters import BadChapter, Chapter, run
+from symhaptic.book.mutation.change import Change
 from symhaptic.book.mutation.statements import changes_of
 from symhaptic.book.mutation.tables import changes_of_tables
-from symhaptic.proof.change import Change
-from symhaptic.proof.changes import changes
-from symhaptic.proof.checks import Check, Sign, confirmed
-from symhaptic.proof.sign import facts_below
 
 GENERATED = "written by `symhaptic mutants`; do not edit"
 
@@ -44,14 +41,14 @@ class Trial:
     chapter: str
     statements: dict[str, Counter[str]] = field(default_factory=dict)
     """How many changes of each kind were refused, of a statement and of its grounds."""
-    steps: Counter[str] = field(default_factory=Counter)
-    """The same of the chapter's other steps."""
+    tables: Counter[str] = field(default_factory=Counter)
+    """The same of the digits of the paper's tables."""
     survivors: list[Survivor] = field(default_factory=list)
 
     @property
     def refused(self) -> int:
         """How many changes were refused."""
-        return sum(c.total() for c in (*self.statements.values(), self.steps))
+        return sum(c.total() for c in (*self.statements.values(), self.tables))
 
     @property
     def accepted(self) -> list[Survivor]:
@@ -61,7 +58,7 @@ class Trial:
     def put(self, of: str, tried: Iterable[Change], counts: Counter[str]) -> None:
         """Ask for each change, and note the answer."""
         for change in tried:
-            if change.check is None or confirmed(change.check):
+            if change.check.holds():
                 survivor = Survivor(of, change.kind, change.what, change.excuse())
                 if survivor not in self.survivors:
                     self.survivors.append(survivor)
@@ -72,35 +69,18 @@ class Trial:
         """The record of the chapter."""
         return {
             "statements": {id: dict(sorted(c.items())) for id, c in self.statements.items()},
-            "steps": dict(sorted(self.steps.items())),
+            "tables": dict(sorted(self.tables.items())),
             "survivors": [[s.of, s.kind, s.change, s.why] for s in self.survivors],
         }
 
 
 def trial(chapter: Chapter) -> Trial:
-    """Every check and every verdict of a chapter, changed in one place at a time."""
-    page, found = chapter.page, Trial(chapter.name)
-    done: list[Check] = []
-    for id, settled in page.settled.items():
-        counts = found.statements.setdefault(id, Counter())
-        found.put(id, changes_of(settled), counts)
-        for check in _once(settled.grounds, done):
-            found.put(id, changes(check), counts)
-    for title, kept in page.checks:
-        for check in _once([kept], done):
-            found.put(title, changes(check), found.steps)
-    found.put(chapter.name, changes_of_tables(chapter), found.steps)
+    """Every verdict of a chapter, changed in one place at a time."""
+    found = Trial(chapter.name)
+    for id, settled in chapter.page.settled.items():
+        found.put(id, changes_of(settled), found.statements.setdefault(id, Counter()))
+    found.put(chapter.name, changes_of_tables(chapter), found.tables)
     return found
-
-
-def _once(checks: Iterable[Check], done: list[Check]) -> Iterator[Check]:
-    """Checks that were not changed before, and the facts below them."""
-    for check in checks:
-        below = [Sign(f) for f in facts_below(check.fact)] if isinstance(check, Sign) else [check]
-        for each in below:
-            if each not in done:
-                done.append(each)
-                yield each
 
 
 def _tried(path: Path) -> Trial:

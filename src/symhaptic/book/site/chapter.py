@@ -27,12 +27,13 @@ from symhaptic.book.site.words import (
     words,
 )
 from symhaptic.book.sources import PAPER, source_of
-from symhaptic.book.tex.errata import CLASSES
+from symhaptic.book.tex.errata import WRONG
 from symhaptic.book.tex.forms import right_is, shown_by
 from symhaptic.book.tex.page import rows_of
 from symhaptic.book.tex.words import anchor, as_sentence, place_of
 from symhaptic.forms.stable import STATEMENTS
 from symhaptic.notation.latex import latex
+from symhaptic.paper.statement import Statement
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind, Verdict
 
@@ -68,10 +69,9 @@ def chapter_page(chapter: Chapter, place: Place) -> str:
     for block in page.blocks:
         if block.kind == "prose":
             out += _paragraphs(block.text)
-        elif block.kind in ("equation", "result"):
-            steps += block.kind == "equation"
-            title = "Result" if block.kind == "result" else f"Step {steps}"
-            out += _equation(block, title, place)
+        elif block.kind == "equation":
+            steps += 1
+            out += _equation(block, f"Step {steps}", place)
         elif block.kind == "theorem":
             steps += 1
             out += _theorem(block, f"Step {steps}", place)
@@ -176,7 +176,7 @@ def _answer(chapter: Chapter, place: Place) -> list[str]:
 def _in_short(item: Settled) -> str:
     verdict = item.verdict
     says = words(item.statement.says)
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         says += f", for {math(verdict.condition or '')}\\ "
     return f"{says}: {kind(verdict.kind)}"
 
@@ -222,22 +222,18 @@ def _link_text(name: str) -> str:
 def _printed(item: Settled, place: Place) -> list[str]:
     """A statement of the paper as printed, what it claims, its verdict and what is right."""
     statement, verdict = item.statement, item.verdict
-    out = [f"**{statement.id}** — {plain(statement.location)} — {words(statement.says)}", ""]
-    if statement.latex:
-        out += display([f"&{line}" for line in statement.latex])
-    if statement.domain:
-        out += [math(statement.domain), ""]
+    out = [f"**{statement.id}** — {plain(statement.location)}", "", *statement_in_words(statement)]
+    if verdict.proposition:
+        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     if verdict.condition:
         out += [f"Right for {math(verdict.condition)}\\ .", ""]
     right = _right(verdict)
     if right:
         out += ["Right is:", "", *right]
-    if verdict.proposition:
-        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     consequence = CONSEQUENCES.get(statement.id)
     if consequence:
         out += [f"*For a device:* {words(consequence)}", ""]
-    if place.whole and source_of(statement.id) is PAPER and verdict.claimed in dict(CLASSES):
+    if place.whole and source_of(statement.id) is PAPER and verdict.kind in WRONG:
         out += [f":ref:`In the errata <erratum-{statement.id}>`", ""]
     names = [name for name, ids in STATEMENTS.items() if statement.id in ids]
     if place.whole and names:
@@ -255,22 +251,31 @@ def _printed(item: Settled, place: Place) -> list[str]:
     return [f".. _{label}:", "", *container("statement", out)]
 
 
+def statement_in_words(statement: Statement) -> list[str]:
+    """The source's own words, its formula, and our reading of them, in this order."""
+    out = [f"“{words(statement.quote)}”", ""] if statement.quote else []
+    if statement.latex:
+        out += display([f"&{line}" for line in statement.latex])
+    if statement.domain:
+        out += [math(statement.domain), ""]
+    label = "*Read as:* " if statement.quote and not statement.latex else ""
+    return [*out, f"{label}{words(statement.says)}", ""]
+
+
 def _right(verdict: Verdict) -> list[str]:
     """The right form where the printed one is wrong."""
-    if verdict.corrected_latex is not None:
-        return display([f"&{part}" for part in verdict.corrected_latex.split(r",\quad ")])
     if verdict.corrected is not None:
-        return display([f"&{latex(part)}" for part in verdict.corrected])
+        return display([f"&{part}" for part in verdict.corrected.split(r",\quad ")])
     return []
 
 
 def in_words(verdict: Verdict) -> str:
     """What is right, in one line."""
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         return f"for {math(verdict.condition or '')}"
-    if verdict.corrected_latex is not None:
-        return math(verdict.corrected_latex)
-    return words(right_is(verdict)) if verdict.corrected is None else math(latex(verdict.corrected))
+    if verdict.corrected is not None:
+        return math(verdict.corrected)
+    return words(right_is(verdict))
 
 
 def _table(block: Block) -> list[str]:

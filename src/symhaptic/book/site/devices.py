@@ -13,7 +13,8 @@ class Preset(NamedTuple):
 
     name: str
     values: dict[str, str]
-    """m (kg), b (Ns/m), k (N/m), T and t_d (s), K (N/m), B (Ns/m): decimals as published."""
+    """Decimals as published: of a device m (kg), b (Ns/m), k (N/m), T and t_d (s), K (N/m) and
+    B (Ns/m), of an arm m_H, b_H, k_H and whether they include the device."""
     source: str
 
 
@@ -45,7 +46,12 @@ DEVICES = tuple(map(_preset, published.DEVICES))
 ARMS = tuple(
     Preset(
         arm.authors,
-        {"m": arm.mass, "b": arm.damping, "k": arm.stiffness},
+        {
+            "m_H": arm.mass,
+            "b_H": arm.damping,
+            "k_H": arm.stiffness,
+            "with_device": str(int(arm.with_device)),
+        },
         f"Table II of the paper, [{arm.reference}]"
         + (", arm and device together." if arm.with_device else "."),
     )

@@ -1,6 +1,6 @@
-"""The explorer: a page that draws a loop's regions and tells its limits, by exported kernels.
+"""The explorer: a page that draws a loop's regions and shows its limits, by exported kernels.
 
-What it computes comes from the exporter, the rules from their print and the arms from Table II;
+The kernels come from the exporter, the rules from their statements and the arms from Table II;
 the scripts beside it draw, hold the state and lay out.
 """
 
@@ -63,18 +63,39 @@ CHAPTERS = {
 
 
 @dataclass(frozen=True)
+class Fraction:
+    """A limit for a delay of l + epsilon periods in words, its condition, and their chapter."""
+
+    words: str
+    formula: tuple[str, ...] = ()
+    chapter: str = "s6d_fractional_passivity"
+
+
+@dataclass(frozen=True)
 class Told:
-    """One limit: where its number stands, its formula, and the chapter that derives it."""
+    """One limit: the place of its number, its formula, and the chapter that derives it."""
 
     id: str
     title: str
     formula: tuple[str, ...]
     chapter: str
+    fraction: Fraction | None = None
+    """For fractional delays, if ``formula`` holds for integer ones alone."""
 
 
 _BOUNDARY = r"p\big(e^{j\theta};\, \alpha(\theta), \beta(\theta)\big) = 0,\quad \theta = \omega T"
 _WHOLE = (*PAPER["eq5"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
-_PUSHES = (*PAPER["eq4"].latex, r"K \ge 0")
+_PUSHES = (*PAPER["eq4"].latex, r"K \ge 0,\quad d \in \mathbb{N}_0")
+
+FRACTIONAL_PASSIVITY = (
+    r"b^2 + bB ((1-\varepsilon) \cos((\ell+1)\theta) + \varepsilon \cos((\ell+2)\theta))",
+    r"\quad - \frac{bKT}{2 \sin(\theta/2)} ((1-\varepsilon) \sin((\ell+\tfrac{1}{2})\theta) "
+    r"+ \varepsilon \sin((\ell+\tfrac{3}{2})\theta))",
+    r"\geq \frac{\varepsilon(1-\varepsilon)}{4} (K^2T^2 + 4B(KT+B) \sin^2(\theta/2))",
+)
+"""The statement ``fractional-passivity``, in three lines."""
+
+_BETWEEN = (*FRACTIONAL_PASSIVITY, r"0 < \theta < \pi,\quad K \ge 0,\quad d = \ell+\varepsilon")
 
 TOLD = (
     Told(
@@ -88,20 +109,26 @@ TOLD = (
     Told(
         "told-passive-limit", "Largest passive stiffness at this damping", _WHOLE,
         "s3a_passivity_condition",
+        Fraction("The largest $K$ that satisfies", _BETWEEN),
     ),
     Told(
         "told-stiffest-passive", "Largest passive stiffness at any damping",
         (r"K = \frac{2b}{T}\tan\frac{\pi}{4(d+1)},\quad d \in \mathbb{N}_0",),
         "s3c_stiffness_maximum",
+        Fraction(
+            "The largest $K$ that satisfies the condition above with some $B$",
+            chapter="s6f_stiffest_passive_wall",
+        ),
     ),
     Told("told-linear", "Linear condition", PAPER["eq24"].latex, "s4e_line"),
     Told(
-        "told-needed", "Damping that this wall needs to be passive", _PUSHES,
+        "told-needed", "Damping that this wall requires to be passive", _PUSHES,
         "s3_energy",
+        Fraction("The least $b > 0$ that satisfies the condition above"),
     ),
     Told(
-        "told-delay", "Largest delay of this wall",
-        (r"t_d < T\,\min\{d : |\lambda(d)| = 1\}",), "s4d_roots_delay_margin",
+        "told-delay", "Delay margin of this wall: what may be added to the delay",
+        (r"T\,\min\{d : |\lambda(d)| = 1\} - t_d",), "s4d_roots_delay_margin",
     ),
 )  # fmt: skip
 
@@ -143,13 +170,14 @@ def page(chapters: Collection[str]) -> str:
     out = [":hide-toc:", "", f".. _{NAME}:", "", *heading("Explore a wall")]
     out += [
         words(
-            "Set a device, an arm and a virtual wall, or drag the wall in the picture. What is "
-            "stable and what is passive is computed in this page, by the kernels that the package "
-            "exports; the address carries what is set."
+            "Set a device, an arm and a virtual wall, or drag the wall in the picture. The page "
+            "computes which walls are stable and which are passive with the kernels that the "
+            "package exports. The address of the page contains all settings."
         ),
         "",
         *_raw(_markup("explorer.html")),
         *heading("Limits of this loop", "-"),
+        *_paragraph(words(_COUNTED)),
     ]
     for told in TOLD:
         out += _limit(told, chapters)
@@ -161,6 +189,11 @@ def page(chapters: Collection[str]) -> str:
     out += _raw(f'<link rel="stylesheet" href="_static/{NAME}/{NAME}.css">\n{scripts}')
     return "\n".join(out) + "\n"
 
+
+_COUNTED = (
+    "For stability $m$, $b$ and $k$ are those of device and arm together. For passivity $b$ is "
+    "that of the device alone."
+)
 
 _RULES = (
     "What one of these rules allows for this loop, beside the exact limit at this damping. None "
@@ -174,8 +207,15 @@ def _limit(told: Told, chapters: Collection[str]) -> list[str]:
         *_paragraph(_linked(told.title, told.chapter, chapters)),
         *_raw(f'<p id="{told.id}"></p>'),
         *_raw(note),
-        *display([f"&{line}" for line in told.formula]),
     ]
+    formula = display([f"&{line}" for line in told.formula])
+    if told.fraction is None:
+        return container("limit", lines + formula)
+    derived = _linked("derivation", told.fraction.chapter, chapters)
+    between = _paragraph(f"{words(told.fraction.words)} ({derived})")
+    if told.fraction.formula:
+        between += display([f"&{line}" for line in told.fraction.formula])
+    lines += container("delay-whole", formula) + container("delay-fraction", between)
     return container("limit", lines)
 
 

@@ -22,9 +22,15 @@ PUBLIC = tuple(symhaptic.__all__)
 GROUPS = {
     "A device in SI units": ("Scene",),
     "Stable walls": (
-        *("is_stable", "max_stable_stiffness", "delay_margin", "stability_boundary"),
-        *("stable_region", "robust_region", "unstable_roots", "characteristic_polynomial"),
-        *("grid_boundary", "linear_limit"),
+        *("is_stable", "max_stable_stiffness", "delay_margin", "max_delay"),
+        *(
+            "stability_boundary",
+            "stable_region",
+            "robust_region",
+            "unstable_roots",
+            "characteristic_polynomial",
+        ),
+        *("grid_boundary", "linear_limit", "jury"),
     ),
     "Passive walls": (
         *("is_passive", "max_passive_stiffness", "passivity_margin", "passivity_margin_at"),

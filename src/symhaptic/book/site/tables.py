@@ -9,7 +9,7 @@ from symhaptic.book.ledger import Entry
 from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, says
-from symhaptic.book.site.chapter import in_words, kind, statement_link
+from symhaptic.book.site.chapter import in_words, kind, statement_in_words, statement_link
 from symhaptic.book.site.words import (
     breakable,
     container,
@@ -20,12 +20,10 @@ from symhaptic.book.site.words import (
     table,
     words,
 )
-from symhaptic.book.sources import PAPER
-from symhaptic.book.tex.errata import CLASSES
+from symhaptic.book.tex.errata import AT_HAND, by_importance
 from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.results import USE
 from symhaptic.book.tex.words import anchor
-from symhaptic.notation.latex import latex
 from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
 from symhaptic.proof.theorems.axioms import AXIOMS
@@ -51,10 +49,8 @@ def results(entries: Sequence[Entry]) -> str:
 def _use(entry: Entry) -> list[str]:
     statement, verdict = entry.statement, entry.verdict
     lines = statement.latex
-    if verdict.corrected_latex is not None:
-        lines = tuple(verdict.corrected_latex.split(r",\quad "))
-    elif verdict.corrected is not None:
-        lines = tuple(latex(part) for part in verdict.corrected)
+    if verdict.corrected is not None:
+        lines = tuple(verdict.corrected.split(r",\quad "))
     shown = display([f"&{line}" for line in lines]) if lines else [words(statement.says), ""]
     where = [math(statement.domain)] if statement.domain else []
     where += [f"for {math(verdict.condition)}"] if verdict.condition else []
@@ -66,24 +62,23 @@ def _use(entry: Entry) -> list[str]:
 def errata(entries: Sequence[Entry]) -> str:
     """What is wrong, and what is right only under a condition."""
     out = [".. _errata:", "", *heading("Errata")]
-    rows = [["statement", "what it says", "verdict", "where"]]
-    for of, _ in CLASSES:
-        rows += [
-            [
-                f":ref:`{e.statement.id} <erratum-{e.statement.id}>`",
-                words(e.statement.says),
-                kind(e.verdict.kind),
-                _where(e.statement.location),
-            ]
-            for e in entries
-            if e.source is PAPER and e.verdict.claimed is of
+    out += [words(AT_HAND), ""]
+    parts = by_importance(entries)
+    rows = [["statement", "read as", "verdict", "where"]]
+    rows += [
+        [
+            f":ref:`{e.statement.id} <erratum-{e.statement.id}>`",
+            words(e.statement.says),
+            kind(e.verdict.kind),
+            _where(e.statement.location),
         ]
+        for _, listed in parts
+        for e in listed
+    ]
     out += table("ledger", rows)
-    for of, title in CLASSES:
-        listed = [e for e in entries if e.source is PAPER and e.verdict.claimed is of]
-        if listed:
-            out += heading(title, "-")
-            out += [line for entry in listed for line in _erratum(entry)]
+    for title, listed in parts:
+        out += heading(title, "-")
+        out += [line for entry in listed for line in _erratum(entry)]
     return "\n".join(out) + "\n"
 
 
@@ -94,13 +89,11 @@ def _where(location: str) -> str:
 
 def _erratum(entry: Entry) -> list[str]:
     statement, verdict = entry.statement, entry.verdict
-    out = [
-        f"{statement_link(statement.id)} — {plain(statement.location)} — {kind(verdict.kind)}",
-        "",
-    ]
-    out += [words(statement.says), ""]
-    if statement.latex:
-        out += display([f"&{line}" for line in statement.latex])
+    out = [f"{statement_link(statement.id)} — {plain(statement.location)}", ""]
+    out += statement_in_words(statement)
+    if verdict.proposition:
+        out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
+    out += [f"Verdict: {kind(verdict.kind)}", ""]
     out += ["Right is:" if of_form(entry) else "It holds:", "", in_words(verdict), ""]
     shown = "; ".join(words(text) for text in shown_by(verdict))
     if shown:
@@ -112,12 +105,12 @@ def _erratum(entry: Entry) -> list[str]:
 
 def of_form(entry: Entry) -> bool:
     """Whether something else is right than what is printed."""
-    return entry.verdict.claimed is not Kind.QUALIFIED
+    return entry.verdict.kind is not Kind.QUALIFIED
 
 
 def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
     """Every statement with its verdict, to be filtered and sorted."""
-    head = ["statement", "what it says", "verdict", "Rocq", "where", "chapter"]
+    head = ["statement", "read as", "verdict", "Rocq", "where", "chapter"]
     rows = [head]
     for entry in entries:
         number, name = chapters.get(entry.derivation or "", (0, ""))

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 
 from symhaptic.book.parts import referred
 from symhaptic.book.tex.breaking import width
+from symhaptic.notation.latex import euler
 
 _PLAIN = {
     r"\,": "\u202f",
@@ -113,14 +114,30 @@ def plain(text: str) -> str:
     >>> plain(r"by \texttt{is\_stable}")
     'by ``is_stable``'
     """
+    text = unmarked(text)
     for tex, meant in _PLAIN.items():
         text = text.replace(tex, meant)
-    text = re.sub(r"\\(?:emph|textbf)\{([^{}]*)\}", r"\1", text)
     parts = re.split(r"\\texttt\{([^{}]*)\}", text)
     return "".join(
         f"``{part}``" if at % 2 else re.sub(r"([\\*`|_])", r"\\\1", part)
         for at, part in enumerate(parts)
     )
+
+
+def unmarked(text: str) -> str:
+    r"""Words without their emphasis, which reStructuredText cannot have around a formula.
+
+    >>> unmarked(r"Together: \emph{all $c_{n-1}$ are \emph{positive}}, and so on")
+    'Together: all $c_{n-1}$ are positive, and so on'
+    """
+    while found := re.search(r"\\(?:emph|textbf)\{", text):
+        depth, end = 1, found.end()
+        while depth and end < len(text):
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        inner = text[found.end() : end - (depth == 0)]
+        text = f"{text[: found.start()]}{inner}{text[end:]}"
+    return text
 
 
 def words(text: str) -> str:
@@ -131,14 +148,15 @@ def words(text: str) -> str:
     >>> words("(b) is no item of a list")
     '\\(b) is no item of a list'
     """
-    parts = re.split(r"\$([^$]*)\$", referred(text, lambda number: f"chapter {number}"))
+    text = unmarked(referred(text, lambda number: f"chapter {number}"))
+    parts = re.split(r"\$([^$]*)\$", text)
     out = ""
     for at, part in enumerate(parts):
         if at % 2 == 0:
             follows = at > 0 and part[:1].strip() != ""
             out += ("\\ " if follows else "") + plain(part)
         elif part.strip():
-            out += ("\\ " if out[-1:].strip() else "") + math(part)
+            out += ("\\ " if out[-1:].strip() else "") + math(euler(part))
     return re.sub(r"^(?=\(?(\w|\d+|[ivx]+)[.)]\s)", r"\\", out.strip())
 
 

@@ -27,7 +27,7 @@ from symhaptic.book.record import Block
 from symhaptic.book.rests import between
 from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.believed import believed, symbols
-from symhaptic.book.tex.errata import errata
+from symhaptic.book.tex.errata import AT_HAND, errata
 from symhaptic.book.tex.mutants import mutants_listed
 from symhaptic.book.tex.page import chapter_tex
 from symhaptic.book.tex.parts import parts
@@ -45,7 +45,7 @@ MEANINGS = (
     (Kind.MISPRINT, "false as printed, true as corrected"),
     (Kind.REFUTED, "false"),
     (Kind.EXTERNAL, "rests on data outside the paper"),
-    (Kind.ARGUED, "reasoning in words joins what was checked; no pass by itself"),
+    (Kind.SLIP, "a wrong name, number or reference in the text; not a theorem"),
     (Kind.UNDECIDED, "none of these yet"),
 )
 RESERVED = (
@@ -120,7 +120,14 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
         ),
         ("results", {**results(entries, numbers), "graph": bool(between(numbered))}),
         ("believed", believed(entries)),
-        ("errata", {"classes": errata(entries, numbers), "errors": _errors(entries)}),
+        (
+            "errata",
+            {
+                "classes": errata(entries, numbers),
+                "errors": _errors(entries),
+                "source": escaped(AT_HAND),
+            },
+        ),
         ("ledger", {"rows": rows, **_foreign(entries)}),
         *([("mutants", trials)] if trials else []),
         *([("bench", speed)] if speed else []),
@@ -149,11 +156,12 @@ def _chapter_files(chapters: list[tuple[int, Chapter]]) -> dict[str, str]:
 
 def _errors(entries: list[Entry]) -> str:
     """How many entries the errata have."""
-    kinds = [entry.verdict.claimed for entry in entries if entry.source is PAPER]
+    kinds = [entry.verdict.kind for entry in entries if entry.source is PAPER]
     wrong = kinds.count(Kind.REFUTED) + kinds.count(Kind.MISPRINT)
     return (
-        f"Of {len(kinds)} statements of the paper {wrong} are wrong as printed and "
-        f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give"
+        f"Of {len(kinds)} statements of the paper {wrong} are wrong as they stand, "
+        f"{kinds.count(Kind.QUALIFIED)} need a condition that the paper does not give, and "
+        f"{kinds.count(Kind.SLIP)} are slips of the text"
     )
 
 

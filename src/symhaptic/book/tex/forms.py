@@ -73,36 +73,48 @@ def answers(settled: Sequence[Settled]) -> str:
 def _answered(item: Settled) -> str:
     statement, verdict = item.statement, item.verdict
     says = prose(statement.says)
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         says += f", for {condition(verdict)}"
     place = f"\\statementlink{{{place_of(statement.id)}}}{{{reference(statement.id)}}}"
     return f"\\answer{{{place}}}{{{says}}}{{\\kind{{{verdict.kind}}}{{{verdict.kind}}}}}"
 
 
 def _beside(shown: str, verdict: Verdict, facing: bool) -> str:
-    """What is printed, the condition under which it is right, and what it claims."""
+    """What is printed, what it claims, and the condition under which it is right."""
+    right = ""
     if verdict.condition:
         for_ = f"\\kind{{{verdict.kind}}}{{for}} {condition(verdict)}"
-        shown += f"\\\\[4pt]{{\\footnotesize {for_}}}"
+        right = f"\\\\[4pt]{{\\footnotesize {for_}}}"
     if not verdict.proposition or width(verdict.proposition) > LONG_CLAIM:
-        return shown
+        return shown + right
     claim = running(verdict.proposition)
     if facing and width(claim) < NARROW:
-        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}$}}"
-    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}"
+        return f"\\facing{{{shown}}}{{\\footnotesize ${claim}${right}}}"
+    return f"{shown}\\\\[4pt]{{\\footnotesize claims ${claim}$}}{right}"
+
+
+def quoted(statement: Statement) -> str:
+    """The source's own words in quotation marks; empty where a chapter states it itself."""
+    return f"``{prose(statement.quote)}''" if statement.quote else ""
+
+
+def formula(statement: Statement) -> str:
+    """The formula of a statement, line by line, with its domain; empty where it has none."""
+    lines = [line for text in statement.latex for line in broken(text)]
+    shown = stack(lines) if lines else ""
+    if lines and statement.domain:
+        shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
+    return shown
 
 
 def printed(statement: Statement) -> str:
-    """The formula of a statement, line by line, with its domain; or what it says in words."""
-    lines = [line for text in statement.latex for line in broken(text)]
-    if not lines:
-        return prose(statement.says)
-    shown = stack(lines)
-    if statement.domain:
-        shown += f"\\\\[2pt]{{\\footnotesize ${statement.domain}$}}"
-    if not _NUMBERED.fullmatch(statement.id):
-        shown = f"{prose(statement.says)}\\\\[2pt]{shown}"
-    return shown
+    """The source's words, its formula, and our reading of them, in this order."""
+    reading = prose(statement.says)
+    if statement.quote:
+        label = "" if statement.latex else "\\emph{Read as:} "
+        reading = f"{{\\footnotesize {label}{reading}}}"
+    parts = (quoted(statement), formula(statement), reading)
+    return "\\\\[2pt]".join(part for part in parts if part)
 
 
 def running(claim: str) -> str:
@@ -171,16 +183,14 @@ def _continues(line: str) -> bool:
 
 def correction(verdict: Verdict) -> str:
     """The right form, line by line; empty where nothing is corrected."""
-    if verdict.corrected_latex is not None:
-        if verdict.corrected_latex.startswith(r"\forall"):
-            return f"{{\\footnotesize ${running(verdict.corrected_latex)}$}}"
-        text = verdict.corrected_latex
+    if verdict.corrected is not None:
+        if verdict.corrected.startswith(r"\forall"):
+            return f"{{\\footnotesize ${running(verdict.corrected)}$}}"
+        text = verdict.corrected
         if width(text) <= FORM:
             return stack([text])
         lines = [line for part in text.split(r",\quad ") for line in broken(part)]
         return stack(lines)
-    if verdict.corrected is not None:
-        return stack([latex(part) for part in verdict.corrected])
     return ""
 
 
@@ -193,9 +203,9 @@ RIGHT = 22.0
 
 def right_is(verdict: Verdict) -> str:
     """What is right: for a condition, or a correction; empty where what is printed is right."""
-    if verdict.claimed is Kind.QUALIFIED:
+    if verdict.kind is Kind.QUALIFIED:
         return f"for {condition(verdict)}"
-    text = verdict.corrected_latex or ""
+    text = verdict.corrected or ""
     if width(text) > LONG and verdict.shows:
         return verdict.shows
     if r"\text" in text:
@@ -227,7 +237,7 @@ def _formulas(text: str) -> str:
 def _verdict(verdict: Verdict) -> str:
     head = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
     rest = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
-    if verdict.value and verdict.claimed in (Kind.ENCLOSED, Kind.QUALIFIED):
+    if verdict.value and verdict.kind in (Kind.ENCLOSED, Kind.QUALIFIED):
         head += f":\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\"
         return head + "; ".join(rest)
     return head + (": " if rest else "") + "; ".join(rest)

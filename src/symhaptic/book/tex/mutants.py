@@ -13,11 +13,10 @@ from symhaptic.book.tex.words import prose
 KINDS = {
     "formula": "a sign, factor, exponent, index or function of a formula",
     "digit": "a digit of a number, or a sign in print",
-    "negated": "a claim turned into its contrary",
-    "domain": "a condition left out, an interval or an assumption made wider",
-    "counterexample": "a counterexample moved or left out",
-    "correction": "a digit or a sign of a correction",
-    "grounds": "the grounds left out",
+    "negated": "a number's print that says the contrary",
+    "claim": "a claim with a part changed, left out or turned round",
+    "counterexample": "a counterexample left out",
+    "grounds": "the example of the hypotheses left out",
 }
 """Kinds of change, in the order of the columns."""
 
@@ -36,7 +35,7 @@ def mutants_listed(path: Path) -> dict[str, Any]:
     chapters = json.loads(path.read_text(encoding="utf-8"))["chapters"]
     rows, survivors, total = [], [], Counter[str]()
     for name, record in chapters.items():
-        counted = [*record["statements"].items(), (f"steps of {name}", record["steps"])]
+        counted = [*record["statements"].items(), (f"tables of {name}", record["tables"])]
         for of, counts in counted:
             total.update(counts)
             if counts:

@@ -17,7 +17,7 @@ from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
 from symhaptic.book.tex.forms import BESIDE, LONG_CLAIM, answers, letters, printed_forms, sentence
 from symhaptic.book.tex.words import anchor, as_sentence, escaped, prose
-from symhaptic.notation.latex import latex
+from symhaptic.notation.latex import euler, latex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind
 
@@ -40,8 +40,8 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     for block in chapter.page.blocks:
         if block.kind == "prose":
             out += [prose(block.text), ""]
-        elif block.kind in ("equation", "result"):
-            steps += block.kind == "equation"
+        elif block.kind == "equation":
+            steps += 1
             out += _equation(block, number, steps)
         elif block.kind == "theorem":
             steps += 1
@@ -60,7 +60,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
 
 
 def _equation(block: Block, chapter: int, step: int) -> list[str]:
-    heading = "Result" if block.kind == "result" else f"Step {step}"
+    heading = f"Step {step}"
     reason = as_sentence(prose(block.text)) if block.text else ""
     rows = rows_of(block.lines)
     beside = f"\\quad paper ({block.paper})" if block.paper else ""
@@ -191,7 +191,7 @@ def _split(text: str) -> list[str]:
 def rows_of(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
     """Lines of an equation, aligned at their sign, broken where they are too long for one."""
     rows: list[str] = []
-    for left, sign, right in lines:
+    for left, sign, right in _upright(lines):
         shown = left if isinstance(left, str) else latex(left)
         start, own_line = shown, width(shown) > LINE / 2.5
         if isinstance(left, Expr) and width(shown) > LINE:
@@ -207,6 +207,12 @@ def rows_of(lines: tuple[tuple[str, str, Any], ...]) -> list[str]:
         rows.append(f"{lead}{parts[0]}")
         rows += [f"&\\qquad {p}" for p in parts[1:]]
     return rows
+
+
+def _upright(lines: tuple[tuple[str, str, Any], ...]) -> list[tuple[Any, str, Any]]:
+    """The lines with Euler's number upright in what was typed."""
+    typed = [[euler(s) if isinstance(s, str) else s for s in (a, b)] for a, _, b in lines]
+    return [(left, line[1], right) for line, (left, right) in zip(lines, typed, strict=True)]
 
 
 def _text(side: Any) -> str:

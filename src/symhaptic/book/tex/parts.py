@@ -12,7 +12,6 @@ from symhaptic.book.rests import Rest, Said, Shown, rests, said, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.forms import reference
 from symhaptic.book.tex.words import anchor, escaped, place_of, prose
-from symhaptic.proof.verdict import Kind
 
 Numbered = tuple[int, Chapter]
 
@@ -30,11 +29,6 @@ def parts(chapters: Sequence[Numbered]) -> list[dict[str, Any]]:
                     "opening": prose(part.opening),
                     "names": [one.name for _, one in inside],
                     "rows": [row for one in inside for row in _rows(one, shown, again)],
-                    "argued": sum(
-                        item.verdict.kind is Kind.ARGUED
-                        for _, one in inside
-                        for item in one.page.settled.values()
-                    ),
                 }
             )
     return found

@@ -10,9 +10,8 @@ from dataclasses import replace
 from typing import Any
 
 from symhaptic.book.ledger import Entry
-from symhaptic.book.sources import PAPER
-from symhaptic.book.tex.errata import CLASSES
-from symhaptic.book.tex.forms import condition, correction, printed, reference, right_is
+from symhaptic.book.tex.errata import by_importance
+from symhaptic.book.tex.forms import condition, correction, formula, reference, right_is
 from symhaptic.book.tex.words import place_of, prose
 
 USE = (
@@ -22,8 +21,9 @@ USE = (
     ("Passive or not in short: without delay, and for light damping", ("eq6", "eq9")),
     (
         "The boundary of the stable walls, for every device and delay",
-        ("s4d-explicit-only-undelayed",),
+        ("explicit-boundary",),
     ),
+    ("Stable or not, by Jury's inequalities", ("jury-inequalities",)),
     ("The linear limit of stability", ("eq24", "eq25")),
     ("Passive walls are stable", ("s5a-subset",)),
     ("Behind a delay of $(\\ell+\\varepsilon)T$: passive or not", ("fractional-passivity",)),
@@ -38,15 +38,12 @@ def results(entries: Iterable[Entry], chapters: Mapping[str, int]) -> dict[str, 
         (question, [_use(found[id], chapters) for id in ids if id in found and _settled(found[id])])
         for question, ids in USE
     ]
-    theirs = [entry for entry in found.values() if entry.source is PAPER]
-    listed = {
-        kind: [_wrong(entry, chapters) for entry in theirs if entry.verdict.claimed is kind]
-        for kind, _ in CLASSES
-    }
-    titles = dict(CLASSES)
     return {
         "use": [(question, rows) for question, rows in use if rows],
-        "wrong": [(titles[kind], rows) for kind, rows in listed.items() if rows],
+        "wrong": [
+            (title, [_wrong(entry, chapters) for entry in listed])
+            for title, listed in by_importance(found.values())
+        ],
     }
 
 
@@ -58,7 +55,7 @@ def _use(entry: Entry, chapters: Mapping[str, int]) -> dict[str, str]:
     """The right form, its condition, and where it is shown."""
     domain = entry.statement.domain
     right = correction(entry.verdict)
-    shown = right or printed(replace(entry.statement, domain=""))
+    shown = right or formula(replace(entry.statement, domain="")) or prose(entry.statement.says)
     where = [f"${domain}$"] if domain and not right else []
     where += [f"for {condition(entry.verdict)}"] if entry.verdict.condition else []
     if where:

@@ -20,6 +20,10 @@ BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been reference
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
 
+_TOLD = 20
+"""Bad lines that a message lists."""
+
+
 class ReportError(RuntimeError):
     """The report cannot be written; the message is one line."""
 
@@ -71,8 +75,8 @@ def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> Non
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
         files = re.findall(r"\(\./([\w.-]+)\.tex", log)
         raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")
-    bad = re.findall(BAD, log, re.MULTILINE)
+    bad = [(m.group(), log[: m.start()]) for m in re.finditer(BAD, log, re.MULTILINE)]
     if bad:
-        opened = re.findall(r"\(\./([\w.-]+)\.tex", log[: log.index(bad[0])])
-        where = f"{opened[-1] if opened else name}.tex"
-        raise ReportError(f"{len(bad)} bad lines in the report, the first in {where}: {bad[0]}")
+        opened = [re.findall(r"\(\./([\w.-]+)\.tex", before)[-1:] for _, before in bad]
+        lines = [f"{' '.join(o)}.tex: {line}" for o, (line, _) in zip(opened, bad, strict=True)]
+        raise ReportError(f"{len(bad)} bad lines in the report: {'; '.join(lines[:_TOLD])}")

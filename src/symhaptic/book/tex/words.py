@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from symhaptic.book.parts import referred
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import euler, matching
 
 
 def escaped(text: str) -> str:
@@ -31,7 +31,11 @@ def as_sentence(text: str) -> str:
 
 
 def prose(text: str) -> str:
-    """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
+    """Prose with formulas between dollar signs: what TeX takes for itself is written out.
+
+    A line may break after each hyphen of an id.
+    """
+    text = re.sub(r"\\texttt\{[^{}]*\}", lambda id: id[0].replace("-", r"-\allowbreak{}"), text)
     return beside_formulas(referred(text, lambda number: f"\\chapterlink{{{number}}}"))
 
 
@@ -42,7 +46,7 @@ def beside_formulas(text: str) -> str:
     50 \% of $a_b$, not \{c \emph{50 \%}
     """
     parts = re.split(r"(\$[^$]*\$)", text)
-    parts[1::2] = [part if matching(part) else literally(part) for part in parts[1::2]]
+    parts[1::2] = [euler(part) if matching(part) else literally(part) for part in parts[1::2]]
     signs = "%#&_^$" if matching("".join(parts[::2])) else "%#&_^${}"
     return "".join(
         part if i % 2 else re.sub(rf"(?<!\\)[{signs}]", lambda sign: _SIGNS[sign[0]], part)

@@ -1,4 +1,4 @@
-"""How much later the force of a wall may come until an arm of the range makes it unstable."""
+"""The delay that may be added to a wall until an arm of the range makes it unstable."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from symhaptic.bounds.safe import check, find, prove
 from symhaptic.bounds.safe.arms import Loops
 from symhaptic.bounds.safe.prove import Columns
-from symhaptic.numeric.tracing.margin import delay_margin
+from symhaptic.numeric.tracing.margin import max_delay
 
 _LONGEST = 40
 """Periods beyond which no delay is looked at."""
@@ -27,13 +27,15 @@ _SHORTEST = Fraction(1, 2000)
 
 
 def guessed(loops: Loops, K: float, B: float) -> float:
-    """The largest delay in periods that a wall bears with some arms of the range; not proved."""
+    """The largest delay in periods with which a wall is stable for some arms; not proved."""
     period = float(loops.period)
     masses, (least, _), stiffnesses = loops.hands
-    loops = loops._replace(hands=(masses, (least, least), stiffnesses))  # those that bear less
+    loops = loops._replace(
+        hands=(masses, (least, least), stiffnesses)
+    )  # those of the least damping
     mass, damping, stiffness = np.array(list(find.arms(loops, _MASSES))).T
     heavy = period / mass
-    found = delay_margin(K * period * heavy, B * heavy, stiffness * period * heavy, damping * heavy)
+    found = max_delay(K * period * heavy, B * heavy, stiffness * period * heavy, damping * heavy)
     return min(float(np.min(found)), float(_LONGEST))
 
 

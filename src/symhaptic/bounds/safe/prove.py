@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from flint import ctx
@@ -26,14 +27,20 @@ BITS = 64
 PI = Fraction(31415926535897933, 10**16)
 """A little more than pi: where pieces of the circle end."""
 
-_FINE = 2**-7
+_FINE = 2**-9
 """Pieces are not halved below this relative width; what they touch is cut off."""
 
-_PIECES = 60_000
-"""So many are looked at; what those that are left touch is cut off, too."""
+_EASY, _HARD = 3_000, 10_000
+"""After so many pieces, and within so many more, columns give way: see :func:`shown`."""
 
 _SPARE = 2**-9
 """What is cut off beyond what has to be: it makes it easier for the pieces nearby."""
+
+_EACH = 2**-6
+"""What a column counts that is touched, beside the share of its height that is touched."""
+
+_BETTER = 0.98
+"""Halving across another dimension than the widest has to touch less by this factor."""
 
 _MORE = 1 + 2**-40
 """More than what a few operations on floats may be off."""
@@ -115,16 +122,20 @@ def circle(loops: Loops, low: float) -> tuple[Fraction, ...]:
     return (*found, PI)
 
 
-def widest(loops: Loops, angles: Ends, hands: Hands, K: float, B: float) -> tuple[float, int]:
-    """By how much walls differ over a piece, and across what most: the angle, or h, r or s."""
-    (low, high), ((h0, h1), (r0, r1), (s0, s1)) = angles, hands
+def widest(loops: Loops, piece: Piece, K: float, B: float) -> tuple[float, int]:
+    """By how much walls differ over a piece, and across what most: the angle, or h, r or s.
+
+    Next to the angle 0 walls are unknown only if the arms differ too much.
+    """
+    (low, high), ((h0, h1), (r0, r1), (s0, s1)) = piece.angles, piece.hands
     mass = float(loops.mass + h1) / float(loops.mass + h0) - 1
     by_r, by_s = (float(h1) if by else 1.0 for by in loops.by_mass)
     drift = float(r1 * (h1 - h0)) if loops.by_mass[0] else 0.0
     spring = float(s1 * (h1 - h0)) if loops.by_mass[1] else 0.0
     held = 1 + float(loops.stiffness) / K  # its spring is part of what turns with the angle
+    arms_alone = not low and math.isinf(piece.walls.K[0]) and any(a < b for a, b in piece.hands)
     sizes = (
-        2 * (float(high / low) - 1) * held if low else 16.0,
+        2 * (float(high / low) - 1) * held if low else 0.0 if arms_alone else 16.0,
         mass + drift / B + spring / K,
         float(r1 - r0) * by_r / B,
         float(s1 - s0) * by_s / K,
@@ -145,23 +156,35 @@ def halved(angles: Ends, hands: Hands, across: int) -> list[tuple[Ends, Hands]]:
     return found
 
 
-def shown(loops: Loops, columns: Columns, most: int = _PIECES, fine: float = _FINE) -> Shown:
-    """The columns, lowered until no arm has a root on the circle for any wall in them."""
+def shown(loops: Loops, columns: Columns, most: int = _EASY + _HARD, fine: float = _FINE) -> Shown:
+    """Lower the columns until no arm has a root on the circle for any wall in them.
+
+    A piece that touches columns is halved.  It lowers them instead if it is ``fine`` enough, or
+    if it touches their upper part alone.  That part is nothing for the first pieces and grows with
+    the number of pieces, because a little height often saves most of the work.  No column is left
+    if ``most`` pieces do not suffice.
+    """
     touching = Touching(loops, columns)
-    tops = np.array(columns.tops)
+    begun = np.array(columns.tops)
+    tops = begun.copy()
     K, B = max(columns.tops), max(map(abs, columns.edges))
     cuts, looked, angles = [], 0, circle(loops, columns.low)
-    pieces = [(piece, loops.hands) for piece in pairwise(angles)][::-1]
     with ctx.workprec(BITS):
-        while pieces:
-            arc, hands = pieces.pop()
+        pieces = [Piece.of(loops, arc, loops.hands) for arc in pairwise(angles)][::-1]
+        while pieces and tops.any():
+            piece = pieces.pop()
             looked += 1
-            which, heights = touching(walls(loops, arc, hands), tops)
+            which, heights = touching(piece.walls, tops)
             if len(which):
-                size, across = widest(loops, arc, hands, K, B)
-                if size > fine and looked < most:
+                if looked > most:
+                    tops[:] = 0.0
+                    break
+                size, across = widest(loops, piece, K, B)
+                slack = max(0.0, (looked - _EASY) / _HARD)
+                if size > fine and np.any(heights <= (1 - slack) * begun[which]):
+                    across, halves = best_halves(loops, piece, across, touching, tops)
                     cuts.append(str(across))
-                    pieces += halved(arc, hands, across)[::-1]
+                    pieces += halves[::-1]
                     continue
                 lowered = heights * (1 - _SPARE)
                 tops[which] = np.where(lowered > columns.low, lowered, 0.0)
@@ -169,3 +192,44 @@ def shown(loops: Loops, columns: Columns, most: int = _PIECES, fine: float = _FI
     late.cache_clear()
     kept = Columns(columns.edges, tuple(map(float, tops)), columns.low)
     return Shown(kept, "".join(cuts), angles)
+
+
+class Piece(NamedTuple):
+    """A piece of the circle and of the arms, with the walls that have a root on it."""
+
+    angles: Ends
+    hands: Hands
+    walls: Walls
+
+    @classmethod
+    def of(cls, loops: Loops, angles: Ends, hands: Hands) -> Piece:
+        """The piece with its walls enclosed."""
+        return cls(angles, hands, walls(loops, angles, hands))
+
+
+def best_halves(
+    loops: Loops, piece: Piece, widest: int, touching: Touching, tops: NDArray[np.float64]
+) -> tuple[int, list[Piece]]:
+    """Halve a piece across the dimension after which it touches the columns least.
+
+    The widest dimension is not always the best one: heavy arms differ much in damping, yet only
+    the angle decides how large the wall's damping has to be.
+    """
+    found: tuple[int, list[Piece]] = (widest, [])
+    least = math.inf
+    box = (piece.angles, *piece.hands)
+    others = (i for i in range(4) if i != widest and touching.low < tops.max())
+    for across in (widest, *others):
+        low, high = box[across]
+        if low == high or (across == 0 and low == 0 and across != widest):
+            continue
+        halves = [Piece.of(loops, *half) for half in halved(piece.angles, piece.hands, across)]
+        touched = 0.0
+        for half in halves:
+            which, heights = touching(half.walls, tops)
+            touched += float(np.sum(_EACH + 1 - heights / tops[which]))
+        if touched < _BETTER * least:
+            found, least = (across, halves), touched
+        if not touched:
+            break
+    return found

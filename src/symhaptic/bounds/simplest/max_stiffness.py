@@ -1,9 +1,10 @@
 """The largest stable stiffness of all plants of a box, for a whole delay, in one ball.
 
-That it is a closed form without delay, and the largest value of the explicit boundary up to
-theta = pi/(d + 1/2) with one, is shown in derivations/s5b_stiffest_undelayed.py,
-s5b_stiffest_wall.py, s5b_stiffest_wall_bound.py and s5b_stiffest_wall_undamped.py.  They ask for
-inequalities between the plant's numbers, which are checked here on the box itself.
+Without delay it is a closed form (derivations/s5b_stiffest_undelayed.py).  With a delay the largest
+value of the explicit boundary up to theta = pi/(d + 1/2) is taken: by the theorem of
+s5b_stiffest_wall.py no stable wall is stiffer than a tip of the boundary.  That walls just below
+the tip are stable is not shown in general.  The inequalities between the plant's numbers that keep
+the boundary in shape are checked on the box itself.
 """
 
 from __future__ import annotations
@@ -79,7 +80,7 @@ def _needs_undelayed() -> list[Expr]:
 
 
 def _needs_delayed(delay: int) -> list[Expr]:
-    """Positive: what s5b_stiffest_wall and _bound ask for."""
+    """Positive: what keeps the boundary in shape up to its tip."""
     rise = n_1 + n_0
     size = n_1 + (a + 2) * n_0
     turned = sp.cos(sp.pi / (2 * (delay + 1)))
@@ -98,7 +99,7 @@ def _demand(values: list[arb], box: Box) -> None:
     if not box[0].high < _SOFT:
         raise NotCovered(f"gamma = k T^2/m up to {float(box[0].high):.3g}: no proof from 9 on")
     if any(value <= 0 for value in values):
-        raise NotCovered("the spring or damper is too strong for the proof of the stiffest wall")
+        raise NotCovered("the spring or damper is too strong for the bounds of the stiffest wall")
     if not all(value > 0 for value in values):
         raise NotEnclosed("an inequality is not decided on the box")
 

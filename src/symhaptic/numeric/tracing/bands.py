@@ -64,13 +64,28 @@ def part_of(undelayed: Device, gamma: Array, delta: Array, middle: Array, half: 
     slope2, slope0 = slopes(gamma, delta, middle)
     v = swing(gamma, delta, middle)
     grown, slope, turn = 1 + delta / (2 * v.w), [], []
-    creep = slope2 + slope0, slope2 - slope0
+    creep, bent = (slope2 + slope0, slope2 - slope0), _bent(gamma, delta, 1 - middle - half)
     for slow, fast, share in zip(creep, v.slopes(), (v.cosine, v.sine), strict=True):
         slope.append(np.where(v.there, fast, slow))
         most = np.minimum(grown * (v.lost + 2 * np.abs(share)), 2.0)
-        turn.append(half * np.where(v.there, most, 2.0))
+        turn.append(half * np.where(v.there, most, bent))
     change = [half * (np.abs(now) + most / 2) for now, most in zip(slope, turn, strict=True)]
     return Part(behind(undelayed, gamma, delta, middle), half, *slope, *turn, *change)
+
+
+def _bent(gamma: Array, delta: Array, rest: Array) -> Array:
+    """The most by which m2' and m0' of an overdamped device change, with so much of a period left.
+
+    Of its poles -p and -q the speed is g' = (p exp(-p t) - q exp(-q t))/(p - q), and the second
+    derivatives are g'(1 - epsilon) and exp(-delta (1 - epsilon)) (delta g + g')(epsilon).
+    """
+    root = np.sqrt(np.maximum(delta**2 / 4 - gamma, 0))
+    p = delta / 2 + root
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        slow, share = gamma / p, p / (2 * root)
+        speed = share * (np.exp(-p * rest) + slow / p * np.exp(-slow * rest))
+        most = speed + 2 * share * (1 + slow / p) * np.exp(-delta * rest)
+    return np.asarray(np.fmin(most, 2.0))
 
 
 class Bands(NamedTuple):
@@ -154,8 +169,9 @@ def _runs(
     at, row = np.nonzero(begins.T)
     at_stop, row_stop = np.nonzero(stops.T)  # as many of each wall, in the same order
     low, high = first[row, :, at], last[row_stop, :, at_stop]
-    wide = (low != high).any(axis=1)
-    return at[wide], low[wide], high[wide]
+    # a band without width is a crossing that is known to the last digit, or an end of the circle
+    there = (low != high).any(axis=1) | ((low[:, 0] > 0) & (low[:, 1] > 0))
+    return at[there], low[there], high[there]
 
 
 def _trend(p: Part, v: Wall) -> Surplus:
@@ -179,7 +195,9 @@ def _spread(p: Part, v: Wall, near: Array, far: Array) -> Surplus:
     center, beyond = 2 * p.x.at_one / (1 + p.x.e), 2 * p.x.at_minus_one / (1 + p.x.e)
     tilt, own = (far - near) / 4, (near * beyond + far * center) / 4
     force, size, last = v.slope * v.beta, v.alpha**2, v.at_minus_one**2
-    there = size + force * center
+    # |W|^2 at the own frequency, where size + force center would lose its digits next to pi
+    wave = (v.alpha * beyond - v.at_minus_one * center) / 4
+    there = wave**2 + v.slope**2 * (center * beyond / 4)
     none = np.zeros_like(near)
     return Surplus(
         (none, near * size, near * force + tilt * size, tilt * force),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.kernels import haptic
-from symhaptic.numeric import arguments, stability
+from symhaptic.numeric import arguments, slopes, stability
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.boundary import end, point, tangent
 from symhaptic.numeric.compiled import at_once, of
@@ -44,6 +44,9 @@ _TRIED = np.geomspace(1e-16, 10.0, 100) * np.array([[-1.0], [1.0]])
 
 @at_once("max_stable_stiffness", into=Extremum, finite=True)
 @kept(Extremum, alpha=float, beta=float, theta=float)
+@slopes.in_jax(
+    Extremum._fields, instead="lambdify('max_stable_stiffness', modules='jax') has derivatives"
+)
 def max_stable_stiffness(
     gamma: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Extremum:

@@ -36,21 +36,22 @@ class Loops(NamedTuple):
     def stable(self, steps: Array, part: Array) -> NDArray[np.bool_]:
         """Whether no root is outside behind ``steps`` and a fraction of a period.
 
-        By the kernel of all delays where the sum is one float64, as it is where parts are cut; the
-        error of a sum whose larger term comes first is that term's part which is not in it.
+        By the kernel of all delays where the sum is one float64, as it is where parts are cut, and
+        the kernel is certain; else by the count that rounds to one of both sides.
         """
         late = steps + part
-        whole = (late - steps == part) & (late <= sizes.LONGEST)
-        found = np.array(
-            stability.is_stable(
-                self.v.alpha, self.v.beta, self.gamma, self.delta, np.where(whole, late, 0.0)
+        one = (late - steps == part) & (late <= sizes.LONGEST)
+        roots = np.array(
+            stability.unstable_roots(
+                self.v.alpha, self.v.beta, self.gamma, self.delta, np.where(one, late, 0.0)
             )
         )
-        left = np.flatnonzero(~whole)
+        left = np.flatnonzero(~one | (roots < 0))
         if left.size:
-            some = self.take(left)
-            found[left] = stability.count(some.behind(part[left]), some.v, steps[left], False) == 0
-        return found
+            some, over = self.take(left), part[left] == 1
+            x = some.behind(np.where(over, 0.0, part[left]))
+            roots[left] = stability.count(x, some.v, steps[left] + over, False)
+        return np.asarray(roots == 0)
 
     def can_leave(self, part: Array) -> NDArray[np.bool_]:
         """Whether roots can leave at all behind a fraction 0 < part <= 1."""

@@ -1,9 +1,11 @@
 """The first delay at which roots leave the circle: branch and bound over fractions of a period.
 
-A part of the period is done with where no root can be on the circle, and where all of those that
+A part of the period is finished where no root can be on the circle, and where all of those that
 can cross it in the same direction.  That holds for many whole periods at once: where roots come
 back nothing is lost, and where they leave, the first whole delay with one outside at the end of
-the part has lost the loop.  Other parts are cut in four.
+the part has lost the loop.  Other parts are cut in four.  The parts with the smallest delays are
+examined first.  Where a part is too short to be cut, or too many have been examined, the search
+ends: up to the smallest delay that is left the loop is known to be stable.
 """
 
 from __future__ import annotations
@@ -22,20 +24,24 @@ from symhaptic.numeric.tracing.directions import one_way
 from symhaptic.numeric.tracing.loops import Loops
 from symhaptic.numeric.tracing.periods import Window, first_periods
 
-SHORTEST = 2.0**-20
+SHORTEST = 2.0**-40
 """Parts of a period that are not cut again."""
 
-_LATER = 32
-"""With so many whole periods with which a root may be there, roots are counted at their ends."""
+PARTS = 4096
+"""Parts that are examined of each loop; loops that are hard, but not next to a root on the circle
+at every delay, take up to 1500."""
 
 _AT_ONCE = 8192
-"""Parts that are looked at together, which bounds the memory."""
+"""Parts that are examined together, which bounds the memory."""
+
+_BEST = 64
+"""Of each loop at most, the first ones: others may lie behind the first loss."""
 
 _FIRST = 4
-"""So many times that a root may leave are looked at first, then always more."""
+"""As many times that a root may leave are looked at first, then four times as many each time."""
 
 _MANY = 2**16
-"""So many at once, of all parts together."""
+"""As many at once, of all parts together."""
 
 _NEWTON = 12
 """Steps of Newton's method at most; where it does not arrive, the count is bisected."""
@@ -54,8 +60,16 @@ class _Parts(NamedTuple):
     begin: Array
     width: Array
     steps: Array
+    ahead: Array
+    """As many times that a root may leave are looked at next."""
+
+    @property
+    def delay(self) -> Array:
+        """The least delay in each."""
+        return np.asarray(self.steps + self.begin)
 
     def take(self, at: NDArray[Any]) -> _Parts:
+        """Some of them."""
         return _Parts(*(a[at] for a in self))
 
     def and_also(self, more: _Parts) -> _Parts:
@@ -68,7 +82,8 @@ class _Parts(NamedTuple):
         """Each in four."""
         width = np.repeat(self.width / 4, 4)
         begin = np.repeat(self.begin, 4) + np.tile(np.arange(4), self.at.size) * width
-        return _Parts(np.repeat(self.at, 4), begin, width, np.repeat(self.steps, 4))
+        steps = np.repeat(self.steps, 4)
+        return _Parts(np.repeat(self.at, 4), begin, width, steps, np.full(steps.size, _FIRST))
 
 
 class _Search:
@@ -78,13 +93,22 @@ class _Search:
         self.loops = loops
         self.least = whole.copy()
         """A delay with which the loop is lost, the least known; infinite if there is none."""
+        self.open = np.full(whole.size, np.inf)
+        """The least delay at which nothing could be decided; infinite if there is none."""
         self.end = np.full(whole.size, np.inf)
         """The end of the part with the first loss, that part's begin, width and whole periods."""
         self.begin, self.width, self.steps = np.zeros((3, whole.size))
 
+    def left(self, parts: _Parts) -> NDArray[np.bool_]:
+        """Which parts may change what is known."""
+        return np.asarray(parts.delay < np.minimum(self.least, self.open)[parts.at])
+
+    def give_up(self, parts: _Parts) -> None:
+        """Leave parts undecided."""
+        np.minimum.at(self.open, parts.at, parts.delay)
+
     def step(self, parts: _Parts) -> _Parts:
-        """What is left to be looked at."""
-        parts = parts.take(parts.steps + parts.begin < self.least[parts.at])
+        """Examine parts; what is left to be examined."""
         here = self.loops.take(parts.at)
         half = parts.width / 2
         b = bands(part_of(here.x, here.gamma, here.delta, parts.begin + half, half), here.v)
@@ -93,12 +117,9 @@ class _Search:
         way, until = (a[some] for a in _ways(b, periods, first))
         parts = parts.take(some)._replace(steps=first[some])
         known, shortest = way != 0, parts.width <= SHORTEST
-        self._first_outward(parts.take(way > 0), until[way > 0])
-        numbers = np.full(some.size, -1)
-        numbers[np.flatnonzero(some)[~known & shortest]] = np.arange((~known & shortest).sum())
-        some = numbers[b.at] >= 0
-        self._tried(parts.take(~known & shortest), b.take(some)._replace(at=numbers[b.at[some]]))
-        more = parts.take(known)._replace(steps=until[known] + 1)
+        self.give_up(parts.take(~known & shortest))
+        out, inward = way > 0, parts.take(way < 0)._replace(steps=until[way < 0] + 1)
+        more = inward.and_also(self._outward(parts.take(out), until[out]))
         return parts.take(~known & ~shortest).cut().and_also(more)
 
     def _first(self, b: Bands, parts: _Parts) -> tuple[Array, Array]:
@@ -110,43 +131,43 @@ class _Search:
         np.minimum.at(first, b.at, periods)
         return periods, first
 
-    def _tried(self, parts: _Parts, b: Bands) -> None:
-        """Count roots at the ends of the shortest parts, with the first periods that may matter."""
-        for _ in range(_LATER):
-            _, first = self._first(b, parts)
-            some = np.isfinite(first)
-            if not some.any():
-                return
-            parts = parts._replace(steps=np.where(some, first, parts.steps))
-            here = parts.take(some)
-            self._found(here.take(self._counted(here)))
-            parts = parts._replace(steps=np.where(some, first + 1, np.inf))
+    def _outward(self, parts: _Parts, until: Array) -> _Parts:
+        """Note the first loss in parts where all roots cross outward: it is seen at the end.
 
-    def _first_outward(self, parts: _Parts, until: Array) -> None:
-        """Note the first loss in parts where all roots cross outward: it is seen at the end."""
+        What is left of them is where that does not hold any more, or farther ahead.
+        """
         lost = self._counted(parts)
         self._found(parts.take(lost))
-        left = ~lost & (parts.steps < np.minimum(until, self.least[parts.at] - parts.begin))
-        parts, until = parts.take(left), until[left]
-        end, count = parts.begin + parts.width, _FIRST
-        if parts.at.size:
-            left = self.loops.take(parts.at).can_leave(end)
-            parts, until, end = parts.take(left), until[left], end[left]
-        while parts.at.size:
-            latest = np.minimum(self.least[parts.at] - parts.begin, sizes.LONGEST)
-            until = np.minimum(until, latest)
-            loops = self.loops.take(parts.at)
-            steps, last = loops.leaving(parts.steps, end, count)
-            near = steps <= until[:, None]
-            lost = ~loops.many(np.where(near, steps, 0.0), end) & near
-            some = np.asarray(lost.any(axis=1))
-            first = steps[np.arange(some.size), lost.argmax(axis=1)]
-            first = parts._replace(steps=first).take(some)
-            self._found(first.take(self._counted(first)))
-            left = np.asarray(~some & (last < until))
-            parts = parts._replace(steps=last).take(left)
-            until, end = until[left], end[left]
-            count = min(4 * count, max(_FIRST, _MANY // max(parts.at.size, 1)))
+        parts, until = parts.take(~lost), until[~lost]
+        end = parts.begin + parts.width
+        if parts.at.size == 0:
+            return parts
+        behind = parts._replace(steps=until + 1)
+        leaves = self.loops.take(parts.at).can_leave(end)
+        parts, until, end = parts.take(leaves), until[leaves], end[leaves]
+        behind = behind.take(~leaves)
+        for count in np.unique(parts.ahead):  # as many times for each
+            some = parts.ahead == count
+            behind = behind.and_also(
+                self._looked_at(parts.take(some), until[some], end[some], int(count))
+            )
+        return behind
+
+    def _looked_at(self, parts: _Parts, until: Array, end: Array, count: int) -> _Parts:
+        """The same with the next times that a root may leave, so many of each."""
+        latest = np.minimum(self.least[parts.at] - parts.begin, sizes.LONGEST)
+        steps, last = self.loops.take(parts.at).leaving(parts.steps, end, count)
+        near = steps <= np.minimum(until, latest)[:, None]
+        lost = ~self.loops.take(parts.at).many(np.where(near, steps, 0.0), end) & near
+        some = np.asarray(lost.any(axis=1))
+        first = steps[np.arange(some.size), lost.argmax(axis=1)]
+        first = parts._replace(steps=first).take(some)
+        self._found(first.take(self._counted(first)))
+        most = max(_FIRST, _MANY // max(parts.at.size, 1))
+        parts = parts._replace(
+            steps=np.minimum(last, until) + 1, ahead=np.full(parts.at.size, min(4 * count, most))
+        )
+        return parts.take(~some)
 
     def _counted(self, parts: _Parts) -> NDArray[np.bool_]:
         """Whether loops are stable at the begin of the part and lost at the end."""
@@ -182,21 +203,48 @@ def _ways(b: Bands, periods: Array, first: Array) -> tuple[Array, Array]:
     return all_, last
 
 
-def first_loss(loops: Loops, whole: Array) -> Array:
+def first_loss(loops: Loops, whole: Array) -> tuple[Array, NDArray[np.bool_]]:
     """The first delay at which a loop is lost that is stable without delay.
 
-    ``whole`` is the first whole number of periods at which it is, or infinite.
+    And where this is a lower bound only.  ``whole`` is the first whole number of periods at which
+    it is lost, or infinite.
     """
     search, none = _Search(loops, whole), np.zeros(whole.size)
-    stack = [_Parts(np.arange(whole.size), none, none + 1, none).cut()]
-    while stack:
-        parts = stack.pop()
-        every = np.arange(parts.at.size)
-        for begin in range(_AT_ONCE, every.size, _AT_ONCE):
-            stack.append(parts.take(every[begin : begin + _AT_ONCE]))
-        rest = search.step(parts.take(every[:_AT_ONCE]))
-        if rest.at.size:
-            stack.append(rest)
+    parts = _Parts(np.arange(whole.size), none, none + 1, none, none).cut()
+    looked = np.zeros(whole.size, dtype=int)
+    while parts.at.size:
+        now = _nearest_parts(parts)
+        done = parts.take(now)
+        looked += np.bincount(done.at, minlength=whole.size)
+        parts = parts.take(~now).and_also(search.step(done))
+        over = looked[parts.at] >= PARTS
+        search.give_up(parts.take(over))
+        parts = parts.take(~over)
+        parts = parts.take(search.left(parts))
+    found = _refined(search)
+    bound = search.open < found * (1 - _CLOSE) - _CLOSE
+    return np.where(bound, search.open, found), bound
+
+
+_CLOSE = 1e-9
+"""Delays that differ by less, relative to 1 + d, are as good as one."""
+
+
+def _nearest_parts(parts: _Parts) -> NDArray[np.bool_]:
+    """The parts with the smallest delays of each loop, as many of each."""
+    order = np.lexsort((parts.delay, parts.at))
+    at = parts.at[order]
+    new = np.concatenate([[True], at[1:] != at[:-1]])
+    rank = np.arange(at.size) - np.maximum.accumulate(np.where(new, np.arange(at.size), 0))
+    most = min(_BEST, max(1, _AT_ONCE // int(new.sum())))
+    found = np.zeros(at.size, dtype=bool)
+    found[order[np.flatnonzero(rank < most)[:_AT_ONCE]]] = True
+    return found
+
+
+def _refined(search: _Search) -> Array:
+    """The losses to full precision."""
+    loops = search.loops
     at = np.flatnonzero(np.isfinite(search.least))
     some, least = loops.take(at), search.least[at]
     steps, low, high = search.steps[at], search.begin[at], search.begin[at] + search.width[at]

@@ -1,4 +1,4 @@
-"""The delay margin: the largest delay up to which a wall stays stable.
+"""The largest delay up to which a wall stays stable, and the delay margin.
 
 For whole delays the first loss is known in closed form; between them it is enclosed
 by :mod:`symhaptic.numeric.tracing.losses`.
@@ -6,13 +6,14 @@ by :mod:`symhaptic.numeric.tracing.losses`.
 
 from __future__ import annotations
 
+import warnings
 from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symhaptic.notation import sizes
-from symhaptic.numeric import arguments
+from symhaptic.numeric import arguments, slopes
 from symhaptic.numeric.arguments import Array
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.crossings import wall
@@ -26,12 +27,16 @@ from symhaptic.numeric.tracing.periods import EXACT, Window, first_periods
 _AHEAD = 2**14
 """Whole delays that are looked at together, of all walls."""
 
+_PASSES = 64
+"""Looks at more and more whole delays; 20 are enough for walls that lead by a part in 1e10."""
+
 _BLOCK = 8192
 """Walls that are worked on at a time: each has many parts of a period, which take memory."""
 
 
 @kept(delay=float)
-def delay_margin(
+@slopes.in_jax(("delay",))
+def max_delay(
     alpha: ArrayLike,
     beta: ArrayLike,
     gamma: ArrayLike,
@@ -40,43 +45,146 @@ def delay_margin(
 ) -> Array:
     """Largest delay, in sampling periods, such that the loop is stable for every smaller one.
 
-    Wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0; arrays broadcast.  0 where the
-    loop is not stable without delay, infinite where no delay up to 1e15 destabilises it.  The
-    time does not grow with the margin: some 20 microseconds for a wall among many, some
-    milliseconds for one alone, up to a tenth of a second next to a device that swings thousands
-    of periods long or where plant and wall all but touch.  Of devices within 1e-13 of making whole
-    swings in a period, hardly damped, one in some thousand takes a minute.
+    It is the delay at which the first root reaches the unit circle, exact to rounding.  Where that
+    cannot be decided within a fixed number of steps, it is a lower bound: a delay up to which the
+    loop is stable.  A :class:`RuntimeWarning` then names the first of these loops and says how
+    many there are.  Loops need it that are close to instability at every delay, such as a hardly
+    damped device with omega_d T near a multiple of pi.
 
-    Behind a fraction of a period the crossings have no closed form: two equations, for the angle
-    and the fraction, that are transcendental in the fraction.  The curve on which plant and wall
-    are equally strong does not contain the whole periods.  Each part of a period encloses its
-    piece of that curve to second order, and the phase along it tells at once for which of all
-    whole delays a root can be there; a part is left only where none can, or where all cross in
-    one direction, so that root counts at its ends decide.  Parts of 2^-20 of a period are not
-    divided any more; where the bounds decide nothing, roots are counted at their ends, for the
-    first 32 whole delays at which something could happen.  What may be missed is an instability
-    that begins and ends within such a part: there the margin is that of the next one.  The bounds
-    are float64's, without directed rounding.  With ``sheet="principal"`` the paper's z^-d, in
-    closed form.
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Virtual stiffness K T^2/m and virtual damping B T/m of the wall.
+    gamma, delta : array_like
+        Physical stiffness k T^2/m >= 0 and damping b T/m >= 0.  All arguments broadcast.
+    sheet : {"exact", "principal"}
+        With "principal" the paper's z^-d = exp(-j d theta), in closed form.
 
-    Raises :class:`ValueError` for an infinite wall and an impossible plant; NaN gives NaN.
+    Returns
+    -------
+    ndarray or float
+        Delays in sampling periods.  0 where the loop is not certainly stable without delay,
+        infinite where no delay up to 1e15 periods destabilises it, NaN where an argument is NaN.
 
-    >>> round(float(delay_margin(0.01, 0.05, 0.0, 0.0)), 6)
+    Raises
+    ------
+    ValueError
+        For an infinite wall and an impossible plant.
+
+    Warns
+    -----
+    RuntimeWarning
+        Where a value is a lower bound only.
+
+    Notes
+    -----
+    For whole delays the crossings are known in closed form.  Between them two equations, for the
+    angle and the fraction of a period, are transcendental in the fraction.  Each part of a period
+    encloses the angles at which plant and wall can be equally strong, to second order, and the
+    phases there; these exclude roots on the circle for many whole delays at once, or show that
+    all roots cross in one direction.  The bounds are computed in double precision without
+    directed rounding.  At most 4096 parts of a period are examined for each loop, however
+    large the margin is, so that each call ends.
+
+    See Also
+    --------
+    delay_margin : What may be added to a delay.
+
+    Examples
+    --------
+    >>> round(float(max_delay(0.01, 0.05, 0.0, 0.0)), 6)
     3.969213
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta)
     search = _principal if sheet == "principal" else _exact
+    bounds: list[tuple[float, ...]] = []
     work = partial(
         arguments.in_blocks,
-        lambda *block: [search(*block)],
+        lambda *block: [search(*block, bounds)],
         block=_BLOCK,
         told="delay margins",
     )
-    return given.by_numpy(work)[0]  # type: ignore[no-any-return]
+    found = given.by_numpy(work)[0]
+    if bounds:
+        numbers = zip(("alpha", "beta", "gamma", "delta"), bounds[0], strict=True)
+        warnings.warn(
+            f"max_delay: {', '.join(f'{name}={value!r}' for name, value in numbers)} gives a "
+            f"lower bound of the largest delay only ({len(bounds)} of {np.size(found)} values)",
+            RuntimeWarning,
+            stacklevel=3,
+        )
+    return found  # type: ignore[no-any-return]
 
 
-def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
+@kept(margin=float)
+@slopes.in_jax(("margin",))
+def delay_margin(
+    alpha: ArrayLike,
+    beta: ArrayLike,
+    gamma: ArrayLike,
+    delta: ArrayLike,
+    delay: ArrayLike = 0.0,
+    sheet: str = "exact",
+) -> Array:
+    """Delay that may be added to ``delay`` until the loop is unstable, in sampling periods.
+
+    Parameters
+    ----------
+    alpha, beta : array_like
+        Stiffness and damping of the wall, finite.
+    gamma, delta : array_like
+        Stiffness and damping of the plant, >= 0.
+    delay : array_like, optional
+        Delay of the loop in sampling periods, >= 0.  Arguments broadcast.
+    sheet : {"exact", "principal"}, optional
+        Reading of a fractional delay.
+
+    Returns
+    -------
+    Array
+        The loop is stable for every delay from ``delay`` to ``delay`` plus the margin.  0 if the
+        loop is unstable at ``delay``.  Infinite if no delay destabilises it.  NaN if the loop is
+        stable at ``delay`` but not at every smaller delay, where the margin is not computed, and
+        if an argument is NaN.
+
+    Raises
+    ------
+    ValueError
+        If the wall is infinite, the plant is impossible or ``delay`` is negative.
+
+    See Also
+    --------
+    max_delay : Largest delay of a loop that is stable for every smaller one.
+
+    Notes
+    -----
+    The margin is ``max_delay(alpha, beta, gamma, delta) - delay`` where that is positive.  For
+    ``delay = 0`` both functions agree.
+
+    Examples
+    --------
+    >>> [round(float(x), 6) for x in delay_margin(0.01, 0.05, 0.0, 0.0, [0.0, 1.5, 5.0])]
+    [3.969213, 2.469213, 0.0]
+    """
+    arguments.one_of("sheet", sheet, SHEETS)
+    given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta, delay=delay)
+    return given.by_numpy(partial(_added, sheet))[0]  # type: ignore[no-any-return]
+
+
+def _added(sheet: str, *loop: Array) -> list[Array]:
+    """The delay margin of walls, plants and delays."""
+    al, be, g, dl, delay = loop
+    margin = np.asarray(max_delay(al, be, g, dl, sheet) - delay)
+    lost = margin <= 0  # not for NaN
+    al, be, g, dl, delay = (np.broadcast_to(a, margin.shape)[lost] for a in loop)
+    margin[lost] = np.where(is_stable(al, be, g, dl, delay, sheet), np.nan, 0.0)
+    return [margin]
+
+
+def _exact(
+    alpha: Array, beta: Array, gamma: Array, delta: Array, bounds: list[tuple[float, ...]]
+) -> Array:
     known = ~np.isnan(alpha + beta + gamma + delta)
     shape = known.shape
     numbers = (np.where(known, a, 0.0).reshape(-1) for a in (alpha, beta, gamma, delta))
@@ -85,7 +193,9 @@ def _exact(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
     some = np.flatnonzero(lost)
     found = np.zeros(known.size)
     loops = Loops(wall(al[some], be[some]), g[some], dl[some], device(g[some], dl[some]))
-    found[some] = first_loss(loops, _first_lost(loops))
+    found[some], bound = first_loss(loops, _first_lost(loops))
+    at = some[bound]
+    bounds += zip(*(a[at].tolist() for a in (al, be, g, dl)), strict=True)
     return np.where(known, found.reshape(shape), np.nan)
 
 
@@ -102,7 +212,9 @@ def _first_lost(loops: Loops) -> Array:
     lost = none + np.inf
     left, count = np.arange(steps.size), 1
     between, window = loops.window()
-    while left.size:
+    for _ in range(_PASSES):  # what is left then is no upper bound for who looks between
+        if not left.size:
+            break
         at = np.flatnonzero(between[left])
         some = Window(*(a[left[at]] for a in window))
         steps[left[at]] = (
@@ -123,7 +235,10 @@ def _first_lost(loops: Loops) -> Array:
     return lost
 
 
-def _principal(alpha: Array, beta: Array, gamma: Array, delta: Array) -> Array:
+def _principal(
+    alpha: Array, beta: Array, gamma: Array, delta: Array, bounds: list[tuple[float, ...]]
+) -> Array:
+    """In closed form, so that none is a bound only."""
     known = ~np.isnan(alpha + beta + gamma + delta)
     al, be, g, dl = (np.where(known, a, 0.0) for a in (alpha, beta, gamma, delta))
     x, v = device(g, dl), wall(al, be)

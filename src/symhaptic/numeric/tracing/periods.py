@@ -14,6 +14,9 @@ _AHEAD = 62
 """Beside the periods that are over, so many more are looked at together to begin with."""
 
 
+_ROUNDS = 1000
+"""Steps at most; tens are usual."""
+
 EXACT = 4e-15
 """By so much of themselves phases are off of which both angles are known to the last places."""
 
@@ -41,14 +44,17 @@ def first_periods(window: Window, begin: Array, end: Array, rounding: float = RO
     found = np.where(begin <= end, np.maximum(begin, 0.0), np.inf)
     left = np.flatnonzero(begin <= end)
     turn, reach = 2 * np.pi, found + _AHEAD
-    while left.size:
+    for _ in range(_ROUNDS):  # then the period that is reached is the answer, which is no later
+        if not left.size:
+            break
         low, high, least, most = (a[left] for a in window)
         now = found[left]
         last = now + reach[left]
-        blur = rounding * (last + 10)
+        blur = rounding * ((last + 2) * high / turn + 10)
         ahead = ((now + 2) * low - most - np.pi) / turn - blur
         width = ((last + 2) * (high - low) + most - least) / turn + 2 * blur
-        new = now + first_step(-low / turn % 1.0, ahead % 1.0, width)
+        # seen backwards, as low/turn keeps its digits where it is small
+        new = now + first_step(low / turn, -(ahead + width) % 1.0, width)
         out = new > last
         new = np.where(out, last + 1, new)
         start = np.ceil(((new + 2) * low - most - np.pi) / turn - blur)

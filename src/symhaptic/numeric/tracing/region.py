@@ -93,8 +93,8 @@ _AROUND = np.arange(16) * np.pi / 8
 _PLACES = 4
 """Last places by which the angle of a corner may be off."""
 
-_NEXT_TO_NONE = 2.0**-100
-"""How large these walls are."""
+_NEXT_TO_NONE = 2.0 ** -np.arange(10.0, 110.0, 10.0)
+"""How large these walls are: the smallest that is not too faint for a verdict is the best one."""
 
 
 @numbers_only
@@ -150,7 +150,8 @@ def _hardly_held(loop: Loop) -> bool:
     """
     alpha, beta = np.array(loop.delta / (4 + 8 * loop.delay)), np.array(0.0)
     if loop.delta == 0:
-        alpha, beta = _NEXT_TO_NONE * np.array([np.cos(_AROUND), np.sin(_AROUND)])
+        around = np.array([np.cos(_AROUND), np.sin(_AROUND)])
+        alpha, beta = around[..., None] * _NEXT_TO_NONE
     return bool(np.any(is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)))
 
 

@@ -12,10 +12,8 @@ from symhaptic.notation.proposition import (
     ForAll,
     Or,
     Proposition,
-    Relation,
     both,
     implied,
-    negated,
     proposition,
 )
 from symhaptic.paper import tables
@@ -50,8 +48,10 @@ def _numbers_of_the_arm(printed: Printed) -> Proposition:
 
 @claims("eq20")
 def _bounds_of_the_numbers(printed: Printed) -> Proposition:
-    """Of the numbers of (19)."""
-    return of_arms(list(transcribed("eq19")), both(printed))
+    """Of the numbers of (19), "assuming positive masses and dampers".  A spring may be zero."""
+    parts = [part > 0 for part in (T, m_D, m_H, b_D, b_H)]
+    given = [*parts, k_H >= 0, *transcribed("eq19")]
+    return ForAll((*ARM, gamma, delta), implied(given, both(printed)))
 
 
 @claims("s4c-independent-limits")
@@ -137,11 +137,21 @@ def in_range(row: dict[Symbol, Expr]) -> list[Expr]:
     ]
 
 
+OUTSIDE = Rational(66, 10), Rational(25, 10)
+"""So many times the ends of (23) the stiffness and damping of the arm that is left out are."""
+
+
 @claims("fig6")
 def _arms_in_the_plane(printed: Printed) -> Proposition:
-    """Of the arms of Table II those of (21) lie in the ranges (23) at 1 ms, the other outside."""
+    """Of the arms of Table II those of (21) lie in the ranges (23) at 1 ms, the other outside.
+
+    Its stiffness and its damping are OUTSIDE times the ends of the ranges, or more.
+    """
     [hand] = rows(excluded=True)
-    outside = [negated(p) for p in in_range(hand) if isinstance(p, Relation)]
+    outside = [
+        sp.GreaterThan(limit.lhs, times * limit.rhs, evaluate=False)
+        for limit, times in zip(in_range(hand), OUTSIDE, strict=True)
+    ]
     return both([*(p for row in rows() for p in in_range(row)), *outside])
 
 

@@ -3,24 +3,33 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Rational, Symbol
+from sympy import Expr, Rational, S, Symbol
 
 from symhaptic.notation import B, K, T, alpha, b, d, delta, gamma, k, k_H, m, omega, v, x, y
-from symhaptic.notation.proposition import ForAll, Iff, Predicate, Proposition, both, implied, whole
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Iff,
+    Predicate,
+    Proposition,
+    both,
+    implied,
+    whole,
+)
 from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
-    DAMPER,
     HEAVY,
     LOOPS,
-    SPRING,
     STIFFER,
     STRONGER,
     in_units,
 )
+from symhaptic.paper.ranges import DAMPED as DAMPER_END
+from symhaptic.paper.ranges import STIFF as SPRING_END
 from symhaptic.paper.reading import Printed
 
 
@@ -39,33 +48,29 @@ def _springs_against_arms(printed: Printed) -> Proposition:
 def _linear_and_quadratic_in_the_rate(printed: Printed) -> Proposition:
     """At y times the rate y K is passive where K was, and K' = y^2 K with B' = y B stable.
 
-    Passive is what meets (5).  The paper does not say what becomes of the operator in the stable
-    loop: its damper and spring may change.
+    Passive is what meets (5).  Arm and device are the same, m, b and k.
     """
     walls = at_every_frequency(FIVE)
     passive = Iff((walls, walls.at({K: y * K, T: T / y})))
-    after = in_units(STIFFER, STRONGER, T / y, m, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T / y, m, b, k)
     stable = Iff((in_units(K, B, T, m, b, k), after))
     wall = sp.Eq(STIFFER, y**2 * K), sp.Eq(STRONGER, y * B)
-    given = [*LOOPS, y > 0, DAMPER >= 0, SPRING >= 0, *wall]
-    symbols = (K, B, T, m, b, k, d, y, STIFFER, STRONGER, DAMPER, SPRING)
-    return ForAll(symbols, implied(given, both([passive, stable])))
+    symbols = (K, B, T, m, b, k, d, y, STIFFER, STRONGER)
+    return ForAll(symbols, implied([*LOOPS, y > 0, *wall], both([passive, stable])))
 
 
 @claims("s6-mass")
 def _mass_scales_stability_alone(printed: Printed) -> Proposition:
     """A wall is stable where the one grown like the mass is; passive with both masses or none.
 
-    That is K' = (m'/m) K and B' = (m'/m) B.
-
-    The paper does not say what becomes of the operator: its damper and spring may change.
+    That is K' = (m'/m) K and B' = (m'/m) B, with the same damper and spring, b and k.
     """
-    after = in_units(STIFFER, STRONGER, T, HEAVY, DAMPER, SPRING)
+    after = in_units(STIFFER, STRONGER, T, HEAVY, b, k)
     stable = Iff((in_units(K, B, T, m, b, k), after))
     devices = (Predicate("passive_device", (v,), (x * v**2 / 2, *WALL)) for x in (m, HEAVY))
     wall = sp.Eq(STIFFER, K * HEAVY / m), sp.Eq(STRONGER, B * HEAVY / m)
-    given = [*LOOPS, HEAVY > 0, DAMPER >= 0, SPRING >= 0, *wall]
-    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER, STRONGER, DAMPER, SPRING)
+    symbols = (K, B, T, m, b, k, d, HEAVY, STIFFER, STRONGER)
+    given = [*LOOPS, HEAVY > 0, *wall]
     return ForAll(symbols, implied(given, both([stable, Iff(tuple(devices))])))
 
 
@@ -85,31 +90,100 @@ def _stiffness_per_mass_is_kept(printed: Printed) -> Proposition:
     return ForAll(symbols, implied(given, both([same, stable])))
 
 
-HARDLY = Rational(105, 100)
-"""What is less than 1.05 times as much is hardly more."""
+CHANGES = {
+    gamma: {
+        S.Zero: ("0.0770", "0.3364", "0.7710", "1.3841", "2.1802", "3.1656", "4.3478", "5.7364"),
+        DAMPER_END: (
+            "0.0728",
+            "0.3041",
+            "0.6645",
+            "1.1365",
+            "1.7051",
+            "2.3567",
+            "3.0791",
+            "3.8612",
+        ),
+    },
+    delta: {
+        S.Zero: ("3.921", "7.150", "10.642", "14.205", "17.818", "21.475", "25.171", "28.907"),
+        SPRING_END: ("3.926", "7.185", "10.759", "14.484", "18.368", "22.435", "26.712", "31.234"),
+    },
+}
+"""By how much per cent the largest stable stiffness differs between the ends of the range of one
+parameter, for the ends of the other one and d = 0 to 7; decimals cut off."""
+
+
+def changed(parameter: Symbol, other: Expr, delay: int) -> Proposition:
+    """The larger of the largest stiffnesses at both ends over the smaller one, in two inequalities.
+
+    Without a spring the stiffness is larger, and with a damper.
+    """
+    digits = CHANGES[parameter][other][delay]
+    low = 1 + Rational(digits) / 100
+    high = low + Rational(1, 10 ** (2 + len(digits.partition(".")[2])))
+    rest, end = (delta, SPRING_END) if parameter == gamma else (gamma, DAMPER_END)
+    strong, weak = (S.Zero, end) if parameter == gamma else (end, S.Zero)
+    above, below = {parameter: strong, rest: other}, {parameter: weak, rest: other}
+    more = outdoes(stable(delay, BEST).at(above), stable(delay).at(below), low * alpha < x)
+    less = outdoes(stable(delay, BEST).at(below), stable(delay).at(above), alpha < high * x)
+    return both([more, less])
+
+
+def changes(parameter: Symbol) -> Proposition:
+    """All changes with one parameter."""
+    rows = CHANGES[parameter]
+    return both(
+        changed(parameter, other, n) for other, row in rows.items() for n in range(len(row))
+    )
 
 
 @claims("s6-damping-marginal")
-def _damper_hardly_counts(printed: Printed) -> Proposition:
-    """On (23) a damper makes walls stable that are hardly stiffer than some wall without it.
+def _what_the_damper_adds(printed: Printed) -> Proposition:
+    """By how much delta = 0.02 raises the largest stable stiffness of delta = 0, for d = 0 to 7.
 
-    For every whole delay; both with the same spring.
+    For both ends of the range of gamma.
     """
-    undamped = stable(d, BEST).at({delta: sp.S.Zero})
-    some = outdoes(undamped, stable(d), alpha < HARDLY * x)
-    given = [*transcribed("eq23"), whole(d)]
-    return ForAll((gamma, delta, d), implied(given, some))
+    return changes(delta)
 
 
 @claims("s6-stiffness-marginal")
-def _spring_hardly_counts(printed: Printed) -> Proposition:
-    """On (23) a spring makes no wall stable that is much stiffer than some wall without it.
+def _what_the_spring_takes(printed: Printed) -> Proposition:
+    """By how much gamma = 0 raises the largest stable stiffness of gamma = 0.001, for d = 0 to 7.
 
-    Nor does its absence.  For every whole delay; both with the same damper.
+    For both ends of the range of delta.
     """
-    free, other = {gamma: sp.S.Zero}, alpha < HARDLY * x
-    with_it = outdoes(stable(d, BEST).at(free), stable(d), other)
-    without = outdoes(stable(d, BEST), stable(d).at(free), other)
+    return changes(gamma)
+
+
+FACTOR = Symbol("c")
+
+
+def within_a_factor(best: Proposition, others: Proposition) -> Proposition:
+    """Some stable wall is not outdone by more than some factor."""
+    some = outdoes(best, others, alpha < FACTOR * x)
+    return Exists((FACTOR,), both([FACTOR > 0, some]))
+
+
+@claims("s6-damping-any-delay")
+def _damper_matters_by_a_factor(printed: Printed) -> Proposition:
+    """On (23) a damper raises the largest stable stiffness by some factor; d is whole.
+
+    Both with the same spring.
+    """
+    undamped = stable(d, BEST).at({delta: S.Zero})
+    given = [*transcribed("eq23"), whole(d)]
+    return ForAll((gamma, delta, d), implied(given, within_a_factor(undamped, stable(d))))
+
+
+@claims("s6-stiffness-any-delay")
+def _spring_matters_by_a_factor(printed: Printed) -> Proposition:
+    """On (23) a spring changes the largest stable stiffness by some factor, behind every delay.
+
+    Up or down, and both with the same damper.  The delay is whole.
+    """
+    free = {gamma: S.Zero}
+    with_it = within_a_factor(stable(d, BEST).at(free), stable(d))
+    without = within_a_factor(stable(d, BEST), stable(d).at(free))
     given = [*transcribed("eq23"), whole(d)]
     return ForAll((gamma, delta, d), implied(given, both([with_it, without])))
 

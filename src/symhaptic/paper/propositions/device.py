@@ -46,9 +46,11 @@ from symhaptic.notation import (
     n_1,
     s,
     t_d,
+    w,
     z,
 )
 from symhaptic.notation.proposition import (
+    Exists,
     ForAll,
     Iff,
     Predicate,
@@ -66,7 +68,7 @@ from symhaptic.paper.tables import TABLES
 DEVICE = (m, b, k, T)
 GIVEN = (T > 0, m > 0, b >= 0, k >= 0)
 NUMBERS = (c_1, c_2, c_3)
-q = Symbol("q")
+p, q = Symbol("p"), Symbol("q")
 
 
 def whole(value: Expr) -> Predicate:
@@ -140,14 +142,35 @@ def _sampled_delay(printed: Printed) -> Proposition:
     return held((d, T_s, X_d), given, Relation(X_d, "=", line.rhs * X))
 
 
+@claims("s2c-positive-delay")
+def _not_negative(printed: Printed) -> Proposition:
+    """By t_d >= 0, and in periods; zero is allowed, as in Fig. 7."""
+    return ForAll((t_d, T), implied([t_d >= 0, T > 0], t_d / T >= 0))
+
+
+SUBSTITUTED = (p, q, alpha, beta, n_1, n_0, a, e)
+"""A delay of p/(q + 1) periods, a wall and a device in the units of Table I."""
+
+
 @claims("s2c-rational-delay")
 def _rational_delay(printed: Printed) -> Proposition:
-    """Of a delay d, q times which is whole, the answer is z^-d times that without delay.
+    """With d = p/(q + 1) and z = w^(q + 1), z^-d is w^-p; and that is an approximation.
 
-    With z = w^q this is a whole power of w.
+    The polynomial of the loop then has whole exponents only, p + 3 (q + 1) the highest.  And some
+    device does not answer a force that is held d periods later by z^-d times its undelayed answer.
     """
-    given = [d >= 0, q > 0, whole(q), whole(q * d), answers(delayed(PLANT), X_d)]
-    return held((d, q, X_d), given, Relation(X_d, "=", z**-d * X))
+    fine = w ** (q + 1)
+    below, above = fine**2 - a * fine + e, n_1 * fine + n_0
+    loop = w ** (p + q + 1) * below + above * ((alpha + beta) * fine - beta)
+    degree = Predicate("degree", (w,), (sp.expand(sp.powsimp(sp.expand(loop))), p + 3 * (q + 1)))
+    whole_delay = ForAll(SUBSTITUTED, implied([whole(p), whole(q)], degree))
+    return both([whole_delay, Exists((*DEVICE, d, z, X, X_d), both(approximated()))])
+
+
+def approximated() -> list[Proposition]:
+    """z^-d is not what the delay of a held force does to the answer of a device."""
+    given = [*GIVEN, d >= 0, answers(PLANT, X), answers(delayed(PLANT), X_d)]
+    return [*map(proposition, given), Relation(X_d, "!=", z**-d * X)]
 
 
 @claims("s4a-exact-instants")

@@ -144,16 +144,10 @@ def _line_is_the_lower_boundary(printed: Printed) -> Proposition:
     return ForAll(WALL, implied(LOOP, Iff((both([BORDER, LITTLE]), on_line))))
 
 
-@claims("eq9")
+@claims("eq9", "eq10")
 def _linear_condition_decides(printed: Printed) -> Proposition:
-    """For the damping that is named, (9) says which walls are passive."""
+    """For the damping that (9) names it decides which walls are passive; (10) says the same."""
     return ForAll(WALL, implied([*LOOP, *RANGE], Iff((both(printed), PASSIVE))))
-
-
-@claims("eq10")
-def _ratio_decides(printed: Printed) -> Proposition:
-    """In words no damping is named."""
-    return ForAll(WALL, implied(LOOP, Iff((both(printed), PASSIVE))))
 
 
 @claims("eq11")
@@ -243,6 +237,13 @@ def _upper_part(printed: Printed) -> Proposition:
     inside = omega > 0, omega < sp.pi / T
     then = both([*inside, Iff((proposition(FIVE), proposition(linear))), reached])
     return ForAll((*WALL, omega), implied([*LOOP, frequency], then))
+
+
+@claims("s3c-upper-part")
+def _upper_part_without_delay(printed: Printed) -> Proposition:
+    """Where B is not negative, (6) is the linear condition of that frequency."""
+    same = Iff((proposition(SIX), proposition(b > K * T / 2 + B)))
+    return ForAll(WALL[:-1], implied([*LOOP[:-1], B >= 0], same))
 
 
 def scaled(period: sp.Expr) -> Proposition:

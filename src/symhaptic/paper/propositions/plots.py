@@ -6,6 +6,8 @@ what each curve is, and how near two are that cannot be told apart.
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 from sympy import Expr, Rational, Symbol
 
@@ -34,18 +36,26 @@ from symhaptic.notation.proposition import (
     Or,
     Predicate,
     Proposition,
+    Relation,
     both,
     implied,
     proposition,
 )
 from symhaptic.paper.figures import DELAYS
-from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.comparison import (
+    COMES_TO_REST,
+    PASSIVE_WALL,
+    STABLE,
+    transcribed,
+)
 from symhaptic.paper.propositions.linear import on_the_line_of_25
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
     DEVICE,
     NUMBERS,
+    START,
+    WAY,
     at_angle,
     explicit,
     on_boundary,
@@ -162,8 +172,8 @@ def _boundaries_with_delay(printed: Printed) -> Proposition:
     """For d = 1 and d = 2 and the four limits of (23): curve, left bound and tip of the region.
 
     On the curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none
-    is stable.  That all walls inside it are stable is not claimed.  The stable walls lie right of
-    alpha = -gamma and come as near to it as the thickness of a line; one of them is as stiff as
+    is stable.  The walls that it encloses with a stable one are stable.  The stable walls lie right
+    of alpha = -gamma and come as near to it as the thickness of a line; one of them is as stiff as
     all, to within that.  The spring 0.001 is visible: for d = 2 it is more than a seventieth of
     what lies right of the origin.
     """
@@ -177,7 +187,7 @@ def _boundaries_with_delay(printed: Printed) -> Proposition:
         ),
     ]
     given = [either(s) for s in CORNERS]
-    region = ForAll(tuple(CORNERS), implied(given, both([solid(), *walls])))
+    region = ForAll(tuple(CORNERS), implied(given, both([solid(), enclosed(), *walls])))
     late = STABLE.at({d: sp.S(2), gamma: STIFF})
     visible = implied([either(delta), late], alpha < SEEN * STIFF)
     return both([region, ForAll((alpha, beta, delta), visible)])
@@ -214,14 +224,14 @@ def _linear_condition_beside_the_boundary(printed: Printed) -> Proposition:
     """For gamma = 0.001, five dampers, no delay and one period: the solid curves and their marks.
 
     On a curve are the walls that have a zero at exp(j theta); none is stable, and no wall left of
-    alpha = -gamma or on it.  Without delay all walls between that line and the curve are stable, as
-    for Fig. 7; one period late that is not claimed.  On each curve there are walls whose errors
-    (26) are 0, 2 and 5 percent, to a hundredth of a percent, and on three a wall with the error -2
-    percent.
+    alpha = -gamma or on it.  The walls that they enclose with a stable one are stable; without
+    delay these are all between that line and the curve, as for Fig. 7.  On each curve there are
+    walls whose errors (26) are 0, 2 and 5 percent, to a hundredth of a percent, and on three a wall
+    with the error -2 percent.
     """
     left = ForAll((alpha, beta), implied([STABLE], alpha > -gamma))
     given = [Or(tuple(proposition(sp.Eq(s, v)) for v in values)) for s, values in LINED.items()]
-    curves = implied(given, both([solid(), left, *map(marked, LEVELS)]))
+    curves = implied(given, both([solid(), enclosed(), left, *map(marked, LEVELS)]))
     more = [marked(-LEVELS[1]).at({d: late, delta: damper}) for late, damper in BEFORE]
     marks = both([ForAll(tuple(LINED), curves), *more]).at({gamma: STIFF})
     return both([marks, between_line_and_curve()])
@@ -258,6 +268,31 @@ def _other_shape_and_size(printed: Printed) -> Proposition:
     return both([between_line_and_curve(), shape, ForAll((delta,), implied(DAMPERS, size))])
 
 
+def moved_sides() -> list[Expr]:
+    """How far the sides lie from those without a damper is less than 0.05."""
+    half = NYQUIST / (1 + LEFT)
+    ways = (NYQUIST - sp.pi**2, half - sp.pi**2 / 2, half * (1 - LEFT))
+    least = Rational(5, 100)
+    return [relation for way in ways for relation in (way > -least, way < least)]
+
+
+WIDTH = 19
+"""The triangle is wider than this."""
+
+
+@claims("s5c-delta-hardly-visible")
+def _damping_hardly_moves_the_triangle(printed: Printed) -> Proposition:
+    """For d = 0 and the spring of the Nyquist frequency, for all dampers of (23).
+
+    The sides move by less than 0.05; the corners are more than WIDTH apart in alpha.
+    """
+    shape = Iff((undelayed(spring=NYQUIST), both(triangle())))
+    corner = NYQUIST * (3 - LEFT) / (1 + LEFT)
+    wide = corner + NYQUIST > WIDTH
+    sides = ForAll((delta,), implied(DAMPERS, both([*moved_sides(), wide])))
+    return both([ForAll((alpha, beta, delta), implied(DAMPERS, shape)), sides])
+
+
 # -- passive and stable walls in one plane -------------------------------------------------
 
 
@@ -290,27 +325,46 @@ def solid() -> Proposition:
     return both([explicit(), unstable])
 
 
-def right_of_the_origin(then: Proposition) -> Proposition:
-    """Said of the passive walls as they are drawn: (5) for delta = 0.02, and alpha > 0."""
-    return implied([alpha > 0, passive().at({delta: DAMPED})], then)
+def enclosed() -> Proposition:
+    """With a stable wall all walls are stable that no boundary parts from it.
+
+    That is if no wall on the straight way between them has a zero at exp(j theta), from theta = 0,
+    which is the line alpha = -gamma, by way of the curve to theta = pi.  So the walls that the
+    boundaries enclose with a stable one are stable.
+    """
+    on_way = {
+        end: begin + WAY * (end - begin) for begin, end in zip(START, (alpha, beta), strict=True)
+    }
+    root: Any = at_angle().at(on_way)
+    within = [WAY > 0, WAY <= 1, theta >= 0, theta <= sp.pi]
+    free = ForAll((WAY, theta), implied(within, Relation(root.left, "!=", sp.S.Zero)))
+    begin = STABLE.at(dict(zip((alpha, beta), START, strict=True)))
+    walls = (*START, alpha, beta, *NUMBERS)
+    return ForAll(walls, implied([DEVICE, begin, free], STABLE))
+
+
+WHOLE = tuple(text for text in DELAYS if "." not in text)
+"""The whole delays among those of Fig. 11."""
 
 
 @claims("fig11")
 def _both_in_one_plane(printed: Printed) -> Proposition:
-    """For seven delays, gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
+    """For gamma = 0.001 and delta = 0.02: dashed and solid curves, and their regions.
 
-    A wall of a dashed curve, (27) up to its end, is on the boundary of the passive walls, and with
-    more damping than the end of (8) no other wall is, behind a delay.  On a solid curve,
-    alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta); none is stable,
-    and no wall left of alpha = -gamma or on it.  That all walls inside it are stable is not
-    claimed.  The passive region, (5) and alpha > 0, is inside the stable one.  The dash-dotted line
-    of the largest stiffness is that of Fig. 12.
+    Of the five whole delays: a wall of a dashed curve, (27) up to its end, is on the boundary of
+    the passive walls, and with more damping than the end of (8) no other wall is, with a delay.  On
+    a solid curve, alpha(theta) and beta(theta), are the walls that have a zero at exp(j theta);
+    none is stable, and no wall left of alpha = -gamma or on it.  The walls that the boundaries
+    enclose with a stable one are stable.  Of all seven delays: the passive walls are stable, with
+    the held force delayed by just that; the text does not say which polynomial the solid curves of
+    the other two belong to.  The dash-dotted line of the largest stiffness is that of Fig. 12.
     """
     arm = {gamma: STIFF, delta: DAMPED}
     left = ForAll((alpha, beta), implied([STABLE.at(arm)], alpha > -STIFF))
-    inside = right_of_the_origin(STABLE.at(arm))
-    then = both([dashed(), solid().at(arm), left, inside])
-    return ForAll((alpha, beta, d, omega_hat), implied([one_of(*DELAYS)], then))
+    curves = both([dashed(), solid().at(arm), enclosed().at(arm), left])
+    region = implied([one_of(*DELAYS), PASSIVE_WALL.at(arm)], COMES_TO_REST.at(arm))
+    drawn = ForAll((alpha, beta, d, omega_hat), implied([one_of(*WHOLE)], curves))
+    return both([drawn, ForAll((alpha, beta, d), region)])
 
 
 PANELS = ("0", "0.5", "1", "2")
@@ -319,21 +373,25 @@ PANELS = ("0", "0.5", "1", "2")
 
 @claims("fig13")
 def _springs_up_to_nyquist(printed: Printed) -> Proposition:
-    """For four delays, delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
+    """For delta = 0.02 and delta = 0, and the springs up to that of (30): all of them.
 
-    On a curve are the walls that have a zero at exp(j theta); none is stable.  That all walls
-    inside it are stable is not claimed.  The green region for delta = 0.02, (5) and alpha > 0, is
-    inside the robustly stable one: its walls are stable with every spring.
+    Of the three whole delays: on a curve are the walls that have a zero at exp(j theta), and none
+    is stable; the walls that the boundaries enclose with a stable one are stable.  Of all four
+    delays: the passive walls for delta = 0.02 with alpha > 0, the green region, are stable with
+    every such spring, with the held force delayed by just that; as for Fig. 11.
     """
     springs = [gamma >= 0, gamma <= NYQUIST]
+    shown = both([solid(), enclosed()])
     curves = [
-        ForAll((gamma,), implied([p.subs(delta, at) for p in springs], solid().at({delta: at})))
+        ForAll((gamma,), implied([p.subs(delta, at) for p in springs], shown.at({delta: at})))
         for at in (DAMPED, sp.S.Zero)
     ]
+    whole_ones = (text for text in PANELS if "." not in text)
+    drawn = ForAll((d,), implied([one_of(*whole_ones)], both(curves)))
     damped = [p.subs(delta, DAMPED) for p in springs]
-    robust = ForAll((gamma,), implied(damped, STABLE.at({delta: DAMPED})))
-    then = both([*curves, right_of_the_origin(robust)])
-    return ForAll((alpha, beta, d), implied([one_of(*PANELS)], then))
+    robust = ForAll((gamma,), implied(damped, COMES_TO_REST.at({delta: DAMPED})))
+    given = [one_of(*PANELS), alpha > 0, PASSIVE_WALL.at({delta: DAMPED})]
+    return both([drawn, ForAll((alpha, beta, d), implied(given, robust))])
 
 
 @claims("s5c-robust-vanishes")

@@ -1,10 +1,10 @@
-"""The claims of the slips of Sec. II-C and V-C, and what is meant instead."""
+"""The claim of the interval of Sec. V-C, and what is meant instead."""
 
 from __future__ import annotations
 
-from sympy import Eq, Expr, Rational, S, pi
+from sympy import Expr, Rational, pi
 
-from symhaptic.notation import T, delta, gamma, omega, omega_N, t_d
+from symhaptic.notation import delta, gamma
 from symhaptic.notation.proposition import ForAll, Iff, Or, Proposition, both, implied, proposition
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.registry import claims
@@ -15,15 +15,6 @@ END = Rational(1, 50)
 ENDS = pi**2, pi**2 + Rational(1, 10000)
 """The interval of the print."""
 SPRINGS = (gamma >= 0, delta >= 0, delta <= END)
-
-
-@claims("s2c-positive-delay")
-def _positive(printed: Printed) -> Proposition:
-    """A delay that is not negative is positive, in periods too."""
-    return ForAll((t_d, T), implied([t_d >= 0, T > 0], t_d / T > 0))
-
-
-NOT_NEGATIVE = ForAll((t_d, T), implied([t_d >= 0, T > 0], t_d / T >= 0))
 
 
 def below(end: Expr) -> Proposition:
@@ -50,21 +41,3 @@ def within() -> Proposition:
         limit <= ENDS[1],
     ]
     return ForAll((gamma, delta), implied(SPRINGS, both(then)))
-
-
-@claims("s5c-nyquist-spring")
-def _frequency_of_nyquist(printed: Printed) -> Proposition:
-    """The Nyquist frequency is pi^2, in units of 1/T as gamma is in its own."""
-    given = [T > 0, Eq(omega_N, pi / T)]
-    return ForAll((T, omega_N), implied(given, Eq(omega_N * T, pi**2)))
-
-
-def spring_of_nyquist() -> Proposition:
-    """An undamped device turns at the Nyquist frequency, by (29), just if gamma is pi^2."""
-    [turns] = transcribed("eq29")
-    given = [T > 0, gamma >= 0, turns.xreplace({delta: S.Zero})]
-    reached = Eq(omega * T, pi)
-    return ForAll(
-        (T, omega, gamma),
-        implied(given, Iff((proposition(reached), proposition(Eq(gamma, pi**2))))),
-    )

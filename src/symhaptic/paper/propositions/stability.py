@@ -7,24 +7,46 @@ d = p/q periods.  A region is larger than another where it holds all of its wall
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, I, S, Symbol, cos, exp, pi, sin
+from sympy import Expr, I, Rational, S, Symbol, cos, exp, pi, sin
 
-from symhaptic.notation import B, K, T, a, alpha, b, beta, d, delta, e, gamma, k, m, n_0, n_1, theta
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    a,
+    alpha,
+    b,
+    beta,
+    d,
+    delta,
+    e,
+    gamma,
+    k,
+    m,
+    m_D,
+    m_H,
+    n_0,
+    n_1,
+    theta,
+)
 from symhaptic.notation.proposition import (
     And,
     Exists,
     ForAll,
     Iff,
     Not,
+    Or,
     Predicate,
     Proposition,
     Relation,
     both,
     implied,
     proposition,
+    whole,
 )
-from symhaptic.paper.propositions.comparison import LOOP, STABLE
+from symhaptic.paper.propositions.comparison import LOOP, STABLE, transcribed
 from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED
 from symhaptic.paper.reading import Printed
 
 PLANT = (gamma >= 0, delta >= 0)
@@ -76,13 +98,6 @@ def explicit() -> Proposition:
     return ForAll(walls, implied([DEVICE, *inside], Iff((at_angle(), on_boundary()))))
 
 
-@claims("s4d-explicit-only-undelayed")
-def _explicit_without_delay_and_spring_only(printed: Printed) -> Proposition:
-    """A boundary is explicit, as this one, for d = 0 and gamma = 0 only."""
-    alone = both([Relation(d, "=", S.Zero), Relation(gamma, "=", S.Zero)])
-    return ForAll((gamma, delta, d), implied([*PLANT, d >= 0, explicit()], alone))
-
-
 @claims("s4d-delay-shrinks")
 def _delay_shrinks_the_region(printed: Printed) -> Proposition:
     """What is stable with a larger delay is stable with a smaller one."""
@@ -112,15 +127,25 @@ def reached() -> Proposition:
 def _damping_enlarges_the_region(printed: Printed) -> Proposition:
     """What is stable with a damper is so with a larger one, and the region grows to each side.
 
-    From a stable wall in any direction: where the stable walls end, right of alpha = -gamma, the
-    wall that is no longer stable is so with the larger damper.  On the left nothing is gained: no
-    wall is stable that is not right of alpha = -gamma.
+    For the arms of (23) without delay, as in Fig. 7, of which it is said.  From a stable wall in
+    any direction: where the stable walls end, right of alpha = -gamma, the wall that is no longer
+    stable is so with the larger damper.  On the left nothing is gained: no wall is stable that is
+    not right of alpha = -gamma.
     """
     more = STABLE.at({delta: HEAVIER})
     wider = ForAll(START, implied([alpha > -gamma, reached()], more))
     kept = implied([more], alpha > -gamma)
-    given = [*PLANT, d >= 0, delta < HEAVIER]
-    return ForAll((*LOOP, HEAVIER), implied(given, both([implied([STABLE], more), wider, kept])))
+    then = both([implied([STABLE], more), wider, kept]).at({d: S.Zero})
+    given = [*transcribed("eq23"), delta < HEAVIER, HEAVIER <= DAMPED]
+    return ForAll((alpha, beta, gamma, delta, HEAVIER), implied(given, then))
+
+
+def damping_can_destabilise() -> Proposition:
+    """With a stiff spring, gamma = 5, a wall is stable with a damper and not with a larger one."""
+    wall = {gamma: S(5), d: S.Zero}
+    lost = Not((STABLE.at({delta: HEAVIER}),))
+    some = both([delta < HEAVIER, STABLE.at(wall), lost.at(wall)])
+    return Exists((alpha, beta, delta, HEAVIER), some)
 
 
 PHYSICAL = (K, B, T, m, b, k, d)
@@ -169,8 +194,8 @@ def lost_by_damping() -> Exists:
     return Exists((*LOOP, AFTER), both([*wall, STABLE, Not((STABLE.at({beta: AFTER}),))]))
 
 
-SOON, HEAVY, DAMPER, SPRING = Symbol("T'"), *MORE
-"""Period, mass, damper and spring of another loop."""
+SOON, HEAVY = Symbol("T'"), MORE[0]
+"""Period and mass of another loop."""
 
 
 STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
@@ -181,45 +206,95 @@ STIFFER, STRONGER = Symbol("K'"), Symbol("B'")
 def _four_times_the_stiffness_at_twice_the_rate(printed: Printed) -> Proposition:
     """Some B makes K stable at T where some B makes K' = 4 K stable at T/2, and only there.
 
-    The paper does not say what becomes of the operator: its damper and spring may change.
+    Arm and device are the same, m, b and k.
     """
     before = Exists((B,), in_units(K, B, T, m, b, k))
-    after = Exists((B,), in_units(STIFFER, B, T / 2, m, DAMPER, SPRING))
-    given = [*LOOPS, DAMPER >= 0, SPRING >= 0, sp.Eq(STIFFER, 4 * K)]
-    symbols = (K, T, m, b, k, d, STIFFER, DAMPER, SPRING)
-    return ForAll(symbols, implied(given, Iff((before, after))))
+    after = Exists((B,), in_units(STIFFER, B, T / 2, m, b, k))
+    given = [*LOOPS, sp.Eq(STIFFER, 4 * K)]
+    return ForAll((K, T, m, b, k, d, STIFFER), implied(given, Iff((before, after))))
 
 
 @claims("s4d-damping-bound")
 def _linear_in_mass_and_rate(printed: Printed) -> Proposition:
-    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'."""
+    """Beside some K a damping B is stable where B' = B (m'/T')/(m/T) is, for another m' and T'.
+
+    With the same damper and spring, b and k.
+    """
     before = Exists((K,), in_units(K, B, T, m, b, k))
     scaled = B * (HEAVY / SOON) / (m / T)
-    after = Exists((K,), in_units(K, STRONGER, SOON, HEAVY, DAMPER, SPRING))
-    given = [*LOOPS, SOON > 0, HEAVY > 0, DAMPER >= 0, SPRING >= 0, sp.Eq(STRONGER, scaled)]
-    symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER, DAMPER, SPRING)
+    after = Exists((K,), in_units(K, STRONGER, SOON, HEAVY, b, k))
+    given = [*LOOPS, SOON > 0, HEAVY > 0, sp.Eq(STRONGER, scaled)]
+    symbols = (B, T, m, b, k, d, SOON, HEAVY, STRONGER)
     return ForAll(symbols, implied(given, Iff((before, after))))
 
 
+SHARE = Symbol("y")
+"""The mass of a lighter hand over that of a heavier one."""
+
+
+def left_over(device: Expr = m_D) -> Expr:
+    """What the lighter hand leaves of the moving mass."""
+    return (device + SHARE * m_H) / (device + m_H)
+
+
+HANDS = [T > 0, m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, d >= 0]
+
+
+def lighter_hand() -> Proposition:
+    """A wall is stable with the heavier hand where that share of it is with the lighter one."""
+    heavy = in_units(K, B, T, m_D + m_H, S.Zero, S.Zero)
+    rest = left_over()
+    light = in_units(K * rest, B * rest, T, m_D + SHARE * m_H, S.Zero, S.Zero)
+    return ForAll((K, B, T, m_D, m_H, SHARE, d), implied(HANDS, Iff((heavy, light))))
+
+
+@claims("s6-light-device")
+def _light_device(printed: Printed) -> Proposition:
+    """The share that is left rises with the mass of the device; without dampers and springs."""
+    given = [m_D > 0, m_H > 0, SHARE >= 0, SHARE < 1, m_D < HEAVY]
+    rises = ForAll((m_D, m_H, SHARE, HEAVY), implied(given, left_over() < left_over(HEAVY)))
+    return both([lighter_hand(), rises])
+
+
 OTHER = Symbol("alpha_1")
+
+
+PIECE = Rational(1, 4), Rational(1, 2)
+"""Dampings beta between which the line is reached."""
+
+
+@claims("s4d-left-bound")
+def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
+    """For the arms of (23) no stable wall lies on the printed line or left of it, for whole delays.
+
+    Without delay, as in Fig. 7, it is a bound: for 1/4 <= beta <= 1/2 walls as near to it as one
+    likes are stable.
+    """
+    [line] = map(proposition, printed)
+    stable = STABLE.at({alpha: OTHER})
+    right = ForAll((OTHER, beta, d), implied([whole(d), stable], alpha < OTHER))
+    near = Exists((OTHER,), both([alpha + MOST > OTHER, stable.at({d: S.Zero})]))
+    between = [MOST > 0, beta >= PIECE[0], beta <= PIECE[1]]
+    piece = ForAll((MOST, beta), implied(between, near))
+    given = [*transcribed("eq23"), line]
+    return ForAll((alpha, gamma, delta), implied(given, both([right, piece])))
 
 
 REACH = Symbol("y")
 """How far up and down a line is reached."""
 
 
-@claims("s4d-left-bound")
-def _region_ends_on_the_left_line(printed: Printed) -> Proposition:
-    """On the printed line: no wall to its left or on it is stable; and a piece of it is a bound.
+def damped_region_ends_on_the_line() -> Proposition:
+    """For a damped arm the region ends on alpha = -gamma: without delay, and for d = 1.
 
-    The piece has some length: for each beta between its ends, some walls are stable that lie as
-    near to the line as one likes.  For every spring, damper and delay.
+    No stable wall lies on it or left of it; and for each beta between -y and y, for some y, some
+    walls are stable that lie as near to it as one likes.  For d = 1 the spring is soft.
     """
-    [line] = map(proposition, printed)
     stable = STABLE.at({alpha: OTHER})
     right = ForAll((OTHER, beta), implied([stable], alpha < OTHER))
     near = Exists((OTHER,), both([alpha + MOST > OTHER, stable]))
     between = [MOST > 0, beta >= -REACH, beta <= REACH]
     piece = Exists((REACH,), both([REACH > 0, ForAll((MOST, beta), implied(between, near))]))
-    given = [*PLANT, d >= 0, line]
+    soft = [both([delta > 0, sp.Eq(d, 0)]), both([delta > 0, sp.Eq(d, 1), gamma < 2 * delta])]
+    given = [*PLANT, sp.Eq(alpha, -gamma), Or(tuple(soft))]
     return ForAll((alpha, gamma, delta, d), implied(given, both([right, piece])))

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from sympy import Eq, Ne, S, symbols
+from sympy import Eq, Ne, symbols
 
-from symhaptic.notation import alpha, beta, d, delta, gamma
+from symhaptic.notation import d, delta, gamma
 from symhaptic.notation.proposition import (
     ForAll,
-    Predicate,
     Proposition,
     both,
     implied,
     proposition,
 )
-from symhaptic.paper.propositions.comparison import LOOP
+from symhaptic.paper.propositions.comparison import COMES_TO_REST, LOOP, PASSIVE_WALL
 from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.reading import Printed
 
@@ -42,10 +41,6 @@ def connected(kind: int) -> Proposition:
     return implied(given, proposition(REAL[kind] >= 0))
 
 
-WALL = Predicate("passive_wall", (), (alpha, beta, delta, S.One, d))
-COMES_TO_REST = Predicate("stable_loop", (), (alpha, beta, gamma, delta, d))
-
-
 @claims("s3-interconnection")
 def _what_is_connected_is_passive_and_stable(printed: Printed) -> Proposition:
     """In parallel, n = 1, fed back, n = 2, and in a chain, n = 3, passive systems are passive.
@@ -54,6 +49,6 @@ def _what_is_connected_is_passive_and_stable(printed: Printed) -> Proposition:
     an arm and a device with the wall: a loop comes to rest, behind every delay, if no motion gains
     energy from its wall and its damper.
     """
-    given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, WALL]
+    given = [R_1 >= 0, R_2 >= 0, gamma >= 0, delta >= 0, d >= 0, PASSIVE_WALL]
     every = both([*map(connected, REAL), COMES_TO_REST])
     return ForAll((*FREQUENCY, KIND, *LOOP), implied(given, every))

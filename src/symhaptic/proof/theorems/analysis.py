@@ -30,7 +30,7 @@ from symhaptic.proof.theorems.kernel import (
     Judgement,
     NotShown,
     Theorem,
-    lost,
+    inst,
     predicate,
     relation,
     rule,
@@ -172,10 +172,11 @@ def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
 @rule
 def induction(claim: Proposition, number: Symbol, start: Theorem, step: Theorem) -> Judgement:
     """p(0), and p(n) => p(n + 1) for whole n, give p(n) for every whole n."""
-    if lost({number: _ZERO}, claim) or lost({number: number + 1}, claim):
+    (first, gone), (after, too) = (inst(claim, {number: at}) for at in (_ZERO, number + 1))
+    if gone or too:
         raise NotShown(f"a divisor of {claim} is lost on the way")
-    following = Implies((both([whole(number), claim]), claim.at({number: number + 1})))
-    if start.conclusion != claim.at({number: _ZERO}) or step.conclusion != following:
+    following = Implies((both([whole(number), claim]), after))
+    if start.conclusion != first or step.conclusion != following:
         raise NotShown("the start or the step is another claim")
     hypotheses = start.hypotheses | step.hypotheses
     without([number], hypotheses)

@@ -6,14 +6,14 @@ become hypotheses of a theorem until they are shown.  Roots and powers are princ
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from functools import lru_cache
+from collections.abc import Iterable
+from functools import cache, lru_cache
 
 import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.notation.proposition import Predicate, Proposition, Relation
-from symhaptic.notation.terms import is_complex, symbols_in
+from symhaptic.notation.terms import Term, is_complex, symbols_in, tree
 from symhaptic.proof.ball import differs_from_zero
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.rewriting import Undefined, Unsupported
@@ -24,34 +24,22 @@ _REAL = (*_SMOOTH, sp.atan)
 _ALWAYS_REAL = (sp.Abs, sp.re, sp.im)
 
 
-def conditions(
-    *exprs: Expr,
-    at: Mapping[Symbol, Expr] | None = None,
-    but: Symbol | None = None,
-    beside: Iterable[Expr] = (),
-) -> frozenset[Proposition]:
-    """Relations that together are sufficient for all the expressions to have a value.
+def conditions(*terms: Expr | Term, but: Symbol | None = None) -> frozenset[Proposition]:
+    """Relations that together are sufficient for all the terms to have a value.
 
-    ``at`` are values of symbols: a power that is not negative there asks for nothing.  Those that
-    know a symbol are left out (``but``), such as that z != 0 for a polynomial in z, and those of a
-    power that, with ``at``, stands as it is in an expression that has a value (``beside``).
+    Those that know a symbol are left out (``but``), such as that z != 0 for a polynomial in z.
 
     >>> x = sp.Symbol("x")
     >>> conditions(1/x + sp.sin(x)) == {Relation(x, "!=", sp.S.Zero)}
     True
+    >>> conditions(sp.Add(1/x, -1/x, evaluate=False)) == conditions(1/x)
+    True
     """
-    there, known = dict(at or {}), _all_conditions(beside)
-    return frozenset(
-        condition
-        for expr in exprs
-        for condition, power in _conditions(expr)
-        if but not in condition.free and not (at and _not_negative(power.xreplace(there)))
-        if not (known and (condition.at(there), power.xreplace(there)) in known)
-    )
+    return frozenset(c for t in terms for c, _ in limits(t) if but not in c.free)
 
 
-def needed(*exprs: Expr, by: Proposition | None = None) -> frozenset[Proposition]:
-    """Those of the conditions that hold wherever all the expressions have a value.
+def needed(*terms: Expr | Term, by: Proposition | None = None) -> frozenset[Proposition]:
+    """Those of the conditions that hold wherever all the terms have a value.
 
     A power with a symbol in its exponent may have one where its base is 0.  What ``by`` says of
     them may be about other places alone: a zero that is not inside the circle is not 0, nor is z
@@ -61,51 +49,70 @@ def needed(*exprs: Expr, by: Proposition | None = None) -> frozenset[Proposition
     >>> needed(1/x + x**y) == conditions(1/x), needed(x**y) == frozenset()
     (True, True)
     """
-    found = {c for c, power in _all_conditions(exprs) if power.is_Rational}
+    found = {c for t in terms for c, power in limits(t) if isinstance(power.head, sp.Rational)}
     if isinstance(by, Predicate) and by.name in ("stable", "passive"):
         found |= {Relation(s, "!=", sp.S.Zero) for s in by.over}
     return frozenset(found)
 
 
-def _all_conditions(exprs: Iterable[Expr]) -> frozenset[tuple[Proposition, Expr]]:
-    return frozenset[tuple[Proposition, Expr]]().union(*map(_conditions, exprs))
-
-
-@lru_cache(maxsize=1 << 16)
-def _conditions(expr: Expr) -> frozenset[tuple[Relation, Expr]]:
+def limits(of: Expr | Term) -> frozenset[tuple[Relation, Term]]:
     """A condition for each divisor that is not shown to differ from zero, and its power."""
+    return _limits(of if isinstance(of, Term) else tree(of))
+
+
+@cache
+def _limits(of: Term) -> frozenset[tuple[Relation, Term]]:
     own = frozenset(
-        (Relation(divisor, "!=", sp.S.Zero), power)
-        for divisor, power in _divisors(expr)
+        (Relation(divisor.shown, "!=", sp.S.Zero), power)
+        for divisor, power in _divisors(of)
         if not differs(divisor)
     )
-    return own.union(*map(_conditions, expr.args))
+    return own.union(*map(_limits, of.args))
 
 
-def _divisors(part: Expr) -> Iterable[tuple[Expr, Expr]]:
-    if part.is_Pow:
-        if not _not_negative(part.exp):
-            yield part.base, part.exp
-    elif part.func in _DIVISORS:
-        yield _DIVISORS[part.func](part.args[0]), sp.S.NegativeOne
-    elif isinstance(part, sp.log):
-        yield part.args[0], sp.S.NegativeOne
-    elif isinstance(part, sp.atan) and not real(part.args[0]):
-        yield 1 + part.args[0] ** 2, sp.S.NegativeOne
+_ONCE = tree(sp.S.NegativeOne)
 
 
-def _not_negative(power: Expr) -> bool:
-    return bool(power.is_Rational and power.p >= 0)
+def _divisors(part: Term) -> Iterable[tuple[Term, Term]]:
+    if part.head is sp.Pow:
+        base, power = part.args
+        power = power.evaluated or power  # what it divides by itself is asked for apart
+        if not (isinstance(power.head, sp.Rational) and power.head >= 0):
+            yield base, power
+    elif part.head in _DIVISORS:
+        yield Term(_DIVISORS[part.head], part.args), _ONCE
+    elif part.head is sp.log:
+        yield part.args[0], _ONCE
+    elif part.head is sp.atan and not real(part.args[0].sympy):
+        yield tree(1 + part.args[0].sympy ** 2), _ONCE
 
 
-def differs(number: Expr) -> bool:
+def kept(divisor: Term, known: frozenset[Proposition]) -> bool:
+    """Whether a divisor is a product of powers of what is known not to be zero, or differs from it.
+
+    >>> x = sp.Symbol("x")
+    >>> kept(tree(2 * x**2), conditions(1 / x))
+    True
+    """
+    for factor in divisor.args if divisor.head is sp.Mul else (divisor,):
+        base = factor
+        if factor.head is sp.Pow:
+            power = factor.args[1].head
+            base = factor.args[0] if isinstance(power, sp.Rational) and power > 0 else factor
+        if Relation(base.shown, "!=", sp.S.Zero) not in known and not differs(base):
+            return False
+    return True
+
+
+def differs(number: Expr | Term) -> bool:
     """Whether a ball shows that a number is not zero; an exponential never is."""
-    if isinstance(number, sp.exp):
+    number = number if isinstance(number, Term) else tree(number)
+    if number.head is sp.exp:
         return True
-    if symbols_in(number):
+    if number.free:
         return False
     try:
-        return bool(differs_from_zero(number))
+        return bool(differs_from_zero(number.sympy))
     except Unsupported:
         return False
 

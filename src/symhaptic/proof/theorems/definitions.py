@@ -15,10 +15,10 @@ from sympy import Expr, Symbol
 from symhaptic.model.loop import characteristic
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import Iff, Not, Predicate, Proposition, whole
-from symhaptic.notation.terms import term
+from symhaptic.notation.proposition import Iff, Not, Predicate, Proposition, Relation, whole
+from symhaptic.notation.terms import term, tree
 from symhaptic.proof.ball import sign
-from symhaptic.proof.theorems.definedness import conditions, real
+from symhaptic.proof.theorems.definedness import conditions, differs, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, rule
 
 
@@ -52,8 +52,11 @@ def loop_polynomial(
     names = dict(zip((alpha, beta, gamma, delta, d), found, strict=True))
     placed = polynomial.xreplace({s: v for s, v in names.items() if s != v})
     powers = _raised(placed, variable, share)
-    # of the variable there are powers only
-    divisors = {c for c in conditions(powers) if variable not in c.free}
+    # of the variable there are powers only; what SymPy cancels is asked for as well
+    there = tree(polynomial).inst({s: tree(v) for s, v in names.items()})
+    written = (c.evaluated() for c in conditions(there))
+    lost = {c for c in written if not (isinstance(c, Relation) and differs(c.left))}
+    divisors = {c for c in (*conditions(powers), *lost) if c.free.isdisjoint((variable, z))}
     return divisors, Predicate("stable", (variable,), (powers,))
 
 

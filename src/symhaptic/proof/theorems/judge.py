@@ -8,10 +8,11 @@ then what holds instead is a theorem, too.  Nothing open, nothing vacuous.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Symbol
+from sympy import Eq, Expr, Le, Lt, Ne, Symbol
+from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
     FALSE,
@@ -19,16 +20,20 @@ from symhaptic.notation.proposition import (
     And,
     Exists,
     ForAll,
+    Iff,
     Implies,
     Not,
+    Predicate,
     Proposition,
     Relation,
     Terms,
     both,
     conjuncts,
     negated,
+    proposition,
 )
 from symhaptic.notation.written import listed, point, written
+from symhaptic.proof.decide import equal
 from symhaptic.proof.theorems.derivation import leaves_of
 from symhaptic.proof.theorems.kernel import (
     NotShown,
@@ -118,9 +123,6 @@ class Judged:
 
     def decide(self, claim: Proposition, right: Proposition | None = None) -> Verdict:
         """The verdict on a claim; ``right`` is the claim with the corrected print."""
-        cases = (*self.unless, *(() if self.example is None else (self.example,)))
-        if not all(type(t) is Theorem for t in (self.theorem, *(case.theorem for case in cases))):
-            raise Unfounded("what looks like a theorem is none")
         if self.theorem.hypotheses:
             raise Unfounded(f"open: {listed(sorted(self.theorem.hypotheses, key=written))}")
         right = self.instead if right is None else right
@@ -150,7 +152,7 @@ class Judged:
             self._verdict(Kind.MISPRINT if self.misprint else Kind.REFUTED, claim),
             condition=written(both(extra)) if extra else None,
             counterexample=point(dict(self.unless[0].values)),
-            corrected_latex=r",\quad ".join(self.corrected or ()) or written(right),
+            corrected=r",\quad ".join(self.corrected or ()) or written(right),
         )
 
     def _check_example(self, conclusion: Proposition) -> None:
@@ -171,6 +173,7 @@ class Judged:
             shows=self.shows,
             note=self.note,
             claim=claim,
+            proposition=written(claim),
             rests=tuple(sorted(rests)),
         )
 
@@ -185,6 +188,62 @@ def taken_apart(
     if isinstance(claim, Implies):
         return symbols, conjuncts(claim.of[0]), claim.of[1]
     return symbols, (), claim
+
+
+def of_print(claim: Proposition, printed: Iterable[Expr], condition: bool = False) -> Proposition:
+    """Return a claim that says what is printed; raise :class:`ValueError` for another one.
+
+    What is printed as a relation is concluded as that relation, for all values of its symbols under
+    hypotheses that do not decide it; a claim may conclude more.  A print that is a ``condition``
+    implies named predicates, is implied by one, or is equivalent to it.
+    """
+    _, given, then = taken_apart(claim)
+    concluded = conjuncts(then)
+    for form in printed:
+        if not isinstance(form, Relational):
+            continue
+        relation = proposition(form)
+        if condition:
+            joined = [p for p in concluded if isinstance(p, (Implies, Iff))]
+            pairs = [(And(given), then), *(p.of for p in joined)]
+            pairs += [p.of[::-1] for p in joined if isinstance(p, Iff)]
+            if not any(_is_condition(relation, *pair) for pair in pairs):
+                raise ValueError(f"the print {form} is no condition of a predicate in the claim")
+        elif relation not in concluded:
+            raise ValueError(f"the claim does not conclude the print {form}")
+        elif any(_says(hypothesis, relation) for hypothesis in given):
+            raise ValueError(f"the claim supposes the print {form}")
+    return claim
+
+
+def _is_condition(relation: Proposition, one: Proposition, other: Proposition) -> bool:
+    """Whether, of one proposition that implies another, a relation is on a predicate's side."""
+    if relation in _stated(one):
+        return all(isinstance(p, Predicate) for p in conjuncts(other))
+    return relation in _stated(other) and any(isinstance(p, Predicate) for p in conjuncts(one))
+
+
+def _stated(of: Proposition) -> list[Proposition]:
+    """The parts of a conjunction, those for all values of a symbol included."""
+    if isinstance(of, And):
+        return [p for part in of.parts for p in _stated(part)]
+    if isinstance(of, ForAll):
+        return _stated(taken_apart(of)[2])
+    return [of]
+
+
+def _says(hypothesis: Proposition, print_: Proposition) -> bool:
+    """Whether a hypothesis is the print, or a multiple of it."""
+    if hypothesis == print_:
+        return True
+    pair = (hypothesis, print_)
+    if not all(isinstance(p, Relation) for p in pair):
+        return False
+    one, other = (_SYMPY[p.sign](p.left, p.right, evaluate=False) for p in pair)  # type: ignore[attr-defined]
+    return equal(one, other)
+
+
+_SYMPY = {"=": Eq, "!=": Ne, "<": Lt, "<=": Le}
 
 
 class SaysElse(Unfounded):

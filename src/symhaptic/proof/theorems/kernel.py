@@ -1,10 +1,9 @@
 """Theorems, and the rules of logic that make them.
 
 A theorem says that its conclusion is true for all values of the free symbols (real ones, or complex
-where the notation says so) for which its hypotheses are true.  Nobody but a rule makes one: each
-rule takes theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and
-what it was given, so that it is derived once more, from nothing, where it arrives in
-another process.
+where the notation says so) for which its hypotheses are true.  Only rules make one: each takes
+theorems and terms, and gives hypotheses and a conclusion.  A theorem keeps the rule and what it was
+given.
 
 Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``energy``,
 ``roots``, ``samples`` and ``definitions``; no other module can add one.
@@ -13,14 +12,11 @@ Rules are functions of this module, of ``leaves``, ``axioms``, ``analysis``, ``e
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from fractions import Fraction
 from functools import wraps
-from importlib import import_module
-from types import NoneType
 from typing import Any, ParamSpec, TypeAlias
 from weakref import WeakValueDictionary
 
-from sympy import Basic, Expr, Mul, S, Symbol
+from sympy import Expr, Symbol
 from sympy.core.relational import Relational
 
 from symhaptic.notation.proposition import (
@@ -40,12 +36,10 @@ from symhaptic.notation.proposition import (
     conjuncts,
     negated,
     proposition,
-    replaced,
 )
-from symhaptic.notation.terms import is_complex, symbols_in, term, without_value
-from symhaptic.proof.certificate import Positive
+from symhaptic.notation.terms import Term, is_complex, term, tree
 from symhaptic.proof.rewriting import Undefined, Unsupported
-from symhaptic.proof.theorems.definedness import conditions, differs, needed, real
+from symhaptic.proof.theorems.definedness import conditions, kept, limits, needed, real
 
 
 class NotShown(ValueError):
@@ -56,7 +50,6 @@ Judgement: TypeAlias = tuple[Iterable[Proposition], Proposition]
 """Hypotheses and conclusion."""
 
 _TOKEN = object()
-_DATA = (Positive, str, bool, int, float, Fraction, NoneType)
 
 
 class Theorem:
@@ -67,7 +60,7 @@ class Theorem:
     hypotheses: frozenset[Proposition]
     conclusion: Proposition
     _rule: str
-    _given: tuple[tuple[Any, ...], tuple[tuple[str, Any], ...]]
+    _given: tuple[Any, ...]
 
     def __init__(self, token: object, judgement: Judgement, rule: str, given: Any) -> None:
         if token is not _TOKEN:
@@ -81,9 +74,6 @@ class Theorem:
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("a theorem does not change")
 
-    def __reduce__(self) -> Any:
-        return _arrived, (self._rule, *self._given)
-
     @property
     def rule(self) -> str:
         """The rule that made it."""
@@ -92,7 +82,7 @@ class Theorem:
     @property
     def given(self) -> tuple[Any, ...]:
         """What the rule was given."""
-        return (*self._given[0], *(v for _, v in self._given[1]))
+        return self._given
 
     @property
     def premises(self) -> tuple[Theorem, ...]:
@@ -121,22 +111,21 @@ def rule(build: Callable[_P, Judgement]) -> Callable[_P, Theorem]:
 
     @wraps(build)
     def apply(*args: _P.args, **named: _P.kwargs) -> Theorem:
-        return _derived(name, args, tuple(named.items()))
+        return _derived(name, tuple(map(_read, args)), {k: _read(v) for k, v in named.items()})
 
     return apply
 
 
-def _derived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
-    args, named = _written(args), _written(named)
-    same = _exactly((name, args, named))
-    known = _known.get(same)
+def _derived(name: str, args: tuple[Any, ...], named: dict[str, Any]) -> Theorem:
+    same = _same((name, args, tuple(named.items())))
+    known = None if same is None else _known.get(same)
     if known is not None:
         return known
     try:
-        judgement = _RULES[name](*args, **dict(named))
+        judgement = _RULES[name](*args, **named)
     except (Unsupported, Undefined) as why:  # a decider's, that it cannot tell
         raise NotShown(str(why)) from None
-    found = Theorem(_TOKEN, judgement, name, (args, named))
+    found = Theorem(_TOKEN, judgement, name, (*args, *named.values()))
     if same is not None:
         _known[same] = found
     return found
@@ -148,53 +137,27 @@ _known: WeakValueDictionary[Any, Theorem] = WeakValueDictionary()
 A rule gives the same for the same, so that this is the theorem and not a copy of one."""
 
 
-def at_hand() -> list[Theorem]:
-    """What was derived here and need not be derived anew."""
-    return list(_known.values())
-
-
-def forget() -> None:
-    """Derive anew from here on, even what has been derived here before."""
-    _known.clear()
-
-
-def _exactly(part: Any) -> Any:
-    """What only equal arguments share, names of bound symbols and types included; None for those
-    that cannot be told apart so."""
-    if isinstance(part, (Theorem, Basic)):
-        return part
-    part = ("at", *part.items()) if isinstance(part, dict) else part
-    if isinstance(part, tuple):
-        parts = tuple(map(_exactly, part))
-        return None if any(found is None for found in parts) else parts
+def _same(part: Any) -> Any:
+    """What only equal arguments share, names of bound symbols included; None where nothing is."""
+    if isinstance(part, (tuple, dict)):
+        items = part.items() if isinstance(part, dict) else part
+        parts = tuple(map(_same, items))
+        return None if any(found is None for found in parts) else (type(part).__name__, *parts)
     if isinstance(part, Proposition):
-        return _exactly((type(part).__name__, *part.__reduce__()[1]))
-    if isinstance(part, (str, int, NoneType)):
-        return type(part).__name__, part
-    return None
+        return _same((type(part).__name__, *part.__reduce__()[1]))
+    if isinstance(part, (Theorem, Expr)):
+        return part
+    return (type(part).__name__, part) if isinstance(part, (str, int)) else None
 
 
-def _arrived(name: str, args: tuple[Any, ...], named: tuple[tuple[str, Any], ...]) -> Theorem:
-    """A theorem from another process, derived here anew."""
-    for module in _HOMES:
-        import_module(module)
-    return _derived(name, args, named)
-
-
-def _written(part: Any) -> Any:
-    """Arguments with propositions for SymPy's relations, which decide themselves when copied.
-
-    A theorem stands where it is found again: by itself or in a sequence.  What holds others is read
-    here and never again, and nothing is of a class of its own, which may answer as it likes.
-    """
+def _read(part: Any) -> Any:
+    """Arguments with propositions for SymPy's relations, which decide themselves when copied."""
     if isinstance(part, Relational):
         return proposition(part)
-    if isinstance(part, (tuple, list)):
-        return tuple(_written(p) for p in part)
+    if isinstance(part, (tuple, list, frozenset, Iterator)):
+        return tuple(map(_read, part))
     if isinstance(part, Mapping):
-        return {key: _written(value) for key, value in part.items()}
-    if not isinstance(part, (Basic, Proposition)) and type(part) not in (Theorem, *_DATA):
-        raise NotShown(f"what looks like a theorem is none, nor is {type(part).__name__} a term")
+        return {key: _read(value) for key, value in part.items()}
     return part
 
 
@@ -400,81 +363,95 @@ def instance(theorem: Theorem, values: Terms) -> Judgement:
     given = conjuncts(claim.body.parts[0]) if isinstance(claim.body, Implies) else ()
     said = {s for p in given if isinstance(p, (Relation, Predicate)) for s in p.free & {*p.terms}}
     sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
-    extra = _real({s: v for s, v in values.items() if s not in sided})
-    extra |= conditions(*(term(v) for s, v in values.items() if s not in said))
-    return theorem.hypotheses | extra | lost(values, claim.body), claim.body.at(values)
+    _real({s: v for s, v in values.items() if s not in sided})
+    extra = conditions(*(term(v) for s, v in values.items() if s not in said))
+    found, lost = inst(claim.body, values)
+    return theorem.hypotheses | extra | lost, found
 
 
 @rule
 def placed(theorem: Theorem, values: Terms) -> Judgement:
     """Real terms in place of free symbols, in hypotheses and conclusion alike.
 
-    Where SymPy cancels a divisor of a hypothesis on the way, that it is not zero becomes a
-    hypothesis of its own: a hypothesis must not become weaker.
+    That the terms have values is a hypothesis, and so is that a divisor is not zero which SymPy
+    cancels when it writes what comes out: a hypothesis must not become weaker.
     """
-    extra = _allowed(values, theorem.conclusion, *theorem.hypotheses)
-    return {p.at(values) for p in theorem.hypotheses} | extra, theorem.conclusion.at(values)
+    conclusion, extra = inst(theorem.conclusion, values)
+    extra |= _real(values) | conditions(*map(term, values.values()))
+    hypotheses = set[Proposition]()
+    for hypothesis in theorem.hypotheses:
+        there, lost = inst(hypothesis, values)
+        hypotheses |= {there, *lost}
+    return hypotheses | extra, conclusion
 
 
-def _allowed(values: Terms, *claims: Proposition) -> set[Proposition]:
-    """What has to hold so that claims at these terms are the claims at their values."""
-    defined = conditions(*map(term, values.values()))
-    return _real(values).union(defined, *(lost(values, claim) for claim in claims))
+def inst(claim: Proposition, values: Terms) -> tuple[Proposition, frozenset[Proposition]]:
+    """A claim at terms as SymPy writes it, and what it divides by no more."""
+    there = claim.inst({s: tree(term(v)) for s, v in values.items()})
+    written = there.evaluated()
+    return written, frozenset(lost(there, written))
 
 
-def _real(values: Terms) -> set[Proposition]:
+def lost(before: Proposition, after: Proposition) -> set[Proposition]:
+    """Conditions of a claim's terms that do not follow from what SymPy makes of these terms.
+
+    Under them both claims say the same.  Raises :class:`NotShown` if one is of a bound symbol.
+    """
+    found: set[Proposition] = set()
+    stack: list[tuple[Proposition, Proposition, frozenset[Symbol]]] = [
+        (before, after, frozenset[Symbol]())
+    ]
+    while stack:
+        one, other, bound = stack.pop()
+        if one is other or type(one) is not type(other):
+            continue  # the same, or false for want of a value
+        bound |= frozenset(one.bound)
+        for old, new in zip(one.trees, other.trees, strict=True):
+            if old is not new:
+                found |= _dropped(old, new, other, bound)
+        stack += [(p, q, bound) for p, q in zip(one.parts, other.parts, strict=True)]
+    return found
+
+
+def _dropped(
+    old: Term, new: Term, claim: Proposition, bound: frozenset[Symbol]
+) -> set[Proposition]:
+    """Conditions of a term that do not follow from those of what SymPy makes of it.
+
+    A divisor is taken as SymPy writes it, too: what it divides by itself has a condition here.
+    """
+    there, known = limits(new), needed(new, by=claim)
+    found = set[Proposition]()
+    for condition, power in limits(old):
+        written = condition.evaluated()
+        here = isinstance(written, Relation) and (
+            (written, power.evaluated or power) in there or kept(tree(written.left), known)
+        )
+        if not here:
+            found.add(written)
+            if not bound.isdisjoint(written.free):
+                raise NotShown(f"a divisor of {old} is lost under its quantifier")
+    return found
+
+
+def _real(values: Terms) -> frozenset[Proposition]:
     """Nothing, if each term is real whose symbol is."""
     for symbol, value in values.items():
         if not is_complex(term(symbol)) and not real(term(value)):
             raise NotShown(f"{value} is not real by its form, {symbol} is")
-    return set()
-
-
-def lost(values: Terms, claim: Proposition) -> set[Proposition]:
-    """Conditions of a claim's terms that are no conditions any more of what they become."""
-    found: set[Proposition] = set()
-    stack = [(claim.apart(values), frozenset[Symbol]())]
-    while stack:
-        current, inside = stack.pop()
-        bound = set(inside) | set(current.bound)
-        here = {s: term(v) for s, v in values.items() if s in current.free and s not in bound}
-        if not here:
-            continue  # it stays as it is, and so do its parts
-        for old, new in zip(current.terms, replaced(current.terms, here), strict=True):
-            if not conditions(old) or (not symbols_in(new) and without_value(new)):
-                continue  # nothing is lost, or the relation is false there, whatever it divides by
-            kept = needed(new, by=current)
-            for condition in conditions(old, at=here, beside=[new]):
-                moved = condition.at(here)
-                if not isinstance(moved, Relation):
-                    found.add(moved)  # a divisor has no value there
-                elif not _kept(moved.left, kept):
-                    if moved.free & bound:
-                        raise NotShown(f"a divisor of {old} is lost under its quantifier")
-                    found.add(moved)
-        stack += [(p, frozenset(bound)) for p in current.parts]
-    return found
-
-
-def _kept(divisor: Expr, known: frozenset[Proposition]) -> bool:
-    """Whether a divisor is a product of powers of what is not zero, such as s^2 of s."""
-    for factor in Mul.make_args(divisor):
-        base, power = factor.as_base_exp()
-        base = base if power.is_Rational and power > 0 else factor
-        if Relation(base, "!=", S.Zero) not in known and not differs(base):
-            return False
-    return True
+    return frozenset()
 
 
 @rule
 def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
     """p(a) and a = b give p(b)."""
     pattern, equal = proposition(pattern), relation(equation, "=")
-    before, after = {place: equal.left}, {place: equal.right}
-    if theorem.conclusion != pattern.at(before):
+    before, extra = inst(pattern, {place: equal.left})
+    if theorem.conclusion != before:
         raise NotShown(f"{theorem.conclusion} is not {pattern} there")
-    extra = _allowed(before, pattern) | _allowed(after, pattern)
-    return theorem.hypotheses | equation.hypotheses | extra, pattern.at(after)
+    after, more = inst(pattern, {place: equal.right})
+    extra |= more | _real({place: equal.left}) | _real({place: equal.right})
+    return theorem.hypotheses | equation.hypotheses | extra | conditions(*equal.terms), after
 
 
 @rule
@@ -482,9 +459,11 @@ def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement
     """p(a), for real terms a, gives that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
         raise NotShown("no value for each of the symbols")
-    if lost(values, wanted.body) or wanted.body.at(values) != theorem.conclusion:
+    there, lost_ = inst(wanted.body, values)
+    if there != theorem.conclusion:
         raise NotShown(f"{theorem.conclusion} is not {wanted} at these values")
-    return theorem.hypotheses | _allowed(values, wanted.body), wanted
+    _real(values)
+    return theorem.hypotheses | lost_ | conditions(*map(term, values.values())), wanted
 
 
 @rule

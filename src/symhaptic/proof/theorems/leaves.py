@@ -33,7 +33,7 @@ from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHE
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term, shortened
-from symhaptic.proof.theorems.definedness import conditions, differs, mirrors, needed, real
+from symhaptic.proof.theorems.definedness import conditions, differs, limits, mirrors, needed, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
 _ZERO = sp.S.Zero
@@ -133,8 +133,9 @@ def combined(claim: Any, *products: Product) -> Judgement:
     difference = claim.right - claim.left
     if not _same(difference, total) and not (claim.sign == "!=" and _same(difference, -total)):
         raise NotShown(f"{difference} is not {total}")
-    hypotheses |= conditions(claim.left, claim.right, beside=known) - needed(*known)
-    return hypotheses, claim
+    there = frozenset[Any]().union(*map(limits, known))
+    of_sides = {c for side in claim.terms for c, power in limits(side) if (c, power) not in there}
+    return hypotheses | of_sides - needed(*known), claim
 
 
 def _signed(products: Sequence[Product]) -> bool:
@@ -186,6 +187,7 @@ def is_whole(value: Any, *known: Theorem) -> Judgement:
             raise NotShown(f"{claim} does not say that something is whole")
         hypotheses |= theorem.hypotheses
         allowed.add(claim.of[0])
+    hypotheses |= conditions(value) - needed(*allowed)
     names = {w: sp.Dummy() for w in sorted(allowed - {value}, key=str)}
     poly = value.xreplace(names)
     try:

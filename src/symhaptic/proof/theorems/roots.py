@@ -117,10 +117,8 @@ def last_coefficient(inside: Theorem, power: Any = _ZERO) -> Judgement:
     powers = _powers(polynomial, variable)
     last = powers.get(lowest, _ZERO)
     _, hypotheses = _leading(polynomial, variable**lowest, variable)
-    for exponent in powers:
-        if exponent != lowest and not _seen_whole(sp.expand(exponent - lowest - 1)):
-            raise NotShown(f"the exponent {exponent} may not be above {lowest}")
-        hypotheses |= {whole(s) for s in exponent.free_symbols}
+    for exponent in powers.keys() - {lowest}:
+        hypotheses |= _not_negative(exponent - lowest - 1)
     return inside.hypotheses | hypotheses, And(
         (Relation(-sp.S.One, "<", last), Relation(last, "<", sp.S.One))
     )
@@ -185,8 +183,9 @@ def first_minors(inside: Theorem, count: int) -> Judgement:
     [polynomial], [variable] = claim.of, claim.over
     powers = _powers(polynomial, variable)
     degree, hypotheses = _leading(polynomial, _ZERO, variable)
-    if count < 0 or not _seen_whole(sp.expand(degree - count)):
-        raise NotShown(f"{polynomial} may have fewer than {count} zeros")
+    if count < 0:
+        raise NotShown(f"{count} is no number of minors")
+    hypotheses |= _not_negative(degree - count)
 
     def weight(k: int, e: Expr) -> Expr:
         ways = range(k + 1)
@@ -207,8 +206,9 @@ def outpaces(inside: Theorem, angle: Any) -> Judgement:
     claim, angle = predicate(inside, "stable"), term(angle)
     [polynomial], [variable] = claim.of, claim.over
     degree, hypotheses = _leading(polynomial, _ZERO, variable)
-    if not real(angle) or variable in angle.free_symbols or not _seen_whole(sp.expand(degree - 1)):
-        raise NotShown(f"{angle} is not real by its form, or {polynomial} may have no zero")
+    if not real(angle) or variable in angle.free_symbols:
+        raise NotShown(f"{angle} is not real by its form")
+    hypotheses |= _not_negative(degree - 1)
     powers = _powers(polynomial, variable)
 
     def there(way: Expr, share: Any) -> Expr:
@@ -217,7 +217,6 @@ def outpaces(inside: Theorem, angle: Any) -> Judgement:
     value, mirror = (there(way, lambda e: sp.S.One) for way in (sp.I, -sp.I))
     speed, back = (there(way, lambda e: e - degree / 2) for way in (sp.I, -sp.I))
     hypotheses |= inside.hypotheses | conditions(angle, *powers.values())
-    hypotheses |= {whole(s) for s in degree.free_symbols}
     return hypotheses, Relation(_ZERO, "<", speed * mirror + back * value)
 
 
@@ -235,8 +234,7 @@ def opposite(inside: Theorem) -> Judgement:
     for exponent, coefficient in _powers(polynomial, variable).items():
         gap = sp.expand(degree - exponent)
         odd = int(gap.xreplace(dict.fromkeys(gap.free_symbols, _ZERO)) % 2)
-        if not _seen_whole(sp.expand((gap - odd) / 2)):
-            raise NotShown(f"{gap} may be even or odd")
+        hypotheses |= _not_negative((gap - odd) / 2)
         turned += (-1) ** odd * coefficient * variable**exponent
     return inside.hypotheses | hypotheses, _zeros(turned, variable)
 
@@ -354,10 +352,11 @@ def degree(polynomial: Any, variable: Symbol, power: Any) -> Judgement:
     """
     polynomial, power = term(polynomial), sp.expand(term(power))
     powers = _powers(polynomial, variable, real_only=False)
-    gaps = [sp.expand(power - e - 1) for e in powers if e != power]
-    if power not in powers or not all(_seen_whole(gap) for gap in gaps):
-        raise NotShown(f"{power} is not seen to be the highest power")
-    hypotheses = _whole(powers) | {whole(s) for gap in gaps for s in gap.free_symbols}
+    if power not in powers:
+        raise NotShown(f"{power} is no power in it")
+    hypotheses = _whole(powers)
+    for exponent in powers.keys() - {power}:
+        hypotheses |= _not_negative(power - exponent - 1)
     hypotheses |= {Relation(powers[power], "!=", _ZERO), *conditions(polynomial, but=variable)}
     return hypotheses, Predicate("degree", (variable,), (polynomial, power))
 
@@ -422,15 +421,20 @@ def _leading(f: Expr, g: Expr, variable: Symbol) -> tuple[Expr, set[Proposition]
     the highest larger than all others by whole numbers."""
     ours, theirs = _powers(f, variable), _powers(g, variable)
     hypotheses = _whole([*ours, *theirs])
-    for lead in ours:
-        gaps = [sp.expand(lead - e - 1) for e in (*(ours.keys() - {lead}), *theirs)]
-        if ours[lead] == 1 and all(_seen_whole(gap) for gap in gaps):
-            hypotheses |= {whole(s) for gap in gaps for s in gap.free_symbols}
-            return lead, hypotheses
+    for lead in (e for e, coefficient in ours.items() if coefficient == 1):
+        try:
+            gaps = (lead - e - 1 for e in (*(ours.keys() - {lead}), *theirs))
+            return lead, hypotheses.union(*map(_not_negative, gaps))
+        except NotShown:
+            continue
     raise NotShown(f"{f} is not monic, or {g} not of lower degree")
 
 
-def _seen_whole(gap: Expr) -> bool:
-    """A sum of whole numbers and multiples of symbols, which are whole by hypothesis."""
+def _not_negative(gap: Expr) -> set[Proposition]:
+    """Under what a number is whole: it is a sum of whole numbers and of multiples and products of
+    symbols, and these are whole."""
+    gap = sp.expand(gap)
     poly = gap.as_poly(*gap.free_symbols) if gap.free_symbols else None
-    return all(c.is_Integer and c >= 0 for c in (poly.coeffs() if poly else [gap]))
+    if not all(c.is_Integer and c >= 0 for c in (poly.coeffs() if poly else [gap])):
+        raise NotShown(f"{gap} may be negative")
+    return {whole(s) for s in gap.free_symbols}

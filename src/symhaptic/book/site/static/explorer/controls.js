@@ -1,4 +1,4 @@
-// Sliders and number fields for what is set, in SI units or without.
+// Sliders and number fields for the state, in SI units or without.
 "use strict";
 (() => {
   const STEPS = 1000;
@@ -21,18 +21,19 @@
     document.getElementById("wrong").textContent = wrong;
   }
 
+  const sunk = (symbol) => symbol.replace(/_(.*)/, "<sub>$1</sub>");
+
   function row(key, q, changed) {
     const box = document.createElement("div");
     box.className = "quantity";
-    const symbol = key === "t_d" ? "t<sub>d</sub>" : key;
-    box.innerHTML = `<label for="field-${key}"><i>${symbol}</i> <span>${q.label}<small>${q.note ? `, ${q.note}` : ""}</small></span></label>`
+    box.innerHTML = `<label for="field-${key}"><i>${sunk(q.symbol ?? key)}</i> <span>${q.label}<small>${q.note ? `, ${q.note}` : ""}</small></span></label>`
       + `<input type="range" min="0" max="${STEPS}" id="slider-${key}" aria-label="${q.label}, ${q.note ?? ""} (${q.unit})">`
       + `<input type="text" inputmode="decimal" id="field-${key}" autocomplete="off" spellcheck="false"><span class="unit">${q.unit}</span>`;
     const [slider, field] = [box.querySelector("input[type=range]"), box.querySelector("input[type=text]")];
     slider.addEventListener("input", () => changed(key, fromSlider(q, Number(slider.value))));
     field.addEventListener("input", () => {
       const good = explorer.allowed(key, field.value);
-      told(field, good ? "" : `${q.label} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${field.now}.`);
+      told(field, good ? "" : `${explorer.named(q)} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${field.now}.`);
       if (good) changed(key, String(Number(field.value)));
     });
     box.show = (state) => {
@@ -51,17 +52,18 @@
   }
 
   function ratio(name, changed) {
-    const { of, label, name: symbol } = explorer.ratios[name];
+    const { label, name: symbol } = explorer.ratios[name];
     const box = document.createElement("div");
     box.className = "ratio";
-    box.innerHTML = `<label for="ratio-${name}"><i>${symbol}</i><span>${label}</span></label><input type="text" inputmode="decimal" id="ratio-${name}" autocomplete="off" spellcheck="false">`;
+    box.innerHTML = `<label for="ratio-${name}"><i>${sunk(symbol)}</i><span>${label}</span></label><input type="text" inputmode="decimal" id="ratio-${name}" autocomplete="off" spellcheck="false">`;
     const field = box.querySelector("input");
     let state = {};
     field.addEventListener("input", () => {
-      const si = Number.isFinite(Number(field.value)) && field.value.trim() ? explorer.fromRatio(state, name, field.value) : "";
+      const given = Number.isFinite(Number(field.value)) && field.value.trim();
+      const [of, si] = given ? explorer.fromRatio(state, name, field.value) : [explorer.ratios[name].of, ""];
       const good = explorer.allowed(of, si);
-      const { label: made, unit } = explorer.quantities[of];
-      told(field, good ? "" : `${symbol}: ${made} in ${unit}, ${explorer.range(of)}, is what it may stand for; the picture shows ${field.now}.`);
+      const q = explorer.quantities[of];
+      told(field, good ? "" : `${symbol}: ${explorer.named(q)} in ${q.unit}: ${explorer.range(of)} has to result; the picture shows ${field.now}.`);
       if (good) changed(of, si);
     });
     box.show = (now, n) => {
@@ -83,22 +85,18 @@
     return (state, n) => [...boxes, ...plain].forEach((box) => box.show(state, n));
   };
 
-  // a device and an arm move together: masses, dampings and springs add up
+  // a device and an arm are set apart from each other
   explorer.presets = (device, arm, set) => {
     const { devices, arms } = explorer.data;
     for (const [select, all] of [[device, devices], [arm, arms]]) {
       all.forEach((one, i) => select.append(new Option(one.name, String(i))));
     }
-    const apply = () => {
-      const chosen = [devices[device.value], arms[arm.value]].filter(Boolean);
-      const fresh = Object.assign({}, ...chosen.map((one) => one.values));
-      for (const key of ["m", "b", "k"]) {
-        const there = chosen.map((one) => one.values[key]).filter((text) => text !== undefined);
-        if (there.length) fresh[key] = String(Number(there.reduce((sum, text) => sum + Number(text), 0).toPrecision(12)));
-      }
-      set(fresh, chosen.map((one) => one.source).filter(Boolean));
+    const none = Object.fromEntries(["m_H", "b_H", "k_H", explorer.WITH_DEVICE].map((key) => [key, "0"]));
+    const apply = (fresh) => {
+      const sources = [devices[device.value], arms[arm.value]].map((one) => one?.source);
+      set(fresh, sources.filter(Boolean));
     };
-    device.addEventListener("change", apply);
-    arm.addEventListener("change", apply);
+    device.addEventListener("change", () => apply(devices[device.value]?.values));
+    arm.addEventListener("change", () => apply({ ...none, ...arms[arm.value]?.values }));
   };
 })();

@@ -1,16 +1,28 @@
 // The state for elsewhere: Scene in Python and TOML, a call in C, and pictures as files.
 "use strict";
 (() => {
+  const pythonArm = (s) => (explorer.hasArm(s) ? `
+    arm=Arm(mass=${s.m_H}, damping=${s.b_H}, stiffness=${s.k_H}${explorer.replaces(s) ? ", with_device=True" : ""}),` : "");
+
+  const tomlArm = (s) => (explorer.hasArm(s) ? `
+[arm]
+mass = ${s.m_H}
+damping = ${s.b_H}
+stiffness = ${s.k_H}
+${explorer.replaces(s) ? "with_device = true\n" : ""}` : "");
+
   explorer.copies = {
-    Python: (s) => `from symhaptic import Scene
+    Python: (s) => `from symhaptic import ${explorer.hasArm(s) ? "Arm, " : ""}Scene
 
 scene = Scene(
-    mass=${s.m}, damping=${s.b}, stiffness=${s.k},  # kg, Ns/m, N/m
-    sampling_period=${s.T}, delay=${s.t_d},  # s
+    mass=${s.m}, damping=${s.b}, stiffness=${s.k},  # of the device, in kg, Ns/m, N/m
+    sampling_period=${s.T}, delay=${s.t_d},  # s${pythonArm(s)}
 )
-print(scene.limit_at(B=${s.B}))  # the wall: K = ${s.K} N/m, B = ${s.B} Ns/m
+# K = ${s.K} N/m, B = ${s.B} Ns/m; stability counts device and arm, passivity the device alone
+print(scene.is_stable(K=${s.K}, B=${s.B}), scene.is_passive(K=${s.K}, B=${s.B}))
+print(scene.limit_at(B=${s.B}))
 print(scene.max_stable_stiffness(), scene.max_passive_stiffness())
-print(scene.delay_margin(K=${s.K}, B=${s.B}))
+print(scene.delay_margin(K=${s.K}, B=${s.B}))  # s that may be added to the delay
 `,
     TOML: (s) => `# SI units: kg, Ns/m, N/m, s
 mass = ${s.m}
@@ -18,15 +30,17 @@ damping = ${s.b}
 stiffness = ${s.k}
 sampling_period = ${s.T}
 delay = ${s.t_d}
-
+${tomlArm(s)}
 [wall]
 K = ${s.K}
 B = ${s.B}
 `,
-    C: (s, n) => `#include "haptic.h" /* symhaptic export is_stable --target c */
+    C: (s, n) => `#include "haptic.h" /* symhaptic export is_stable passivity_margin --target c */
 
-/* alpha, beta, gamma, delta, delay in sampling periods */
+/* alpha, beta, then gamma and delta of device and arm, delay in sampling periods */
 bool stable = haptic_is_stable(${n.alpha}, ${n.beta}, ${n.gamma}, ${n.delta}, ${n.d});
+/* alpha, beta, then delta of the device alone, delay in sampling periods */
+bool passive = haptic_passivity_margin(${n.alpha}, ${n.beta}, ${n.own}, ${n.d}) >= 0;
 `,
   };
 

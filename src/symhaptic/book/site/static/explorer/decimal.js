@@ -1,4 +1,4 @@
-// Decimals as printed, multiplied and divided exactly and rounded once: 0.0003/0.0001 is 3.
+// Decimals as printed, added, multiplied and divided exactly and rounded once: 0.0003/0.0001 is 3.
 "use strict";
 globalThis.explorer = {};
 (() => {
@@ -36,4 +36,12 @@ globalThis.explorer = {};
     }
     return below === 0n ? NaN : nearest(above, below);
   };
+
+  // the sum of two decimals, as text
+  explorer.sum = (one, other) => {
+    const [[a, b], [c, d]] = [fraction(one), fraction(other)];
+    return String(nearest(a * d + c * b, b * d));
+  };
+
+  explorer.difference = (one, other) => explorer.sum(one, String(-Number(other)));
 })();

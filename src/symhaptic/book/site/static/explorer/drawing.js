@@ -75,7 +75,7 @@
     };
     if (kind === "passive" || kind === "wall") {
       if (kind === "wall") [left, right, low, high] = [0, 2 * n.alpha, 0, 2 * n.beta];
-      else if (n.delta > 0) [left, right, low, high] = [0, limits.stiffest_passive[0], -n.delta, n.delta];
+      else if (n.own > 0) [left, right, low, high] = [0, limits.stiffest_passive[0], -n.own, n.own];
     } else {
       add(-n.gamma, 0);
       explorer.bordering(n, points).forEach((there, i) => {
@@ -172,13 +172,13 @@
 
   // the needed damping grows with the wall: in each direction it is a multiple of that of one wall
   explorer.passivePath = (n, frame) => {
-    if (!(n.delta > 0)) return "";
+    if (!(n.own > 0)) return "";
     const out = [];
     for (let i = 0; i <= 240; ++i) {
       const angle = Math.PI * (i / 240 - 0.5);
       const [alpha, beta] = [i % 240 ? Math.cos(angle) : 0, Math.sin(angle)];
-      const far = n.delta / (n.delta - haptic.passivity_margin(alpha * n.delta, beta * n.delta, n.delta, n.d));
-      out.push(`${frame.x(alpha * far * n.delta).toFixed(2)} ${frame.y(beta * far * n.delta).toFixed(2)}`);
+      const far = n.own / (n.own - haptic.passivity_margin(alpha * n.own, beta * n.own, n.own, n.d));
+      out.push(`${frame.x(alpha * far * n.own).toFixed(2)} ${frame.y(beta * far * n.own).toFixed(2)}`);
     }
     return `M${out.join("L")}Z`;
   };

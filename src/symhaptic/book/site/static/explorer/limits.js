@@ -1,8 +1,9 @@
-// What holds for a wall, all of it asked of the kernels; a wall is looked for by halving.
+// Limits of a wall, by the kernels and by bisection. Stability takes gamma and delta of device and
+// arm, passivity the damping n.own of the device alone.
 "use strict";
 (() => {
-  const LONGEST = 200; // periods up to which a delay margin is looked for
-  // to a period; of a device that swings far in one, instability may come and go within an eighth
+  const LONGEST = 200; // periods up to which the largest delay is looked for
+  // parts of a period; if gamma is large, instability may begin and end within an eighth
   const steps = (gamma) => (gamma > 1 ? 32 : 8);
 
   // the largest x between two, where the first is inside and the second is not
@@ -34,7 +35,8 @@
     return (low + high) / 2;
   }
 
-  function delayMargin(n) {
+  // the largest delay, in periods, such that the loop is stable for every smaller one
+  function maxDelay(n) {
     const stable = (d) => haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, d);
     if (!stable(0)) return 0;
     const each = steps(n.gamma);
@@ -45,14 +47,14 @@
   }
 
   function passiveAt(n, most) {
-    const margin = (alpha) => haptic.passivity_margin(alpha, n.beta, n.delta, n.d);
+    const margin = (alpha) => haptic.passivity_margin(alpha, n.beta, n.own, n.d);
     const best = margin(0) >= 0 ? 0 : largest(margin, 0, most, 80);
     return margin(best) >= 0 ? halved((alpha) => margin(alpha) >= 0, best, 2 * most) : NaN;
   }
 
   // the angle at which the wall needs most damping
   function worst(n) {
-    const needed = (theta) => -haptic.passivity_margin_at(theta, n.alpha, n.beta, n.delta, n.d);
+    const needed = (theta) => -haptic.passivity_margin_at(theta, n.alpha, n.beta, n.own, n.d);
     const count = 64 * (1 + Math.min(Math.ceil(n.d), 40));
     let [best, most] = [1, -Infinity];
     for (let i = 1; i <= count; ++i) {
@@ -65,13 +67,15 @@
 
   explorer.limits = (n, points) => {
     const stiffest = haptic.max_stable_stiffness(n.gamma, n.delta, n.d);
-    const passive = haptic.max_passive_stiffness(n.delta, n.d);
-    const margin = haptic.passivity_margin(n.alpha, n.beta, n.delta, n.d);
+    const stable = haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, n.d);
+    const passive = haptic.max_passive_stiffness(n.own, n.d);
+    const margin = haptic.passivity_margin(n.alpha, n.beta, n.own, n.d);
+    const delay = maxDelay(n);
     const [alpha, theta] = explorer.stiffestAt(n, points, n.beta);
     return {
-      stable: haptic.is_stable(n.alpha, n.beta, n.gamma, n.delta, n.d),
+      stable,
       passive: margin >= 0,
-      needed: n.delta - margin,
+      needed: n.own - margin,
       worst: worst(n),
       alpha,
       theta,
@@ -79,7 +83,9 @@
       stiffest_passive: passive,
       passive_alpha: passiveAt(n, passive[0]),
       linear: haptic.linear_limit(n.beta, n.delta, n.d),
-      delay: delayMargin(n),
+      delay,
+      // what may be added: nothing to an unstable loop; not known after an instability at less delay
+      delay_margin: delay > n.d ? delay - n.d : stable ? NaN : 0,
     };
   };
 })();

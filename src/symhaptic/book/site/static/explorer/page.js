@@ -24,13 +24,20 @@ document.addEventListener("DOMContentLoaded", () => {
     find("link").value = location.href;
   };
   const showControls = explorer.controls(find("quantities"), find("ratios"), (key, text) => {
-    if (["m", "b", "k"].includes(key)) find("device").value = find("arm").value = "";
+    if (["m", "b", "k"].includes(key)) find("device").value = "";
+    if (["m_H", "b_H", "k_H"].includes(key)) find("arm").value = "";
     find("wrong").textContent = "";
     change({ [key]: text });
   });
   explorer.presets(find("device"), find("arm"), (fresh, sources) => {
     find("sources").textContent = sources.join(" ");
     change(fresh);
+  });
+
+  const together = find(explorer.WITH_DEVICE);
+  together.addEventListener("change", () => {
+    find("arm").value = "";
+    change({ [explorer.WITH_DEVICE]: together.checked ? "1" : "0" });
   });
 
   function draw() {
@@ -40,7 +47,10 @@ document.addEventListener("DOMContentLoaded", () => {
     const points = explorer.curve(n);
     const limits = explorer.limits(n, points);
     showControls(state, n);
-    const [K, B] = [Number(state.m) / Number(state.T) ** 2, Number(state.m) / Number(state.T)];
+    together.checked = explorer.replaces(state);
+    together.disabled = !(Number(state.m_H) > 0);
+    const mass = Number(explorer.coupled(state).m);
+    const [K, B] = [mass / Number(state.T) ** 2, mass / Number(state.T)];
     drawRegion(n, points, limits, K, B);
     explorer.drawMotion(motion, width, state, n, limits.stable);
     explorer.tell(state, n, limits, K, B);

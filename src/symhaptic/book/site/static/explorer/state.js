@@ -1,28 +1,38 @@
-// What is set: numbers in SI units as text, in the address of the page, and without units.
+// The state of the page: numbers in SI units as text, in the address of the page, and without units.
+// Device and arm are kept apart: stability counts both, (2) of the paper, passivity the device, (3).
 "use strict";
 (() => {
-  const { quotient } = explorer;
+  const { quotient, sum, difference } = explorer;
 
   explorer.quantities = {
-    m: { label: "Mass", note: "device and arm", unit: "kg", least: 0.01, most: 100, start: "0.1", above: 0 },
-    b: { label: "Damping", note: "physical", unit: "Ns/m", least: 0.01, most: 200, start: "0.5", zero: true },
-    k: { label: "Stiffness", note: "physical", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
+    m: { symbol: "m_D", label: "Mass", note: "device", unit: "kg", least: 0.01, most: 100, start: "0.1", above: 0 },
+    b: { symbol: "b_D", label: "Damping", note: "device", unit: "Ns/m", least: 0.01, most: 200, start: "0.5", zero: true },
+    k: { symbol: "k_D", label: "Stiffness", note: "device", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
+    m_H: { label: "Mass", note: "arm", unit: "kg", least: 0.01, most: 100, start: "0", zero: true },
+    b_H: { label: "Damping", note: "arm", unit: "Ns/m", least: 0.01, most: 200, start: "0", zero: true },
+    k_H: { label: "Stiffness", note: "arm", unit: "N/m", least: 0.1, most: 5000, start: "0", zero: true },
     T: { label: "Sampling period", unit: "s", least: 1e-5, most: 0.02, start: "0.001", above: 0 },
     t_d: { label: "Delay", note: "added to the hold", unit: "s", least: 1e-5, most: 0.1, start: "0.0015", zero: true },
     K: { label: "Stiffness", note: "virtual wall", unit: "N/m", least: 1, most: 1e6, start: "1000", zero: true, signed: true },
     B: { label: "Damping", note: "virtual wall", unit: "Ns/m", least: 0.01, most: 5000, start: "5", zero: true, signed: true },
   };
 
-  // alpha to delta and the delay in periods, by what they are made of
+  // whether the numbers of the arm were measured together with the device, which they then replace
+  explorer.WITH_DEVICE = "with_device";
+
+  // the dimensionless parameters, with the mass m of device and arm
   explorer.ratios = {
-    gamma: { of: "k", name: "γ", label: "Stiffness", up: ["T", "T"], down: ["m"] },
-    delta: { of: "b", name: "δ", label: "Damping", up: ["T"], down: ["m"] },
+    gamma: { of: "k", both: true, name: "γ", label: "Stiffness, device and arm", up: ["T", "T"], down: ["m"] },
+    delta: { of: "b", both: true, name: "δ", label: "Damping, device and arm", up: ["T"], down: ["m"] },
+    own: { of: "b", name: "δ_D", label: "Damping, device alone", up: ["T"], down: ["m"] },
     d: { of: "t_d", name: "d", label: "Delay", up: [], down: ["T"] },
     alpha: { of: "K", name: "α", label: "Wall stiffness", up: ["T", "T"], down: ["m"] },
     beta: { of: "B", name: "β", label: "Wall damping", up: ["T"], down: ["m"] },
   };
 
   const [SMALLEST, LARGEST] = [1e-12, 1e12];
+
+  explorer.named = (q) => (q.note ? `${q.label}, ${q.note},` : q.label);
 
   // in words, what is allowed
   explorer.range = (key) => {
@@ -39,23 +49,45 @@
     return (q.zero ? value >= 0 : value > 0) && value <= LARGEST && (value === 0 || value >= SMALLEST);
   };
 
-  explorer.start = () => Object.fromEntries(Object.entries(explorer.quantities).map(([key, q]) => [key, q.start]));
+  explorer.start = () => ({
+    ...Object.fromEntries(Object.entries(explorer.quantities).map(([key, q]) => [key, q.start])),
+    [explorer.WITH_DEVICE]: "0",
+  });
+
+  explorer.hasArm = (state) => ["m_H", "b_H", "k_H"].some((key) => Number(state[key] ?? 0) > 0);
+
+  // an arm without a mass cannot take the place of a device
+  explorer.replaces = (state) => state[explorer.WITH_DEVICE] === "1" && Number(state.m_H) > 0;
+
+  // mass, damping and stiffness of device and arm together, (2)
+  explorer.coupled = (state) => Object.fromEntries(["m", "b", "k"].map((key) => {
+    const arm = state[`${key}_H`] ?? "0";
+    return [key, explorer.replaces(state) ? arm : sum(state[key], arm)];
+  }));
 
   explorer.numbers = (state) => {
+    const both = { ...state, ...explorer.coupled(state) };
     const out = {};
-    for (const [name, { of, up, down }] of Object.entries(explorer.ratios)) {
-      out[name] = quotient([state[of], ...up.map((key) => state[key])], down.map((key) => state[key]));
+    for (const [name, { of, both: shared, up, down }] of Object.entries(explorer.ratios)) {
+      const own = shared ? both[of] : state[of];
+      out[name] = quotient([own, ...up.map((key) => state[key])], down.map((key) => both[key]));
     }
     return out;
   };
 
-  // the SI value that a number without unit stands for
+  // the quantity that a number without unit sets, and its value; the arm stays as it is
   explorer.fromRatio = (state, name, text) => {
-    const { up, down } = explorer.ratios[name];
-    return String(quotient([text, ...down.map((key) => state[key])], up.map((key) => state[key])));
+    const { of, both: shared, up, down } = explorer.ratios[name];
+    const both = { ...state, ...explorer.coupled(state) };
+    const value = String(quotient([text, ...down.map((key) => both[key])], up.map((key) => state[key])));
+    if (!shared) return [of, value];
+    return explorer.replaces(state) ? [`${of}_H`, value] : [of, difference(value, state[`${of}_H`])];
   };
 
-  explorer.toHash = (state) => `#${Object.keys(explorer.quantities).map((key) => `${key}=${state[key]}`).join("&")}`;
+  explorer.toHash = (state) => {
+    const keys = [...Object.keys(explorer.quantities), ...(explorer.replaces(state) ? [explorer.WITH_DEVICE] : [])];
+    return `#${keys.map((key) => `${key}=${state[key]}`).join("&")}`;
+  };
 
   explorer.fromHash = (hash) => {
     const state = explorer.start();
@@ -65,15 +97,17 @@
     return state;
   };
 
-  const taken = (key, text) => Object.hasOwn(explorer.quantities, key) && explorer.allowed(key, text);
+  const taken = (key, text) => (key === explorer.WITH_DEVICE ? ["0", "1"].includes(text)
+    : Object.hasOwn(explorer.quantities, key) && explorer.allowed(key, text));
 
-  // in words, what a link has that is not taken; one without numbers is a place in the page
+  // in words, the parts of a link that are not allowed; one without numbers is a place in the page
   explorer.refused = (hash, state) => (hash.includes("=") ? [...new URLSearchParams(hash.replace(/^#/, ""))] : [])
     .filter(([key, text]) => !taken(key, text))
     .map(([key, text]) => {
       const q = Object.hasOwn(explorer.quantities, key) && explorer.quantities[key];
-      const known = q ? `${q.label} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${state[key]}.`
-        : `it may have ${Object.keys(explorer.quantities).join(", ")}.`;
+      const known = q ? `${explorer.named(q)} in ${q.unit}: ${explorer.range(key)} is allowed; the picture shows ${state[key]}.`
+        : key === explorer.WITH_DEVICE ? "0 or 1 is allowed."
+          : `it may have ${Object.keys(explorer.quantities).join(", ")}.`;
       return `The link has ${key} = ${text}; ${known}`;
     }).join(" ");
 })();

@@ -1,6 +1,9 @@
 // The numbers beside the pictures, and the motion after a push.
 "use strict";
 (() => {
+  // the numbers of the state, with mass, damping and stiffness of device and arm together
+  const together = (s) => Object.fromEntries(Object.entries({ ...s, ...explorer.coupled(s) }).map(([key, text]) => [key, Number(text)]));
+
   // four digits, as a reader wants them; the whole number is in the title
   explorer.number = (value) => {
     if (value === Infinity) return "unlimited";
@@ -42,18 +45,29 @@
     say("told-passive-limit", limits.passive_alpha * K, "N/m");
     say("told-stiffest-passive", limits.stiffest_passive[0] * K, "N/m", `with B = ${explorer.number(limits.stiffest_passive[1] * B)} Ns/m`);
     say("told-linear", limits.linear * K, "N/m");
-    say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `of ${explorer.number(Number(s.b))} Ns/m that are there; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
-    const late = limits.delay === Infinity;
-    say("told-delay", limits.delay * T * 1000, "ms", late ? "more than 200 periods" : "", late ? `> ${explorer.number(200 * T * 1000)} ms` : "");
-    rules(s, limit * K);
-    short(s, limit * K);
+    say("told-needed", limits.needed * B, "Ns/m", Number.isFinite(limits.needed) ? `the device has ${explorer.number(Number(s.b))} Ns/m; most at ${explorer.number(hertz(limits.worst))} Hz` : "no damping suffices for K < 0");
+    delay(limits, n, 1000 * T);
+    rules(together(s), limit * K);
+    short(together(s), limit * K);
+    for (const [kind, hidden] of [["whole", n.d % 1 !== 0], ["fraction", n.d % 1 === 0]]) {
+      for (const place of document.querySelectorAll(`.delay-${kind}`)) place.hidden = hidden;
+    }
   };
+
+  // what may be added to the delay, and the sum
+  function delay(limits, n, ms) {
+    const margin = limits.delay_margin * ms;
+    if (limits.delay === Infinity) say("told-delay", margin, "ms", "stable for more than 200 periods of delay", `> ${explorer.number((200 - n.d) * ms)} ms`);
+    else if (!limits.stable) say("told-delay", margin, "ms", "the wall is not stable", "none");
+    else if (Number.isNaN(margin)) say("told-delay", margin, "ms", "the wall is unstable with some smaller delay", "not computed");
+    else say("told-delay", margin, "ms", `stable up to a delay of ${explorer.number(limits.delay * ms)} ms`);
+  }
 
   // the limit beside the rule that one would have used, which is shown as it is in print below
   function short(s, exact) {
-    const plain = Number(s.B) === 0 && Number(s.t_d) === 0;
+    const plain = s.B === 0 && s.t_d === 0;
     const rule = explorer.rules.find((one) => one.id === (plain ? "twice-damping" : "damping-over-delay"));
-    const value = rule.limit(Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)])));
+    const value = rule.limit(s);
     const times = exact > 0 ? `, ${explorer.number(Number((value / exact).toPrecision(3)))} times that` : "";
     const [own, formula, allows] = document.getElementById("told-short").children;
     explorer.write(own, exact > 0 ? `At this damping K may reach ${explorer.number(exact)} N/m` : "At this damping no stiffness is stable");
@@ -65,8 +79,7 @@
     formula.replaceChildren(print);
   }
 
-  function rules(s, exact) {
-    const values = Object.fromEntries(Object.entries(s).map(([key, text]) => [key, Number(text)]));
+  function rules(values, exact) {
     for (const rule of explorer.rules) {
       const row = document.querySelector(`.rule-${rule.id}`);
       const value = rule.limit(values);
@@ -86,8 +99,9 @@
 
   explorer.drawMotion = (svg, width, s, n, stable) => {
     const x = explorer.response(n);
-    const [T, unit] = [Number(s.T), (1e3 * Number(s.T) ** 2) / Number(s.m)]; // mm of a push of 1 N
-    const rest = 1e3 / (Number(s.K) + Number(s.k));
+    const { T, K, m, k } = together(s);
+    const unit = (1e3 * T ** 2) / m; // mm of a push of 1 N
+    const rest = 1e3 / (K + k);
     const values = x.map((value) => value * unit);
     const limit = Number.isFinite(rest) && rest > 0 ? 12 * rest : Infinity;
     const most = Math.min(Math.max(1e-9, ...values), limit);

@@ -1,0 +1,115 @@
+r"""How stiff can a wall be that every spring leaves stable?
+
+Sec. V-C relates passivity to robust stability: a robustly stable wall is stable with every spring
+up to the Nyquist frequency. We ask how much stiffer it can be than a passive wall, and what delay
+and damping do to it.
+"""
+
+from sympy import Rational
+
+from symhaptic.book.lemmas.robust import (
+    STIFFEST,
+    WALLS,
+    conservative,
+    grows,
+    is_robust,
+    none_stiffer,
+    shrinks,
+    softest,
+    tip_is_robust,
+)
+from symhaptic.paper.propositions.robust import AT_MOST, CONSERVATIVE
+from symhaptic.paper.ranges import DAMPED
+
+
+def derive(page):
+    page.say(
+        "The wall (11) is passive, and so robustly stable. This bounds the largest robustly stable "
+        "stiffness from below:"
+    )
+    page.lemma(
+        "The stiffest passive wall is stable with every spring of (30), behind every whole delay",
+        tip_is_robust()[0],
+    )
+    page.say(
+        f"For $\\delta=0.02$ a slightly stiffer wall is tried. Jury's inequalities are polynomials "
+        f"in the numbers of the device, and balls enclose these for all springs up to "
+        f"$\\gamma={float(STIFFEST)}$, which is beyond (30). One period late, for instance:"
+    )
+    stiffness, damping = WALLS[1]
+    page.lemma(
+        f"The wall $\\alpha={float(stiffness)}$, $\\beta={float(damping)}$ is robustly stable for "
+        "$d=1$",
+        is_robust(1),
+    )
+    page.say(
+        "From above one spring is enough, for a robustly stable wall is stable with this spring. "
+        "It swings by nearly $\\frac\\pi{2(d+1)}$ per period. Without delay two springs are "
+        "needed: none, and that of the Nyquist frequency."
+    )
+    limit, bound = none_stiffer(1, DAMPED)
+    page.lemma(
+        f"With $\\gamma={float(softest(1, DAMPED))}$ no wall from $\\alpha={float(limit)}$ on is "
+        "stable for $d=1$",
+        bound,
+        because="by one point of the circle (\\chapter{s5b_stiffest_wall})",
+    )
+    rows = [[n, *ends] for n, ends in CONSERVATIVE.items()]
+    rows += [[n, "1", end] for n, end in AT_MOST.items()]
+    page.table(
+        "Bounds of the largest robustly stable over the largest passive stiffness for "
+        "$\\delta=0.02$.",
+        ["$d$", "more than", "less than"],
+        rows,
+    )
+    page.settle(
+        "s6-why-conservative",
+        conservative(),
+        enclosed=True,
+        note=r"with soft springs a stable wall can be 17.8 times as stiff as a passive one at "
+        r"$d=0$; with all springs of (30) less than 1.118 times, and less than 1.0532 at $d=1$. "
+        r"So stiff springs are nearly all of the difference",
+    )
+    changes(page)
+    left_open(page)
+
+
+def changes(page):
+    """With the delay and with the damping, in terms of the stiffness."""
+    page.settle(
+        "s5c-robust-shrinks",
+        shrinks(),
+        note=r"in terms of the largest stiffness, for $\delta=0.02$ and the whole delays 0 to 8; "
+        r"as sets of walls it is undecided (\texttt{s5c-robust-shrinks-sets})",
+    )
+    dampers = ", ".join(f"{float(v):g}" for v in (Rational(1, 200), Rational(1, 100), DAMPED))
+    page.settle(
+        "s5c-robust-grows",
+        grows(),
+        note=rf"in terms of the largest stiffness, for $\delta$ of {dampers} and the whole delays "
+        r"of Fig. 11; as sets of walls it is undecided (\texttt{s5c-robust-grows-sets})",
+    )
+
+
+def left_open(page):
+    """What no theorem decides."""
+    page.say(
+        "Three statements are left open. The outlines of the robustly stable regions were computed "
+        "for $\\delta=0.02$ and the delays 0, 1, 2, 4 and 8, and each lay inside the one before. "
+        "For the delays 0, 1, 2 and 4 the outline for $\\delta=0.01$ lay inside that for 0.02. "
+        "Outlines prove nothing. Nor is it shown that springs beyond the Nyquist frequency do no "
+        "harm to a wall that is robustly stable and not passive."
+    )
+    page.leave_open(
+        "s5c-robust-shrinks-sets",
+        r"no counterexample was found for $\delta=0.02$ and $d=0,1,2,4,8$",
+    )
+    page.leave_open(
+        "s5c-robust-grows-sets",
+        r"no counterexample was found for $\delta$ of 0.01 and 0.02 and $d=0,1,2,4$",
+    )
+    page.leave_open(
+        "s5c-every-spring",
+        r"known for passive walls with $\alpha>0$ (\texttt{s5c-robust-subset}), and for "
+        r"$\delta=0$, where no wall is robustly stable (\texttt{s5c-robust-vanishes})",
+    )

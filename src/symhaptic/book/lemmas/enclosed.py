@@ -1,0 +1,43 @@
+"""Walls that no boundary parts from a stable wall are stable, for every plant and whole delay."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from sympy import S, pi
+
+from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.notation import alpha, beta, d, theta, z
+from symhaptic.notation.proposition import Relation, whole
+from symhaptic.paper.propositions.plots import enclosed
+from symhaptic.paper.propositions.stability import START, WAY
+from symhaptic.proof.theorems.familiar import loop_of_device
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import Theorem, applied, assume, part, placed, weakened
+from symhaptic.proof.theorems.leaves import is_whole, number
+from symhaptic.proof.theorems.roots import roots_stay
+from symhaptic.proof.theorems.tactics import at, closed, for_all, positive
+
+
+@cache
+def enclosed_walls_are_stable() -> Theorem:
+    """The claim ``enclosed``: on the way no zero crosses the circle, so that all stay inside."""
+    symbols, given, _ = taken_apart(enclosed())
+    _, begin, free = given
+    readings = loop_of_device(NUMBERS, LOOP)
+    loop = part(readings, readings.conclusion.parts[1])
+    there: Any = loop.conclusion.parts[1].terms[0]
+    here = there.subs(dict(zip((alpha, beta), START, strict=True)), simultaneous=True)
+    first = placed(loop, dict(zip((alpha, beta), START, strict=True)))
+    inside = applied(first, assume(begin))
+    share, angle = WAY, theta
+    way = [assume(share > 0), assume(share <= 1)]
+    circle = [positive(angle >= 0, angle > 0), assume(angle <= pi)]
+    crossing = at(assume(free), {share: share, angle: angle}, *way, *circle)
+    ends = [number(Relation(S.Zero, "<=", S.Zero)), number(Relation(S.Zero, "<=", pi))]
+    static = at(assume(free), {share: share, angle: S.Zero}, *way, *ends)
+    found = roots_stay(here, there - here, z, share, angle, crossing, static, inside)
+    steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
+    found = closed(applied(loop, found), *steps)
+    return for_all(symbols, given, weakened(found, *given))

@@ -1,0 +1,314 @@
+"""The damping of a held device: its own for passivity, and with the arm's for the loop."""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from typing import Any
+
+from sympy import Ne, S, pi
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
+from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
+from symhaptic.book.lemmas.passive_tip import known, passive_tip
+from symhaptic.book.lemmas.rates import moved
+from symhaptic.book.lemmas.ratio_peak import least, passive_wall
+from symhaptic.book.lemmas.stiffest_passive import bound
+from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
+from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, linear
+from symhaptic.book.lemmas.walls import damped, divisors, margins
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    d,
+    delta,
+    gamma,
+    k_H,
+    m_D,
+    m_H,
+    omega,
+)
+from symhaptic.notation.proposition import Relation, conjuncts, negated
+from symhaptic.paper.propositions import CLAIMED
+from symhaptic.paper.propositions.comparison import STABLE, passive
+from symhaptic.paper.propositions.one_delta import (
+    ARM,
+    DEVICE,
+    FIGURES,
+    LIMITS,
+    MASS,
+    MEETS,
+    OWN,
+    RATIOS,
+    SPRING,
+    UNITS,
+    WHOLE,
+    drawn,
+    instead,
+    kept,
+    outdone,
+    oversized,
+    ratios,
+    still_true,
+)
+from symhaptic.paper.propositions.ratio import BEST
+from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.proof.theorems.judge import Case, taken_apart
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    applied,
+    assume,
+    conjoined,
+    part,
+    placed,
+    relation,
+    weakened,
+    witnessed,
+)
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.tactics import (
+    at,
+    closed,
+    counterexample,
+    either_way,
+    example,
+    fact,
+    for_all,
+    one,
+    over,
+    positive,
+)
+
+
+@cache
+def signs() -> dict[str, Theorem]:
+    """0 < m_D + m_H, and 0 <= T b_D/(m_D + m_H) <= T (b_D + b_H)/(m_D + m_H)."""
+    mass = positive(MASS > 0, m_D > 0, m_H >= 0)
+    return {
+        "mass": mass,
+        "unit": over(T / MASS > 0, assume(T > 0), mass),
+        "back": over(MASS / T > 0, mass, assume(T > 0)),
+        "own": over(OWN >= 0, positive(T * b_D >= 0, [T > 0, b_D >= 0]), mass),
+        "more": over(WHOLE - OWN >= 0, positive(T * b_H >= 0, [T > 0, b_H >= 0]), mass),
+    }
+
+
+def _apart() -> tuple[Theorem, ...]:
+    return not_zero(signs()["mass"]), positive(Ne(T, 0), T > 0)
+
+
+@cache
+def in_units() -> tuple[Theorem, Theorem]:
+    """(5) with the device's delta from (5) with its damping, and back."""
+    units, plane = signs(), drawn(OWN)
+    share = over(1 / T > 0, one(), T > 0)
+    there = moved(MEETS, plane, omega / T, units["unit"], share)
+    back = moved(plane, MEETS, omega * T, units["back"], assume(T > 0))
+    return closed(there, *_apart()), closed(back, *_apart())
+
+
+@cache
+def right() -> Theorem:
+    """(5) with the device's delta <=> (5) with its damping."""
+    there, back = in_units()
+    claim: Any = instead().parts[0]
+    symbols, given, then = taken_apart(claim)
+    found = either_way(back, there, *then.of)  # type: ignore[attr-defined]
+    return for_all(symbols, given, weakened(found, *given))
+
+
+@cache
+def more_damped() -> Theorem:
+    """(5) with the delta of both, from (5) with that of the device."""
+    claim: Any = drawn()
+    given = conjuncts(claim.body.of[0])
+    there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, given))
+    eased = positive(claim.body.of[1], [there], [signs()["more"]])
+    return for_all([omega], given, _on_the_circle(eased))
+
+
+def _on_the_circle(theorem: Theorem) -> Theorem:
+    """What (5) divides by is not zero."""
+    return closed(theorem, *divisors(omega), *_apart())
+
+
+@cache
+def stays_stable() -> Theorem:
+    """A wall that meets (5) with the damping of the device is stable in every arm."""
+    symbols, given, loop = taken_apart(kept())
+    here = {**UNITS, gamma: SPRING, delta: WHOLE}
+    units = signs()
+    stiff = positive(UNITS[alpha] > 0, [over(T**2 / MASS > 0, _square(), units["mass"]), K > 0])
+    spring = over(SPRING >= 0, positive(T**2 * k_H >= 0, [_square(), k_H >= 0]), units["mass"])
+    own = placed(damped(passive()), {**UNITS, delta: OWN})
+    own = closed(own, positive(UNITS[alpha] >= 0, [stiff]))
+    both_ = positive(WHOLE > 0, [own], [units["more"]])
+    robust = placed(part(passive_is_stable(), STABLE), here)
+    every = placed(margins(passive()), here)
+    found = closed(
+        robust,
+        every,
+        positive(UNITS[alpha] + SPRING > 0, [stiff], [spring]),
+        spring,
+        both_,
+        more_damped(),
+        in_units()[0],
+        *_apart(),
+    )
+    found = closed(found, more_damped(), in_units()[0], *_apart())
+    assert loop
+    return for_all(symbols, given, weakened(found, *given))
+
+
+def _square() -> Theorem:
+    """0 < T^2."""
+    return positive(T**2 > 0, [T > 0, T > 0])
+
+
+@cache
+def outdone_by_the_arm() -> Theorem:
+    """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
+    claim = outdone()
+    symbols, given, some = taken_apart(claim)
+    units = signs()
+    together = assume(b_D + b_H > 0)
+    damper = over(WHOLE > 0, positive(T * (b_D + b_H) > 0, [T > 0, together]), units["mass"])
+    spring = over(SPRING >= 0, positive(T**2 * k_H >= 0, [_square(), k_H >= 0]), units["mass"])
+    stable, tip = passive_tip()
+    loop = {gamma: SPRING, delta: WHOLE}
+    wall = tuple(v.xreplace(loop) for v in tip)
+    # a passive wall is softer than (11) with the damping of the device
+    values = dict(zip(BEST, wall, strict=True))
+    _, others = some.body.at(values).of  # type: ignore[attr-defined]
+    passive_, wanted = others.body.of
+    share = over(T**2 / MASS > 0, _square(), units["mass"])
+    softer = positive(wanted, [share, together, placed(bound(), {b: b_D})])
+    bare = for_all([K, B], [passive_], closed(softer, *known()))
+    held = closed(placed(stable, loop), damper, spring)
+    found = closed(witnessed(conjoined(held, bare), some, values), *known(), *_apart())
+    return for_all(symbols, given, weakened(found, *given))
+
+
+def shown() -> Theorem:
+    """What holds instead of one delta."""
+    return conjoined(right(), stays_stable(), outdone_by_the_arm())
+
+
+# -- numbers -------------------------------------------------------------------------------------
+
+
+def _from(rows: tuple[list[Any], ...], wanted: Any) -> Theorem:
+    """A relation as the sum of these products."""
+    return combined(wanted, *rows)
+
+
+@cache
+def in_numbers() -> Theorem:
+    """Between which numbers the ratio lies for the arm at the limits, with one delta and two."""
+    arm = ARM[gamma], ARM[delta]
+    held, stable = wall_below(arm, 0, CLOSE)
+    limit, softer = none_above(arm, 0)
+    claims_ = iter(ratios().of)  # type: ignore[attr-defined]
+    found = []
+    for damper, (low, high) in zip((ARM[delta], DEVICE), RATIOS.values(), strict=True):
+        most = least(0, damper)
+        top = most.conclusion.right  # type: ignore[attr-defined]
+        more = number(Relation(S.Zero, "<", held[0] - low * top))
+        stiffer = partial(_from, ([low, most], [more]))
+        found.append(beside(next(claims_), stable, held, stiffer))
+        passive_, wall = passive_wall(0, damper)
+        less = number(Relation(S.Zero, "<", high * wall[0] - limit))
+        found.append(beside(next(claims_), passive_, wall, partial(_from, ([softer], [less]))))
+    return conjoined(*found)
+
+
+@cache
+def drawn_too_large() -> Theorem:
+    """32 times a passive wall of a device of Sec. IV-C is passive with the delta of the figures."""
+    symbols, given, plane = taken_apart(oversized())
+    inside = conjuncts(plane.body.of[0])  # type: ignore[attr-defined]
+    there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
+    light = positive(
+        LIMITS[b_D] * MASS - b_D >= 0, b_D <= LIMITS[b_D] * m_D, [LIMITS[b_D], m_H >= 0]
+    )
+    slow = positive(LIMITS[T] - T >= 0, LIMITS[T] >= T)
+    room = positive(
+        DAMPED * MASS - FIGURES * T * b_D >= 0,
+        [FIGURES, T > 0, light],
+        [FIGURES * LIMITS[b_D], slow, signs()["mass"]],
+    )
+    more = over(DAMPED - FIGURES * OWN >= 0, room, signs()["mass"])
+    wanted = positive(plane.body.of[1], [FIGURES, there], [more])  # type: ignore[attr-defined]
+    found = closed(for_all([omega], inside, _on_the_circle(wanted)), in_units()[0], *_apart())
+    return for_all(symbols, given, weakened(found, *given))
+
+
+@cache
+def ratios_kept() -> Theorem:
+    """17.8 and 9.3 are passed by all the more with the damping of the device alone."""
+    symbols, given, both_ = taken_apart(still_true())
+    parts = []
+    for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):  # type: ignore[attr-defined]
+        softer = placed(bound(), {K: alpha, B: beta, T: S.One, d: S(delay)})
+        softer = numbers_known(softer)
+        slope_ = softer.conclusion.right.subs(b, 1)  # type: ignore[attr-defined]
+        size = number(Relation(S.Zero, "<", slope_))
+
+        def less(wanted: Any, softer: Theorem = softer, size: Theorem = size) -> Theorem:
+            share = wanted.left.coeff(alpha)
+            rest = wanted.right - share * size.conclusion.right * delta  # type: ignore[attr-defined]
+            more = [share, size, assume(b <= delta)]
+            return positive(wanted, [share, softer], more, *linear(rest, RANGES[delta]))
+
+        parts.append(beside(claim, stable_wall(delay, wall, RANGES), wall, less))
+    return for_all(symbols, given, weakened(conjoined(*parts), *given))
+
+
+def easy(claim: Any) -> Case:
+    """All that is supposed, at a device of 1 kg that renders a spring of 1 N/m."""
+    symbols, given, _ = taken_apart(claim)
+    light = {**dict.fromkeys(symbols, S.Zero), **LIMITS, m_H: S.Zero, b_H: S.Zero, K: S.One}
+    point = {s: light[s] for s in symbols}
+    known = []
+    if MEETS in given:
+        below: Any = MEETS.at(point)
+        inside, period = conjuncts(below.body.of[0]), LIMITS[T]
+        turn = period * omega
+        ends = [
+            positive(turn > 0, [period, assume(inside[0])]),
+            positive(turn < pi, [period, assume(inside[1])]),
+        ]
+        room = LIMITS[b_D] - period / 2
+        met = closed(combined(below.body.of[1], [room]), *divisors(turn), *ends)
+        known.append(for_all([omega], inside, met))
+    return example(point, given, *known)
+
+
+def counterexample_of() -> Case:
+    """10 000 N/m at the limits meet (5) with delta, and not with the damping of the device."""
+    claim = CLAIMED["one-delta"](())
+    _, given, same = taken_apart(claim)
+    values = {**{s: LIMITS[s] for s in (T, m_D, m_H, b_D, b_H)}, K: S(10**4), B: S.Zero, d: S.Zero}
+    there: Any = same.at(values)
+    plane, device = there.of
+    inside = conjuncts(plane.body.of[0])
+    wanted = plane.body.of[1]
+    needed = plane.body.of[1].left.xreplace({omega: pi / 2})
+    met = closed(combined(wanted, [wanted.right - needed]), *divisors(omega))
+    held = for_all([omega], inside, met)
+    angle = {omega: pi / (2 * LIMITS[T])}
+    ends = [fact(p.at(angle)) for p in conjuncts(device.body.of[0])]
+    short = at(assume(device), angle, *ends)
+    contrary = negated(relation(short))
+    fails = absurd(short, number(contrary), device)
+    both_ways = assume(there)
+    differ = absurd(applied(both_ways, held), fails, there)
+    assert given
+    return counterexample(claim, values, differ)

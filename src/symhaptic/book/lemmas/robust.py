@@ -1,0 +1,255 @@
+"""How stiff a wall can be that is stable with every spring up to the Nyquist frequency.
+
+From below by a wall that meets Jury's inequalities with each of these springs, or by the stiffest
+passive wall.  From above by one spring that excludes all stiffer walls; without delay by two, none
+and that of the Nyquist frequency.
+"""
+
+from __future__ import annotations
+
+from functools import cache, partial
+from itertools import pairwise
+from typing import Any
+
+from scipy.optimize import minimize_scalar
+from sympy import Expr, Rational, S, expand, pi, symbols
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.near_tip import none_above
+from symhaptic.book.lemmas.nyquist_triangle import needed
+from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.ratio_peak import least
+from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
+from symhaptic.book.lemmas.stiffness_claims import Wall, beside
+from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, x, z
+from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts, whole
+from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+from symhaptic.paper.propositions import robust as claims
+from symhaptic.paper.propositions.plots import NYQUIST
+from symhaptic.paper.propositions.ratio import BEST, outdoes, passive
+from symhaptic.paper.propositions.robust import robust
+from symhaptic.paper.ranges import DAMPED
+from symhaptic.proof.theorems.familiar import loop_of_device, ordered
+from symhaptic.proof.theorems.kernel import (
+    Theorem,
+    absurd,
+    anything,
+    applied,
+    assume,
+    by_cases,
+    conjoined,
+    part,
+    placed,
+    weakened,
+)
+from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.proof.theorems.roots import jury
+from symhaptic.proof.theorems.tactics import at, chained, closed, fact, for_all, over, positive
+
+STIFFEST = Rational(98702, 10**4)
+"""A little more than the spring of the Nyquist frequency for delta = 0.02."""
+
+WALLS: dict[int, Wall] = {
+    0: (Rational("0.04441"), Rational("0.00225")),
+    1: (Rational("0.017447"), Rational("0.0076")),
+}
+"""Robustly stable walls for delta = 0.02, nearly the stiffest."""
+
+
+@cache
+def stable_beside_all(delay: int) -> Theorem:
+    """A wall of WALLS is robustly stable, by Jury's inequalities for each spring."""
+    loops = loop_of_device(NUMBERS, (*WALLS[delay], gamma, delta, S(delay)))
+    loop: Any = part(loops, loops.conclusion.parts[1])
+    zeros = loop.conclusion.of[1].of[0]
+    criterion = closed(chained(loop, jury(zeros, z)), fact(whole(S(delay))))
+    goals = conjuncts(criterion.conclusion.of[1])  # type: ignore[attr-defined]
+    turn = Rational(1, 100)
+    soft = _by_springs(goals, criterion, (S.Zero, turn))
+    stiff = _by_springs(goals, criterion, (turn, STIFFEST))
+    low = positive(gamma <= turn, gamma < turn)
+    found = by_cases(ordered(gamma, turn), closed(soft, low), stiff)
+    found = of_every_plant(found)
+    return numbers_known(placed(found, {delta: DAMPED}))
+
+
+def _by_springs(goals: Any, criterion: Theorem, springs: tuple[Expr, Expr]) -> Theorem:
+    """Jury's inequalities for the springs of an interval."""
+    ranges = {gamma: springs, delta: (DAMPED, DAMPED)}
+    shown = [combined(goal, [at_point(goal.right, ranges)]) for goal in goals]
+    return applied(criterion, conjoined(*shown))
+
+
+@cache
+def is_robust(delay: int) -> Theorem:
+    """The same as a statement on all springs."""
+    claim: Any = robust(delay, WALLS[delay]).at({delta: DAMPED})
+    given = conjuncts(claim.body.of[0])
+    room = number(Relation(NYQUIST.subs(delta, DAMPED), "<=", STIFFEST))
+    ends = positive(gamma <= STIFFEST, [assume(given[1])], [room])
+    return for_all([gamma], given, weakened(closed(stable_beside_all(delay), ends), *given))
+
+
+@cache
+def tip_is_robust() -> tuple[Theorem, Wall]:
+    """The stiffest passive wall is robustly stable; 0 < delta, d whole.  And it."""
+    stable, tip = passive_tip()
+    claim: Any = robust(d, tip)
+    given = conjuncts(claim.body.of[0])
+    return for_all([gamma], given, weakened(stable, *given)), tip
+
+
+# -- from above --------------------------------------------------------------------------------
+
+
+@cache
+def softest(delay: int, damper: Rational) -> Rational:
+    """The spring with which the largest stable stiffness is smallest, about."""
+    middle = (float(pi) / 2 / (delay + 1)) ** 2
+
+    def most(spring: float) -> float:
+        return float(max_stable_stiffness(spring, float(damper), delay).alpha)
+
+    found = minimize_scalar(most, bounds=(0.85 * middle, 1.05 * middle), method="bounded")
+    return Rational(round(float(found.x) * 10**5), 10**5)
+
+
+@cache
+def none_stiffer(delay: int, damper: Rational) -> tuple[Expr, Theorem]:
+    """alpha < a number for every robustly stable wall; and the number."""
+    held = assume(robust(delay).at({delta: damper}))
+    if delay == 0:
+        return _undelayed(damper, held)
+    spring = softest(delay, damper)
+    limit, softer = none_above((spring, damper), delay)
+    ends = [fact(p.at({gamma: spring})) for p in conjuncts(held.conclusion.body.of[0])]  # type: ignore[attr-defined]
+    there = at(held, {gamma: spring}, *ends)
+    return limit, closed(softer, there)
+
+
+def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
+    """Without a spring and with that of the Nyquist frequency, no stiffer wall is stable."""
+    here: dict[Any, Expr] = {gamma: S.Zero, delta: damper}
+    limit = Rational(11179, 10**4) * 2 * damper
+    springs = S.Zero, NYQUIST.subs(delta, damper)
+    stable = []
+    for spring in springs:
+        ends = [fact(p.at({gamma: spring})) for p in conjuncts(held.conclusion.body.of[0])]  # type: ignore[attr-defined]
+        stable.append(at(held, {gamma: spring}, *ends))
+    triangle = numbers_known(placed(needed(), {delta: damper}))
+    triangle = closed(triangle, stable[1])
+    side: Any = part(triangle, conjuncts(triangle.conclusion)[2])
+    edge = Rational(int(float(side.conclusion.right) * 10**7) + 1, 10**7)
+    more = number(Relation(S.Zero, "<", edge - side.conclusion.right))
+    right = positive(alpha + 2 * beta < edge, [side], [more])
+    # the wall is (limit + u, (edge - limit - u)/2 - v)
+    u, v = symbols("u v")
+    wall = {alpha: limit + u, beta: (edge - limit - u) / 2 - v}
+    _, second, _, minor = inequalities(0)
+    value: Expr = minor.conclusion.right  # type: ignore[attr-defined]
+    plant = {s: (value_, value_) for s, value_ in here.items()}
+    reach = {u: (S.Zero, 8 * damper), v: (S.Zero, 4 * damper)}
+    none = placed(
+        at_point(-value.xreplace(wall), {**plant, **reach}),
+        {u: alpha - limit, v: (edge - alpha) / 2 - beta},
+    )
+    less = combined(Relation(value, "<=", S.Zero), [none])
+    # the damping is not far below zero: a half plane of Jury's, and the triangle
+    low, stiff = -2 * damper, assume(alpha >= limit)
+    plane: Expr = second.conclusion.right  # type: ignore[attr-defined]
+    room = expand(4 * n_0 * (beta - low) - plane - (n_1 - n_0) * (edge - alpha - 2 * beta))
+    late = at_point(n_0, plant)
+    slow = over(
+        beta - low > 0,
+        combined(
+            4 * n_0 * (beta - low) > 0,
+            [second],
+            [at_point(n_1 - n_0, plant), right],
+            [at_point(room, plant)],
+        ),
+        positive(4 * n_0 > 0, [4, late]),
+    )
+    ends = [
+        positive(alpha - limit >= 0, [stiff]),
+        positive((edge - alpha) / 2 - beta >= 0, [S.Half, right]),
+        positive(
+            alpha - limit <= 8 * damper, [right], [2, slow], [8 * damper + limit - edge + 2 * low]
+        ),
+        positive(
+            (edge - alpha) / 2 - beta <= 4 * damper,
+            [S.Half, stiff],
+            [slow],
+            [4 * damper + limit / 2 - edge / 2 + low],
+        ),
+    ]
+    contrary = closed(absurd(minor, less), *ends, not_zero(positive(4 * n_0 > 0, [4, late])))
+    wanted = Relation(alpha, "<", limit)
+    found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
+    found = numbers_known(placed(of_every_plant(found), here))
+    return limit, closed(found, stable[0], stable[1], held)
+
+
+# -- the claims ------------------------------------------------------------------------------------
+
+
+Loop = tuple[int, Rational]
+"""A whole delay and a damper."""
+
+
+def outdone(kind: Proposition, held: Theorem, here: Loop, other: Loop, share: Expr) -> Theorem:
+    """The wall (11) of one loop, that many times, is stiffer than all robust ones of another.
+
+    ``held`` says that this wall is of a ``kind``.
+    """
+    limit, softer = none_stiffer(*other)
+    _, tip = passive_tip()
+    others = robust(other[0]).at({delta: other[1]})
+    claim = outdoes(kind, others, alpha < share * x)
+    room = assume(Relation(limit, "<", share * tip[0]))
+    found = beside(claim, held, tip, lambda wanted: combined(wanted, [softer], [room]))
+    found = placed(
+        closed(found, *known()), dict(zip((d, delta), (S(here[0]), here[1]), strict=True))
+    )
+    numbers = [p for p in found.hypotheses if isinstance(p, (Relation, Predicate)) and not p.free]
+    return closed(found, *map(fact, numbers))
+
+
+@cache
+def shrinks() -> Theorem:
+    """The largest robustly stable stiffness falls with each period."""
+    best = robust(d, BEST), tip_is_robust()[0]
+    later = ((n, DAMPED) for n in range(claims.LONGEST + 1))
+    return conjoined(*(outdone(*best, one, other, S.One) for one, other in pairwise(later)))
+
+
+@cache
+def grows() -> Theorem:
+    """It rises with the damper."""
+    best, found = (robust(d, BEST), tip_is_robust()[0]), []
+    for n in claims.DELAYS:
+        for light, heavy in pairwise(claims.DAMPERS):
+            found.append(outdone(*best, (n, heavy), (n, light), S.One))
+    return conjoined(*found)
+
+
+@cache
+def conservative() -> Theorem:
+    """By how much robustly stable walls can be stiffer than passive ones."""
+    best, found = (passive(d, BEST), is_passive()), []
+    for n, ends in claims.CONSERVATIVE.items():
+        low, high = map(Rational, ends)
+        more = claims.between(n).of[0]  # type: ignore[attr-defined]
+        most = least(n)
+        room = number(Relation(S.Zero, "<", WALLS[n][0] - low * most.conclusion.right))  # type: ignore[attr-defined]
+        above = beside(more, is_robust(n), WALLS[n], partial(_softer, low, most, room))
+        found.append(conjoined(above, outdone(*best, (n, DAMPED), (n, DAMPED), high)))
+    for n, end in claims.AT_MOST.items():
+        found.append(outdone(*best, (n, DAMPED), (n, DAMPED), Rational(end)))
+    return conjoined(*found)
+
+
+def _softer(low: Expr, most: Theorem, room: Theorem, wanted: Any) -> Theorem:
+    """c alpha < x for every passive wall."""
+    return combined(wanted, [low, most], [room])

@@ -1,0 +1,151 @@
+"""The largest stable stiffness without delay in closed form, beside springs up to gamma = 0.01.
+
+With x = 1 + n_1 beta > 0 and w^2 = n_0 (n_0 + e n_1 - gamma n_0 n_1) Jury's minor is
+n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sympy import Eq, Rational, S, expand
+
+from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.stability import by_inequalities
+from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
+from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1, w
+from symhaptic.notation.proposition import ForAll, Proposition, both, conjuncts, implied
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.proof.theorems.familiar import device_static, square
+from symhaptic.proof.theorems.judge import taken_apart
+from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, placed, weakened
+from symhaptic.proof.theorems.leaves import combined
+from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
+
+WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
+"""Ten times the springs of (23), and five times the dampers."""
+FARTHEST = Rational(5, 2)
+"""No stable wall has a larger virtual damping, of either sign, as 1 < 2.5 n_0."""
+
+TOTAL = n_1 + n_0
+SIZE = n_0 * (n_0 + e * n_1 - gamma * n_0 * n_1)
+LARGEST = (TOTAL - w) ** 2 / (n_0 * n_1**2) - gamma
+"""The largest stable stiffness, by w >= 0 with w^2 = SIZE."""
+BEST = (w / n_0 - 1) / n_1
+"""The damping of the wall next to it."""
+
+
+def claim() -> Proposition:
+    """Every stable wall has alpha < LARGEST; with BEST all walls up to there are stable."""
+    arm = [bound for s, (low, high) in WIDE.items() for bound in (s >= low, s <= high)]
+    here = STABLE.at({d: S.Zero})
+    most = ForAll((alpha, beta), implied([here], alpha < LARGEST))
+    reached = ForAll((alpha,), implied([-gamma < alpha, alpha < LARGEST], here.at({beta: BEST})))
+    given = [DEVICE, w >= 0, Eq(w**2, SIZE)]
+    plants = ForAll((*NUMBERS, w), implied(given, both([most, reached])))
+    return ForAll((gamma, delta), implied(arm, plants))
+
+
+@cache
+def signs() -> dict[str, Theorem]:
+    """0 < n_0, n_1 and n_1 + n_0."""
+    return {name: on_box(f, WIDE) for name, f in (("n_0", n_0), ("n_1", n_1), ("total", TOTAL))}
+
+
+def _apart() -> tuple[Theorem, ...]:
+    known = signs()
+    product = positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]])
+    return (*(not_zero(t) for t in known.values()), not_zero(product))
+
+
+@cache
+def none_stiffer() -> Theorem:
+    """alpha < LARGEST for every stable wall."""
+    *planes, minor = inequalities(0)
+    low, high, inside = damping_between(0, WIDE, FARTHEST)
+    toward = towards(planes, minor, inside, {**WIDE, beta: (-FARTHEST, FARTHEST)})
+    known, x = signs(), 1 + n_1 * beta
+    bend = over(
+        TOTAL / (n_0 * n_1**2) > 0,
+        known["total"],
+        positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]]),
+    )
+    static, root = device_static(assume(DEVICE)), assume(Eq(w**2, SIZE))
+    share = (n_0 * beta - 1) / (n_0 * n_1)
+    product = combined(
+        n_0 * x * (LARGEST - alpha) > 0,
+        [minor],
+        [bend, square(n_0 * x - w)],
+        [static, -beta * n_0],
+        [root, -share],
+    )
+    found = over(LARGEST - alpha > 0, product, positive(n_0 * x > 0, [known["n_0"], toward]))
+    found = closed(positive(alpha < LARGEST, [found]), low, high)
+    return closed(
+        found, *_apart(), not_zero(positive(n_0 * x > 0, [known["n_0"], toward])), low, high
+    )
+
+
+LOW, HIGH = Rational(6, 10), Rational(3, 4)
+"""Between these is w."""
+WIDER = {**WIDE, w: (LOW, HIGH)}
+
+
+@cache
+def size_between() -> tuple[Theorem, Theorem]:
+    """LOW <= w <= HIGH, from w^2 = SIZE and 0 <= w."""
+    root, some = assume(Eq(w**2, SIZE)), assume(w >= 0)
+    found = []
+    for sign, end, claim in ((1, HIGH, w <= HIGH), (-1, LOW, w >= LOW)):
+        gap = combined(
+            sign * (end - w) * (end + w) > 0, [on_box(sign * (end**2 - SIZE), WIDE)], [root, sign]
+        )
+        more = positive(end + w > 0, [some], [end])
+        inner = closed(over(sign * (end - w) > 0, gap, more), not_zero(more))
+        found.append(positive(claim, [inner]))
+    return found[1], found[0]
+
+
+@cache
+def all_softer() -> Theorem:
+    """The walls with BEST are stable for -gamma < alpha < LARGEST."""
+    known, ends = signs(), size_between()
+    static, root = device_static(assume(DEVICE)), assume(Eq(w**2, SIZE))
+    above, below = assume(-gamma < alpha), assume(alpha < LARGEST)
+    right = positive(alpha + gamma > 0, [above])
+    left = positive(LARGEST - alpha > 0, [below])
+    weight = positive(n_0 * n_1**2 > 0, [known["n_0"], known["n_1"], known["n_1"]])
+    room = on_box((2 + gamma) * n_0 * n_1**2 - (TOTAL - w) ** 2, WIDER)
+    two = over(2 - LARGEST > 0, room, weight)
+    box_ = [
+        positive(alpha >= -WIDE[gamma][1], [above], gamma <= WIDE[gamma][1]),
+        positive(alpha <= 2, [below], [two]),
+    ]
+    loop = placed(by_inequalities(0), {beta: BEST})
+    goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
+    product = positive(n_0 * n_1 > 0, [known["n_0"], known["n_1"]])
+    wide = {**WIDER, alpha: (-WIDE[gamma][1], S(2))}
+    share = (n_0 * BEST - 1) / (n_0 * n_1)
+    shown = [combined(goals[0], [known["total"], right], [static, -S.One])]
+    for goal in goals[1:3]:
+        value = expand(goal.right * n_0 * n_1)  # type: ignore[attr-defined]
+        shown.append(over(goal, on_box(value, wide), product))
+    heavy = positive(w > 0, [ends[0]], [LOW])
+    shown.append(combined(goals[3], [heavy, left], [static, n_0 * BEST], [root, share]))
+    found = applied(loop, conjoined(*shown))
+    return closed(found, *box_, *ends, *_apart(), not_zero(product), *ends)
+
+
+@cache
+def closed_form() -> Theorem:
+    """Both."""
+    symbols, given, plants = taken_apart(claim())
+    numbers, known, then = taken_apart(plants)
+    most, reached = then.of  # type: ignore[attr-defined]
+    parts = [
+        for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
+        for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
+    ]
+    found = for_all(numbers, known, weakened(conjoined(*parts), *known))
+    return for_all(symbols, given, weakened(found, *given))

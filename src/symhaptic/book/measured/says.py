@@ -1,0 +1,131 @@
+"""What a measurement says, in sentences: each figure in them is one of its record."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from symhaptic.book.measured.tables import Row, nanoseconds, number, share
+
+_PERCENT = "per cent"
+
+
+def sentences(record: dict[str, Any]) -> dict[str, str]:
+    """Of each section of the chapter; empty where a record has not the rows that it is about."""
+    return {
+        "formulas": _formulas(record["functions"]),
+        "boundary": _boundary(record["boundary"]),
+        "stability": _stability(record["stability"]),
+        "models": _models(record["models"]),
+        "peers": _peers(record["peers"]),
+    }
+
+
+def _some(rows: list[Row], **fields: Any) -> list[Row]:
+    return [row for row in rows if all(row[field] == is_ for field, is_ in fields.items())]
+
+
+def _range(times: Iterable[float]) -> str:
+    times = sorted(times)
+    ends = [nanoseconds(times[0]), nanoseconds(times[-1])]
+    return ends[0] if ends[0] == ends[1] else " to ".join(ends)
+
+
+def _formulas(rows: list[Row]) -> str:
+    device = _some(rows, function="discretize", way="printed")
+    known = {(row["precision"], row["set"]): row for row in device}
+    easy, hard = (known.get(("float64", name)) for name in ("ordinary", "hard"))
+    many = known.get(("50 digits", "hard"))
+    stable = [row["worst"] for row in _some(rows, way="stable", precision="float64")]
+    stable = [worst for worst in stable if worst is not None]
+    if not (easy and hard and many and stable):
+        return ""
+    return (
+        f"In units in the last place of double precision, the device by (14) is off by "
+        f"{number(easy['median'])} in the median and by {number(easy['worst'])} at worst on "
+        f"ordinary parameters, and there is no number at {share(hard['missing'])} {_PERCENT} of "
+        f"the hard ones; with 50 digits there is none at {share(many['missing'])} {_PERCENT}. No "
+        f"stable form is off by more than {number(max(stable))} on either set."
+    )
+
+
+def _boundary(rows: list[Row]) -> str:
+    explicit, grid = _some(rows, method="explicit"), _some(rows, method="grid")
+    if not (explicit and grid):
+        return ""
+    finest = _some(grid, threshold=min(row["threshold"] for row in grid))
+    told = [
+        f"{_range(row['seconds'] for row in some)} a point and is off by "
+        f"{number(max(row['worst'] for row in some))} at most"
+        for some in (explicit, finest)
+    ]
+    return f"Over these delays the explicit form takes {told[0]}, the finest grid {told[1]}."
+
+
+def _stability(rows: list[Row]) -> str:
+    first, last = (end(row["delay"] for row in rows) for end in (min, max))
+    names = {"eigenvalues": "by eigenvalues", "Jury table": "by Jury's table",
+             "counted": "by the count"}  # fmt: skip
+    times, wrong = [], []
+    for method, way in names.items():
+        some = {row["delay"]: row for row in _some(rows, method=method)}
+        if first not in some or last not in some:
+            return ""
+        begin, end = (nanoseconds(some[d]["seconds"]) for d in (first, last))
+        times.append(f"{begin} and {end} {way}")
+        walls = sum(row["walls"] for row in some.values())
+        close = min(rows[0]["wrong"], key=float)
+        missed = sum(row["wrong"][close] * row["walls"] for row in some.values()) / walls
+        wrong.append(f"{share(missed)} {_PERCENT} {way}")
+    near = f"{float(close):.0e}".replace("e-0", "e-")
+    return (
+        f"For d = {first} and d = {last} a test takes {_listed(times)}. At the relative distance "
+        f"{near} from the boundary wrong are {_listed(wrong)}."
+    )
+
+
+def _listed(words: list[str]) -> str:
+    return f"{', '.join(words[:-1])}, and {words[-1]}"
+
+
+def _models(rows: list[Row]) -> str:
+    def farthest(some: list[Row]) -> str:
+        return share(max(max(abs(row["most"]), abs(row["least"])) for row in some))
+
+    linear = _some(rows, model="linear")
+    plain = [row for row in linear if row["damping"] == 0]
+    damped = [row for row in linear if row["damping"] > 0]
+    if not (plain and damped):
+        return ""
+    told = [
+        f"The linear condition (25) errs by up to {farthest(plain)} {_PERCENT} without virtual "
+        f"damping, by up to {farthest(damped)} with some, and allows up to "
+        f"{share(max(0.0, *(row['most'] for row in damped)))} {_PERCENT} more stiffness than is "
+        "stable."
+    ]
+    for model, left_out in (("no stiffness", "stiffness"), ("no damping", "damping")):
+        some = _some(rows, model=model)
+        if some:
+            told.append(
+                f"Leaving out the {left_out} of the arm changes the limit by up to "
+                f"{farthest(some)} {_PERCENT}."
+            )
+    return " ".join(told)
+
+
+def _peers(rows: list[Row]) -> str:
+    told = []
+    for task in dict.fromkeys(row["task"] for row in rows):
+        some = [row for row in _some(rows, task=task) if row["installed"]]
+        own = [row for row in some if row["tool"] == "symhaptic"]
+        others = [row for row in some if row["tool"] != "symhaptic"]
+        if not own or not others:
+            continue
+        one, many = (min(others, key=lambda row: row[which]) for which in ("one", "many"))
+        told.append(
+            f"{task[:1].upper()}{task[1:]}: the package takes {nanoseconds(own[0]['one'])} for "
+            f"one and {nanoseconds(own[0]['many'])} for each of many. The fastest other tool takes "
+            f"{number(one['ratio_one'])} times as long for one ({one['tool']}) and "
+            f"{number(many['ratio_many'])} times for each of many ({many['tool']})."
+        )
+    return " ".join(told)

@@ -1,0 +1,103 @@
+"""The claims of the words far higher, clearly larger and much smaller: by how much, in numbers."""
+
+from __future__ import annotations
+
+from sympy import Rational, S
+
+from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
+from symhaptic.notation.proposition import (
+    ForAll,
+    Proposition,
+    both,
+    implied,
+    whole,
+)
+from symhaptic.paper.propositions.ratio import (
+    BEST,
+    outdoes,
+    passive,
+    stable,
+)
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED, STIFF
+from symhaptic.paper.reading import Printed
+
+RATIOS = {
+    S.Zero: {
+        0: "17.830157",
+        1: "9.343018",
+        2: "6.444742",
+        4: "4.121539",
+        8: "2.579471",
+        40: "1.149886",
+    },
+    STIFF: {
+        0: "17.817170",
+        1: "9.314686",
+        2: "6.402199",
+        4: "4.052440",
+        8: "2.463848",
+        40: "1.000181",
+    },
+}
+"""The largest stable over the largest passive stiffness for delta = 0.02, decimals cut off."""
+UNIT = Rational(1, 10**6)
+
+
+def stiffer_than_passive() -> Proposition:
+    """Behind every whole delay some stable wall is at least as stiff as all passive ones."""
+    given = [gamma >= 0, delta > 0, whole(d)]
+    some = outdoes(stable(d, BEST), passive(d), alpha <= x)
+    return ForAll((gamma, delta, d), implied(given, some))
+
+
+def between(spring: Rational, delay: int) -> Proposition:
+    """The ratio for one arm and delay lies between two neighbouring decimals."""
+    low = Rational(RATIOS[spring][delay])
+    more = outdoes(stable(delay, BEST), passive(delay), low * alpha < x)
+    less = outdoes(passive(delay, BEST), stable(delay), alpha < (low + UNIT) * x)
+    return both([more, less]).at({gamma: spring, delta: DAMPED})
+
+
+@claims("s0-far-higher", "s5b-clearly-larger")
+def _by_how_much(printed: Printed) -> Proposition:
+    """Some stable wall is at least as stiff as all passive ones; and how many times, in numbers.
+
+    The numbers are for the arms of Fig. 12, delta = 0.02 without a spring and with gamma = 0.001,
+    and for six whole delays.
+    """
+    numbers = [between(spring, delay) for spring, rows in RATIOS.items() for delay in rows]
+    return both([stiffer_than_passive(), *numbers])
+
+
+SIZES = {0: 100, 1: 41, 2: 27, 4: 16, 8: 9}
+"""More than so many times as damped as all passive walls are some stable ones, in Fig. 11."""
+
+
+@claims("s5a-much-smaller")
+def _dimensions_of_the_regions(printed: Printed) -> Proposition:
+    """In stiffness and in damping, for the arm and the five whole delays of Fig. 11.
+
+    The ratio of the stiffnesses lies between two decimals.  Of the dampings some stable wall is
+    that many times as damped as all passive ones.
+    """
+    parts = []
+    for delay, times in SIZES.items():
+        damped = outdoes(stable(delay, BEST), passive(delay), times * beta < y)
+        parts += [between(STIFF, delay), damped.at({gamma: STIFF, delta: DAMPED})]
+    return both(parts)
+
+
+LEFT = {(STIFF, DAMPED): "0.21654783", (S.Zero, S.Zero): "0.21050726"}
+"""The largest stable stiffness at d = 1 over that at d = 0, of two arms, decimals cut off."""
+
+
+def left_by_one_period() -> Proposition:
+    """The share of the stable stiffness that one period of delay leaves, between two decimals."""
+    parts = []
+    for (spring, damper), digits in LEFT.items():
+        low, unit = Rational(digits), Rational(1, 10**8)
+        more = outdoes(stable(1, BEST), stable(0), low * alpha < x)
+        less = outdoes(stable(0, BEST), stable(1), alpha < (low + unit) * x)
+        parts += [p.at({gamma: spring, delta: damper}) for p in (more, less)]
+    return both(parts)

@@ -1,0 +1,163 @@
+"""The claim of Sec. V that one delta describes a held device, for passivity and for stability.
+
+By (2) the mass and the damping of Table I are those of device and arm.  By (3) the damping that
+counts for passivity is that of the device alone.
+"""
+
+from __future__ import annotations
+
+from sympy import Expr, Rational, S
+
+from symhaptic.notation import (
+    B,
+    K,
+    T,
+    alpha,
+    b,
+    b_D,
+    b_H,
+    beta,
+    d,
+    delta,
+    gamma,
+    k_H,
+    m_D,
+    m_H,
+    x,
+    y,
+)
+from symhaptic.notation.proposition import (
+    Exists,
+    ForAll,
+    Iff,
+    Proposition,
+    Relation,
+    both,
+    implied,
+    proposition,
+    whole,
+)
+from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
+from symhaptic.paper.propositions.digits import number, quoted
+from symhaptic.paper.propositions.passivity import FIVE, PASSIVE, at_every_frequency
+from symhaptic.paper.propositions.ratio import BEST, WALL, outdoes, stable
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.ranges import DAMPED
+from symhaptic.paper.reading import Printed
+
+MASS = m_D + m_H
+OWN, WHOLE = T * b_D / MASS, T * (b_D + b_H) / MASS
+"""The damping of the device alone, and of device and arm, in the units of Table I."""
+SPRING = T**2 * k_H / MASS
+UNITS = {alpha: K * T**2 / MASS, beta: B * T / MASS}
+"""The wall in the units of Table I, with the mass of (2)."""
+HAND = (T, m_D, m_H, b_D, b_H)
+HELD = [T > 0, m_D > 0, *(part >= 0 for part in (m_H, b_D, b_H)), d >= 0]
+"""A device and an arm; without an arm m_H = b_H = 0."""
+
+MEETS = at_every_frequency(FIVE).at({b: b_D})
+"""The wall meets (5) with the damping of (3), that of the device alone."""
+
+
+def drawn(damping: Expr = WHOLE, scale: Expr = S.One) -> Proposition:
+    """The wall, ``scale`` times as large, meets (5) in the units of Table I with this delta."""
+    walls = passive().at({s: scale * v for s, v in UNITS.items()})
+    return walls.at({delta: damping})
+
+
+@claims("one-delta")
+def _one_delta(printed: Printed) -> Proposition:
+    """A wall of a held device meets (5) in the plane of Table I where it meets (5) with (3)."""
+    return ForAll((*HAND, K, B, d), implied(HELD, Iff((drawn(), MEETS))))
+
+
+def instead() -> Proposition:
+    """With delta_D of the device alone it is so, and passive walls stay stable."""
+    right = ForAll((*HAND, K, B, d), implied(HELD, Iff((drawn(OWN), MEETS))))
+    return both([right, kept(), outdone()])
+
+
+def kept() -> Proposition:
+    """A wall with K > 0 that meets (5) with (3) is stable in every arm; d is whole."""
+    loop = STABLE.at({**UNITS, gamma: SPRING, delta: WHOLE})
+    given = [*HELD, k_H >= 0, whole(d), K > 0, MEETS]
+    return ForAll((*HAND, k_H, K, B, d), implied(given, loop))
+
+
+def outdone() -> Proposition:
+    """Some wall is stable in the arm that is 1 + b_H/b_D times as stiff as all passive ones.
+
+    Passive is the wall beside the device alone.  Behind every whole delay.
+    """
+    loop = STABLE.at({alpha: x, beta: y, gamma: SPRING, delta: WHOLE})
+    softer = (b_D + b_H) * UNITS[alpha] <= b_D * x
+    others = ForAll((K, B), implied([PASSIVE.at({b: b_D})], softer))
+    given = [*HELD, k_H >= 0, whole(d), b_D + b_H > 0]
+    return ForAll((*HAND, k_H, d), implied(given, Exists(BEST, both([loop, others]))))
+
+
+# -- one arm in numbers ------------------------------------------------------------------------
+
+LIMITS = {
+    T: Rational(1, 1000),
+    m_D: S.One,
+    m_H: S.One,
+    b_D: Rational("0.625"),
+    b_H: Rational("14.6"),
+    k_H: S(710),
+}
+"""A device and an arm of one kilogram each, at the limits of (21) and of Sec. IV-C, at 1 kHz."""
+ARM = {gamma: SPRING.subs(LIMITS), delta: WHOLE.subs(LIMITS)}
+DEVICE = OWN.subs(LIMITS)
+RATIOS = {"one": (Rational("45.7"), Rational("45.8")), "own": (S(1114), S(1115))}
+"""Between which numbers the ratio of both stiffnesses lies, with one delta and with delta_D."""
+
+
+def beside(damping: Expr) -> Proposition:
+    """Some wall is passive behind no delay with this damping of the device."""
+    return PASSIVE.at({K: alpha, B: beta, b: damping, T: S.One, d: S.Zero})
+
+
+def ratios() -> Proposition:
+    """How many times as stiff as all passive walls a stable one can be, for the arm at the limits.
+
+    Without delay, with the damping of both in (5), and with that of the device alone.
+    """
+    parts = []
+    for damping, (low, high) in ((ARM[delta], RATIOS["one"]), (DEVICE, RATIOS["own"])):
+        walls = dict(zip(WALL, BEST, strict=True))
+        other, best = beside(damping), beside(damping).at(walls)
+        parts += [
+            outdoes(stable(0, BEST), other, low * alpha < x),
+            outdoes(best, stable(0), alpha < high * x),
+        ]
+    return both(parts).at(ARM)
+
+
+FIGURES = 32
+"""0.02 over the largest damping per mass of a device of Sec. IV-C, at 1 ms."""
+
+
+def oversized() -> Proposition:
+    """A wall that meets (5) with (3) does so 32 times as large with the delta of Figs. 11 and 13.
+
+    For devices of Sec. IV-C, b_D/m_D <= 0.625 1/s, and periods up to 1 ms.
+    """
+    slow = [LIMITS[T] >= T, Relation(b_D, "<=", LIMITS[b_D] * m_D)]
+    given = [*HELD, *slow, MEETS]
+    return ForAll((*HAND, K, B, d), implied(given, drawn(DAMPED, S(FIGURES))))
+
+
+def still_true() -> Proposition:
+    """The ratios of Sec. V-B hold of every device and arm whose gamma and delta lie in (23).
+
+    Some stable wall is more than 17.8 times as stiff as all passive ones without delay, and more
+    than 9.3 times one period late, with the damping of the device alone.
+    """
+    parts = []
+    for id, delay in (("s5b-eta-d0", 0), ("s5b-eta-d1", 1)):
+        times, _ = quoted(id)
+        walls = PASSIVE.at({K: alpha, B: beta, T: S.One, d: S(delay)})
+        parts.append(outdoes(stable(delay, BEST), walls, number(times) * alpha < x))
+    given = [*map(proposition, transcribed("eq23")), b >= 0, b <= delta]
+    return ForAll((gamma, delta, b), implied(given, both(parts)))

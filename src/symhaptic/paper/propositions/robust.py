@@ -1,0 +1,120 @@
+"""The claims of Sec. V-C on robustly stable walls, which are stable with every spring of (30)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import sympy as sp
+from sympy import Expr, Rational
+
+from symhaptic.notation import alpha, beta, d, delta, gamma, x
+from symhaptic.notation.proposition import ForAll, Proposition, both, implied, whole
+from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.ratio import BEST, WALL, outdoes, passive, stable
+from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.stability import HEAVIER, LATER
+from symhaptic.paper.ranges import DAMPED
+from symhaptic.paper.reading import Printed
+
+NYQUIST = sp.pi**2 + delta**2 / 4
+"""The spring of (30) as an equation."""
+
+
+def robust(delay: Expr | int = d, wall: Sequence[Expr] = WALL) -> Proposition:
+    """A wall is stable with every spring up to that of the Nyquist frequency."""
+    springs = [gamma >= 0, gamma <= NYQUIST]
+    return ForAll((gamma,), implied(springs, stable(delay, wall)))
+
+
+@claims("s5c-every-spring")
+def _no_stiffer_spring_destabilises(printed: Printed) -> Proposition:
+    """A wall that is stable with every spring up to the Nyquist frequency is so with every spring.
+
+    Behind every whole delay.
+    """
+    every = ForAll((gamma,), implied([gamma >= 0], STABLE))
+    given = [delta >= 0, whole(d), robust()]
+    return ForAll((alpha, beta, delta, d), implied(given, every))
+
+
+@claims("s5c-robust-shrinks-sets")
+def _delay_takes_robust_walls(printed: Printed) -> Proposition:
+    """What is robustly stable behind a larger whole delay is so behind a smaller one."""
+    given = [delta >= 0, whole(d), whole(LATER), d <= LATER, robust(LATER)]
+    return ForAll((alpha, beta, delta, d, LATER), implied(given, robust()))
+
+
+@claims("s5c-robust-grows-sets")
+def _damping_adds_robust_walls(printed: Printed) -> Proposition:
+    """What is robustly stable with a damper is so with a larger one, inside (23); d is whole."""
+    given = [delta >= 0, delta < HEAVIER, HEAVIER <= DAMPED, whole(d), robust()]
+    more = robust().at({delta: HEAVIER})
+    return ForAll((alpha, beta, delta, HEAVIER, d), implied(given, more))
+
+
+LONGEST = 8
+"""The longest delay of Fig. 11."""
+
+
+def stiffer(best: Proposition, others: Proposition) -> Proposition:
+    """Some wall of the first kind is stiffer than all of the second kind."""
+    return outdoes(best, others, alpha < x)
+
+
+@claims("s5c-robust-shrinks")
+def _stiffness_falls_with_the_delay(printed: Printed) -> Proposition:
+    """The largest robustly stable stiffness falls with each period, for delta = 0.02, d = 0 to 8.
+
+    Some robustly stable wall at d is stiffer than all at d + 1.
+    """
+    parts = (stiffer(robust(n, BEST), robust(n + 1)) for n in range(LONGEST))
+    return both(parts).at({delta: DAMPED})
+
+
+DAMPERS = tuple(Rational(n, 200) for n in (1, 2, 4))
+DELAYS = (0, 1, 2, 4, 8)
+
+
+@claims("s5c-robust-grows")
+def _stiffness_rises_with_the_damper(printed: Printed) -> Proposition:
+    """The largest robustly stable stiffness rises from delta = 0.005 to 0.01 and 0.02.
+
+    For the whole delays of Fig. 11.
+    """
+    parts = []
+    for delay in DELAYS:
+        for light, heavy in pairwise(DAMPERS):
+            best, others = robust(delay, BEST), robust(delay)
+            parts.append(stiffer(best.at({delta: heavy}), others.at({delta: light})))
+    return both(parts)
+
+
+CONSERVATIVE = {0: ("1.11", "1.118"), 1: ("1.053", "1.0532")}
+"""Between which numbers the largest robustly stable over the largest passive stiffness lies."""
+AT_MOST = {2: "1.0232", 4: "1.0083", 8: "1.0026"}
+"""Below which numbers, for longer delays."""
+
+
+def between(delay: int) -> Proposition:
+    """That for one delay, delta = 0.02."""
+    low, high = map(Rational, CONSERVATIVE[delay])
+    more = outdoes(robust(delay, BEST), passive(delay), low * alpha < x)
+    return both([more.at({delta: DAMPED}), below(delay, high)])
+
+
+def below(delay: int, high: Rational) -> Proposition:
+    """Some passive wall, that many times, is stiffer than all robustly stable ones."""
+    less = outdoes(passive(delay, BEST), robust(delay), alpha < high * x)
+    return less.at({delta: DAMPED})
+
+
+@claims("s6-why-conservative")
+def _stiff_springs_make_it_conservative(printed: Printed) -> Proposition:
+    """With every spring up to the Nyquist frequency stable walls are hardly stiffer than passive.
+
+    By how much, in numbers, for delta = 0.02: between two numbers for d = 0 and d = 1, and below a
+    number for d = 2, 4 and 8.
+    """
+    longer = (below(delay, Rational(high)) for delay, high in AT_MOST.items())
+    return both([*map(between, CONSERVATIVE), *longer])
