@@ -14,7 +14,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic import notation as n
-from symhaptic.model.loop import numbers
+from symhaptic.model import plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation.proposition import Relation
 from symhaptic.notation.terms import symbols_in, term
@@ -53,7 +53,9 @@ class _Device:
         self.proof = proof
         parts = Parts(stiffness=spring != 0, damping=damper != 0)
         place = {n.gamma: spring, n.delta: damper}
-        self.values = {s: imaginary(term(v).xreplace(place)) for s, v in numbers(parts).items()}
+        of = plant.sampled(plant.normalised(parts))
+        numbers = dict(zip(_NUMBERS, (of.n1, of.n0, of.a, of.e), strict=True))
+        self.values = {s: imaginary(term(v).xreplace(place)) for s, v in numbers.items()}
         self.names = {s: proof.new("D") for s in _NUMBERS}
         self.known = proof.new("V")
         given = " ".join(f"({real_text(v, proof.names)})" for v in (spring, damper))
