@@ -39,7 +39,8 @@ def check(
         str | None, typer.Option("--formula", metavar="ID", help="--list names all.")
     ] = None,
     python: Annotated[
-        str | None, typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run.")
+        str | None,
+        typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run."),
     ] = None,
     library: Annotated[
         str | None,
