@@ -90,7 +90,7 @@ Lemma Cconj_turned : forall t : R, Cconj (Cexp (Ci * t)%C) = Cexp (Ci * RtoC (- 
 Proof. intro t; rewrite !turned, cos_neg, sin_neg; reflexivity. Qed.
 Ltac a_turn := first [reflexivity | rewrite ?Cconj_turned, ?Cexp_power]; f_equal; rewrite ?plus_INR; simpl INR;
   repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; Cpushed; first [ring | field; Cnz].
-(* exp at half and whole turns. *)
+(* exp at quarter, half and whole turns. *)
 Lemma Cexp_half_turn : forall (x : R) z, z = (RtoC x + Ci * RtoC PI)%C -> Cexp z = RtoC (- exp x).
 Proof.
   intros x z E; rewrite (Cexp_at z x PI), cos_PI, sin_PI by (rewrite E; apply injective_projections; simpl; ring).
@@ -111,13 +111,28 @@ Proof.
   intros x z E; rewrite (Cexp_at z x (- (2 * PI))), cos_neg, sin_neg, cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl; ring).
   apply injective_projections; simpl; ring.
 Qed.
+Lemma Cexp_quarter_turn : forall (x : R) z, z = (RtoC x + Ci * RtoC (PI / 2))%C -> Cexp z = (RtoC (exp x) * Ci)%C.
+Proof.
+  intros x z E; rewrite (Cexp_at z x (PI / 2)), cos_PI2, sin_PI2 by exact E.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_quarter_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC (PI / 2))%C -> Cexp z = (- (RtoC (exp x) * Ci))%C.
+Proof.
+  intros x z E; rewrite (Cexp_at z x (- (PI / 2))), cos_neg, sin_neg, cos_PI2, sin_PI2
+    by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
 Ltac turned_to x :=
   first
     [ rewrite (Cexp_half_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_half_turn_back x) by (Cpushed; first [ring | field; Cnz])
-    | rewrite (Cexp_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_turn_back x) by (Cpushed; first [ring | field; Cnz]) ];
+    | rewrite (Cexp_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_turn_back x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_quarter_turn x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_quarter_turn_back x) by (Cpushed; first [ring | field; Cnz]) ];
   rewrite ?exp_0; Cpushed; first [reflexivity | ring].
 Ltac turned_value := rewrite turned; known_values; Ccompared.
-Ltac summed_powers := rewrite ?Cpower_one; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
+Ltac summed_powers :=
+  rewrite ?Cpower_one; repeat rewrite Cpower_plus; cbn [Cpower];
+  first [summed | solve [Cpushed; ring [Ci_square]]].
 Ltac taken := opened; first [assumption | apply f_equal; assumption].
 Ltac apart_by :=
   first [assumption |
@@ -182,7 +197,7 @@ Ltac counted_turn x := match goal with E : _ = INR ?n |- context [INR ?n] => rew
 Ltac same_kernel := cbv beta; first [same_field | by_squares].
 Lemma beside_known : forall P G Q : Prop, G -> (P <-> Q) -> (P <-> G /\ Q).
 Proof. tauto. Qed.
-Ltac peeled := repeat (apply beside_known; [opened; first [assumption | nz | Cnz] |]).
+Ltac peeled := repeat (apply beside_known; [opened; first [assumption | nz | Cnz | rooted] |]).
 (* A loop behind a whole delay, and behind a fraction of whole numbers p and q + 1. *)
 Ltac whole_loop :=
   intros; wholes_counted;

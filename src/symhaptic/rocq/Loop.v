@@ -181,6 +181,12 @@ Proof.
   rewrite square_log by exact V; rewrite <- (Cexp_log v N) at 2; rewrite Cexp_power; f_equal.
   rewrite plus_INR, plus_INR, !RtoC_plus, RtoC_div by lra; simpl; field.
 Qed.
+Lemma Craised_root : forall x y : R, 0 < y -> y * y = x -> Craised (RtoC x) (RtoC (1 / 2)) = RtoC y.
+Proof.
+  intros x y Y E; assert (H := half_power (RtoC y) 0 Y); simpl in H.
+  replace (RtoC x) with (RtoC y * (RtoC y * RtoC 1))%C by (rewrite <- E; Cpushed; ring).
+  replace (1 / 2) with (0 + 1 / 2) by ring; rewrite H; ring.
+Qed.
 Theorem half_a_period : forall alpha beta gamma delta l n_1 n_0 a e, device gamma delta n_1 n_0 a e ->
   (stable_principal alpha beta gamma delta (INR l + 1 / 2) <->
     forall x y : R, 0 < x -> 1 <= x^2 + y^2 ->

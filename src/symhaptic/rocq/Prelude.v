@@ -365,7 +365,13 @@ Ltac turned :=
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 (* The value of a function of a sum, which is written out. *)
-Ltac by_parts way := transitivity way; [f_equal; solve [fraction; nz] | first [turned | raised]].
+Ltac root_squares :=
+  repeat match goal with |- context [sqrt ?a] =>
+    lazymatch goal with _ : sqrt a * sqrt a = _ |- _ => fail | _ => pose proof (root_square a ltac:(rooted)) end
+  end.
+Ltac same_root := apply Rsqr_inj; [rooted | rooted | unfold Rsqr; root_squares; lra].
+Ltac by_parts way :=
+  transitivity way; [f_equal; first [solve [fraction; nz] | solve [same_root]] | first [turned | raised]].
 
 (* -- signs -------------------------------------------------------------------------- *)
 
@@ -1077,7 +1083,7 @@ Ltac atom :=
       end
     | from_known by_same
     | Cmixed
-    | lazymatch goal with |- _ <= _ => interval end ].
+    | lazymatch goal with |- _ <= _ => interval | |- _ <> RtoC 0 => Cnz end ].
 
 (* One relation from just one other. *)
 Ltac direct H :=

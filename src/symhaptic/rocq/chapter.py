@@ -166,9 +166,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
         except NotPrinted as wrong:
             why[said(theorem)] = str(wrong)
             continue
-        for i, step in enumerate(found):
-            if broken and step.name in broken and step.kind != "Axiom":
-                found[i] = _opened(step, broken[step.name])
+        if broken:
+            found = _opened_where(found, broken)
         known[said(theorem)] = found[-1]
         there = {step.name for step in file.steps}
         file.steps += [step for step in found if step.name not in there]
@@ -269,6 +268,22 @@ def _opened(step: Step, why: str) -> Step:
     """The leaf as an axiom that every statement on it is seen to rest on."""
     name = step.name if step.name.startswith("open_") else f"open_{step.name}"
     return replace(step, name=name, kind="Axiom", lines=[], why=f"{OPEN} {why}")
+
+
+def _opened_where(steps: Sequence[Step], broken: Mapping[str, str]) -> list[Step]:
+    """The same with those open that are known to fail, under the names that these then have."""
+    found, names = list[Step](), dict[str, str]()
+    for step in steps:
+        if step.name in broken and step.kind != "Axiom":
+            found.append(_opened(step, broken[step.name]))
+            names[step.name] = found[-1].name
+        else:
+            lines = [
+                re.sub(r"[\w']+", lambda word: names.get(word[0], word[0]), line)
+                for line in step.lines
+            ]
+            found.append(replace(step, lines=lines) if names else step)
+    return found
 
 
 def _axiom(step: Step, name: str, own: str | None) -> Step:

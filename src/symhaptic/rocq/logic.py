@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from sympy import Expr, Symbol, sqrt
+from sympy import Expr, Pow, S, Symbol, sqrt
 
 from symhaptic.book.rests import said
 from symhaptic.notation.proposition import (
@@ -314,7 +314,26 @@ def witnessed(proof: Proof, theorem: Theorem) -> None:
     terms = ", ".join(_values(proof, wanted.over, values))
     turns = _evaluated(proof, wanted.body, values)
     proof.say(f"exists {terms}.", *(f"{turn}." for turn in turns))
+    proof.say(*_square_roots(wanted.body, values))
     proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+def _square_roots(claim: Proposition, values: Terms) -> list[str]:
+    """Tactics that say what the roots of squares are, of complex symbols at rational numbers."""
+    powers = {p for part in _all_parts(claim) for t in part.terms for p in t.atoms(Pow)}
+    lines = set()
+    for power in powers:
+        base, exponent = (term(of).xreplace(dict(values)) for of in power.args)
+        root = sqrt(base)
+        if complex_(power.base) and abs(exponent) == S.Half and root.is_Rational and root > 0:
+            lines.add(f"rewrite (Craised_root ({base}) ({root})) by lra.")
+    return sorted(lines)
+
+
+def _all_parts(claim: Proposition) -> Iterator[Proposition]:
+    yield claim
+    for part in claim.parts:
+        yield from _all_parts(part)
 
 
 @shows

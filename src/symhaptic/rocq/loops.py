@@ -23,7 +23,7 @@ from symhaptic.rocq.complexes import complex_text
 from symhaptic.rocq.identities import polar, script
 from symhaptic.rocq.logic import Written
 from symhaptic.rocq.steps import Proof, Step
-from symhaptic.rocq.terms import Names, NotPrinted, imaginary, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, imaginary, real_text
 from symhaptic.rocq.zeros import Lists, known_exponentials
 
 LOOPS: dict[str, Written] = {}
@@ -161,7 +161,7 @@ class _Device:
         self.proof.say("clear Sum Product Apart.")
         for pole, text in zip((p, q), texts, strict=False):
             size, _ = polar(sp.exp(pole, evaluate=False))
-            if not sp.exp(pole).has(sp.I):  # the pole is at a known angle
+            if not any(map(complex_, sp.exp(pole).atoms(sp.exp))):  # its angle is known
                 there = f"({real_text(size, write)})"
                 value = complex_text(sp.exp(pole), write)
                 self.proof.say(
