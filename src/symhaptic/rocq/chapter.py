@@ -25,10 +25,7 @@ from symhaptic.rocq.zeros import ZEROS
 SHOWN = CLASSICAL | ZEROS | LOOPS
 """Classical rules that are theorems here."""
 WRITTEN = LOGIC | LEAVES | SHOWN
-MEANT = "what the predicate means: the characteristic polynomial of the model"
-MEANING = frozenset({"loop", "loop_substituted"})
-"""Rules that say what a predicate means."""
-BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
+BELIEVED = sources()
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
 PROVED = frozenset(SHOWN) | frozenset(ELEMENTARY)
 """Classical rules and axioms that are theorems of Rocq here."""
