@@ -488,6 +488,17 @@ ATTACKS = {
         lambda: after_a_blow(known_device(), 1, 0, n, S.Zero, less(S.Zero, S.One)),
         [("0 < n_1", "0 < -n_1"), ("0 < n_1", "1 < n_1"), ("< PI^2) -> ", "< PI^3) -> ")],
     ),
+    "a blow without a damper": (
+        lambda: after_a_blow(
+            assume(Predicate("device", (), (x, S.Zero, n_1, n_0, a, e))),
+            -1,
+            1,
+            n,
+            S.Zero,
+            number(Relation(S.Zero, "<=", S.Zero)),
+        ),
+        [("n_0 - n_1", "n_1 - n_0 + 1"), ("(x < PI^2) -> ", ""), ("(x) (0)", "(x) (1)")],
+    ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),
         [("(0 < x) -> ", ""), ("-> ((0 < x)", "-> ((1 < x)")],

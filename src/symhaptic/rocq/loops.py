@@ -235,6 +235,7 @@ def after_a_blow(proof: Proof, theorem: Theorem) -> None:
     forces = " ".join(f"({real_text(term(t), names)})" for t in (first, second))
     functions = " ".join(proof.function(ago, s) for s in slopes)
     claim: Any = kernel.conclusion
+    claim_of: Any = device.conclusion
     proof.say(
         "opened.",
         f"assert (B := after_a_blow _ _ _ _ _ _ {known} ltac:(lra) {forces} {functions}).",
@@ -248,12 +249,14 @@ def after_a_blow(proof: Proof, theorem: Theorem) -> None:
         proof.say(
             f"assert (K : forall {u} : R, 0 < {u} < 1 -> {holds}).", "{", f"intros {u} [L U]."
         )
+        undamped = claim_of.of[1] == 0
+        held = f"replace (- 0 * {u}) with 0 by ring; rewrite exp_0; " if undamped else ""
         proof.scope[Relation(sp.S.Zero, "<", ago)] = "L"
         proof.scope[Relation(ago, "<", sp.S.One)] = "U"
         proof.say(f"pose proof {proof.have(kernel)} as Q; opened; assumption.", "}")
         proof.say(
             f"finish (B ltac:(intros {u} U; refine (eq_ind _ (fun x => 0 {claim.sign} x) (K {u} U) "
-            "_ _); same_kernel)).",
+            f"_ _); {held}same_kernel)).",
         )
     proof.scope = scope
 
