@@ -53,6 +53,7 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
+from symhaptic.proof.theorems.roots import last_coefficient, zero_on_circle
 from symhaptic.proof.theorems.samples import after_a_blow
 from symhaptic.proof.theorems.tactics import one, over
 from symhaptic.rocq import assumptions, compiled
@@ -498,6 +499,14 @@ ATTACKS = {
             number(Relation(S.Zero, "<=", S.Zero)),
         ),
         [("n_0 - n_1", "n_1 - n_0 + 1"), ("(x < PI^2) -> ", ""), ("(x) (0)", "(x) (1)")],
+    ),
+    "a zero on the circle at 1": (
+        lambda: zero_on_circle(z**2 - x, z, S.Zero, assume(Relation(1 - x, "=", S.Zero))),
+        [("(-x + 1 = 0) -> ", ""), ("-x + z^2", "-2*x + z^2"), ("(~ (stable", "((stable")],
+    ),
+    "the last coefficient": (
+        lambda: last_coefficient(assume(Predicate("stable", (z,), (z**3 - x * z + y,)))),
+        [("y < 1", "x < 1"), ("-1 < y", "0 < y"), ("z^3", "z")],
     ),
     "a conjunction": (
         lambda: conjoined(assume(x > 0), assume(y > 0)),

@@ -157,8 +157,12 @@ def zero_on_circle(proof: Proof, theorem: Theorem) -> None:
     if side == 0:
         proof.say("summed_powers.")
     else:
+        known = "taken"
+        if not complex_(side):  # the zero is known in real numbers
+            there = f"transitivity (RtoC ({real_text(side, names)}))"
+            known = f"first [taken | {there}; [Cpushed; Cring | taken]]"
         proof.say(
-            f"transitivity ({complex_text(side, names)})%C; [| taken].",
+            f"transitivity ({complex_text(side, names)})%C; [| {known}].",
             *lists.turns(side, angle),
             "summed_powers.",
         )
