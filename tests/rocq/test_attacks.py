@@ -11,7 +11,15 @@ from sympy import E, I, Lt, Rational, S, atan, cos, exp, pi, sin, sqrt, symbols,
 from symhaptic.book import foreign
 from symhaptic.book.lemmas.stiffest_stable import SMALL, M, P
 from symhaptic.notation import X, a, delta, e, gamma, n_0, n_1, s, z
-from symhaptic.notation.proposition import Or, Predicate, Relation, proposition, whole
+from symhaptic.notation.proposition import (
+    ForAll,
+    Implies,
+    Or,
+    Predicate,
+    Relation,
+    proposition,
+    whole,
+)
 from symhaptic.paper.ranges import RANGES
 from symhaptic.proof import box
 from symhaptic.proof.certificate import Positive
@@ -243,6 +251,18 @@ ATTACKS = {
             )
         ),
         [("(0 < y + 1) -> ", ""), ("0 < 2*y + 2", "0 < 2*y - 2")],
+    ),
+    "an instance at the angle 0": (
+        lambda: instance(
+            assume(
+                ForAll(
+                    (x,),
+                    Implies((proposition(x >= 0), Relation(n + y * exp(I * x), "!=", S.Zero))),
+                )
+            ),
+            {x: S.Zero},
+        ),
+        [("n + y <> 0", "n - y <> 0"), ("(0 <= x)", "(1 <= x)"), ("Ci*x", "Ci*(x + 1)")],
     ),
     "a symbol replaced": (
         lambda: placed(combined(2 * x > 0, [2, assume(x > 0)]), {x: y**2}),

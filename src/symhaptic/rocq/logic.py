@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from sympy import Expr, Pow, S, Symbol, sqrt
+from sympy import Expr, Pow, S, Symbol, exp, sqrt
 
 from symhaptic.book.rests import said
 from symhaptic.notation.proposition import (
@@ -230,7 +230,15 @@ def instance(proof: Proof, theorem: Theorem) -> None:
     assert isinstance(claim, ForAll)
     found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
     turns = _evaluated(proof, claim.body, values)
-    if turns:
+    if _vanishes(claim.body, values):
+        name = proof.new("P")
+        proof.say(
+            f"pose proof ({found}) as {name}; cbv beta in {name}.",
+            f"repeat match type of {name} with context [Cexp ?a] => "
+            f"rewrite (Cexp_nought a) in {name} by Cring end.",
+            f"finish {name}.",
+        )
+    elif turns:
         given, name = proof.new("G"), proof.new("P")
         implied = isinstance(theorem.conclusion, Implies)
         proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
@@ -316,6 +324,14 @@ def witnessed(proof: Proof, theorem: Theorem) -> None:
     proof.say(f"exists {terms}.", *(f"{turn}." for turn in turns))
     proof.say(*_square_roots(wanted.body, values))
     proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+def _vanishes(claim: Proposition, values: Terms) -> bool:
+    """Whether the exponent of a complex exponential becomes zero."""
+    exponents = (
+        f.args[0] for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)
+    )
+    return any(e.xreplace(dict(values)) == 0 for e in exponents if e != 0)
 
 
 def _square_roots(claim: Proposition, values: Terms) -> list[str]:
