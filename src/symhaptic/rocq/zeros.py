@@ -384,7 +384,8 @@ def _criterion(
             "lazymatch goal with |- context [stable ?p] => "
             f"assert (J : stable p <-> {positive}) by (",
             "  apply (iff_trans (iff_sym (times_z p (fun z => z * p z)%C (fun z => eq_refl))));",
-            f"  apply (iff_trans (jury_3 _ {' '.join(texts)} 0 ltac:(as_powers)));",
+            f"  apply (iff_trans (jury_3 (fun z => z * p z)%C {' '.join(texts)} 0",
+            "    ltac:(as_powers)));",
             "  split; intros; opened; repeat split; lra) end.",
         )
     else:
