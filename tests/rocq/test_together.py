@@ -21,8 +21,8 @@ pytestmark = [
 ]
 TEXT = proposition(Symbol("x") > 0)
 ADDED = "0 < 2", ("lra.",)
-MEANT = "forall M, stable M -> 0 < 2", ("intros; lra.",)
-"""Rests on what `stable` means, which stands in the prelude."""
+MEANT = "forall M T, passive M T -> 0 < 2", ("intros; lra.",)
+"""Rests on what `passive` means, which stands in the prelude."""
 
 
 @pytest.fixture(scope="module")
@@ -58,25 +58,25 @@ def test_each_rests_on_what_the_record_says_and_on_its_own_axioms(folder, monkey
     stored = "rule_stored_1", "0 < 3"
     other = taken(folder, "other", MEANT, ("0 < 3", ("exact rule_stored_1.",)), believed=[stored])
     known = {
-        "statements": {f"{n}-{i}": recorded("stable") for n in ("one", "other") for i in (0, 1)}
+        "statements": {f"{n}-{i}": recorded("passive") for n in ("one", "other") for i in (0, 1)}
     }
     asked, listed = [], together.listed
     monkeypatch.setattr(together, "listed", lambda *a: asked.append(a[1]) or listed(*a))
     found = together.asked([one, other], folder, known)
     assert asked == [[one.module, other.module]]
-    assert found["one"].rules("one-0") == ["stable", foreign.REALS]
-    assert found["other"].rules("other-0") == ["stable", foreign.REALS]
+    assert found["one"].rules("one-0") == ["passive", foreign.REALS]
+    assert found["other"].rules("other-0") == ["passive", foreign.REALS]
     assert found["other"].rules("other-1") == ["stored", foreign.REALS]
     assert set(found["other"].statements.values()) == {"whole"}
 
 
 def test_what_is_not_recorded_of_all_of_them_is_laid_to_none_that_does_not_use_it(folder):
-    """Rocq lists `stable` for both, of which the record of neither knows."""
+    """Rocq lists `passive` for both, of which the record of neither knows."""
     one, other = taken(folder, "plain", ADDED), taken(folder, "meant", MEANT)
     known = {"statements": {"plain-0": recorded(), "meant-0": recorded()}}
     found = together.asked([one, other], folder, known, workers=2)
     assert found["plain"].rules("plain-0") == [foreign.REALS]
-    assert found["meant"].rules("meant-0") == ["stable", foreign.REALS]
+    assert found["meant"].rules("meant-0") == ["passive", foreign.REALS]
 
 
 def test_a_predicate_is_laid_to_those_that_name_it_and_parts_nobody(folder, monkeypatch):
@@ -84,14 +84,14 @@ def test_a_predicate_is_laid_to_those_that_name_it_and_parts_nobody(folder, monk
     one, other = taken(folder, "bare", ADDED), taken(folder, "named", MEANT)
     asked, listed = [], together.listed
     monkeypatch.setattr(together, "listed", lambda *a: asked.append(a[1]) or listed(*a))
-    known = {"statements": {"bare-0": recorded(), "named-0": recorded("stable")}}
+    known = {"statements": {"bare-0": recorded(), "named-0": recorded("passive")}}
     found = together.asked([one, other], folder, known)
     assert asked == [[one.module, other.module]]
     assert found["bare"].rules("bare-0") == [foreign.REALS]
-    assert found["named"].rules("named-0") == ["stable", foreign.REALS]
+    assert found["named"].rules("named-0") == ["passive", foreign.REALS]
     alone = []
     monkeypatch.setattr(compiled.Taken, "alone", lambda one: alone.append(one) or one.outcome)
-    known = {"statements": {id: recorded("stable") for id in ("bare-0", "named-0")}}
+    known = {"statements": {id: recorded("passive") for id in ("bare-0", "named-0")}}
     together.asked([one, other], folder, known)
     assert alone == [one]
 

@@ -23,7 +23,7 @@ from symhaptic.rocq.preludes import known_there
 def groups(chapters: Mapping[str, Iterable[str]], known: Mapping[str, Any]) -> list[list[str]]:
     """Chapters of whose statements a record says that they rest on the same, the others alone.
 
-    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["stable"]}}
+    >>> known = {id: {"rests": [REALS]} for id in ("eq1", "eq2")} | {"eq4": {"rests": ["passive"]}}
     >>> chapters = {"a": ["eq1"], "b": ["eq2", "eq4"], "c": ["eq3", "mine"]}
     >>> groups(chapters, {"statements": known})
     [['a', 'b'], ['c']]
