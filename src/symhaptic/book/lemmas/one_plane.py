@@ -166,7 +166,8 @@ def up_to_nyquist() -> Theorem:
 
 def _at_each(theorem: Theorem, delays: Any) -> Theorem:
     """For each of some delays, what is shown of whole ones or of those that are not negative."""
-    for hypothesis in theorem.hypotheses & {proposition(d >= 0), whole(d)}:
+    delay = (proposition(d >= 0), whole(d))
+    for hypothesis in filter(theorem.hypotheses.__contains__, delay):
         cases = []
         for choice in delays.of:
             value = choice.terms[1]
