@@ -31,20 +31,19 @@ def as_sentence(text: str) -> str:
 
 
 def prose(text: str) -> str:
-    """Prose with formulas between dollar signs: what TeX takes for itself is written out.
-
-    A line may break after each hyphen of an id.
-    """
-    text = re.sub(r"\\texttt\{[^{}]*\}", lambda id: id[0].replace("-", r"-\allowbreak{}"), text)
+    """Prose with formulas between dollar signs: what TeX takes for itself is written out."""
     return beside_formulas(referred(text, lambda number: f"\\chapterlink{{{number}}}"))
 
 
 def beside_formulas(text: str) -> str:
     r"""The signs of TeX in words beside formulas are written out, braces where they do not match.
 
+    A line may break after each hyphen of an id.
+
     >>> print(beside_formulas("50 % of $a_b$, not {c"), beside_formulas(r"\emph{50 %}"))
     50 \% of $a_b$, not \{c \emph{50 \%}
     """
+    text = re.sub(r"\\texttt\{[^{}]*\}", lambda id: id[0].replace("-", r"-\allowbreak{}"), text)
     parts = re.split(r"(\$[^$]*\$)", text)
     parts[1::2] = [euler(part) if matching(part) else literally(part) for part in parts[1::2]]
     signs = "%#&_^$" if matching("".join(parts[::2])) else "%#&_^${}"
