@@ -63,7 +63,11 @@ def test_no_blanket_except_and_no_simplify():
             if isinstance(node, ast.ExceptHandler):
                 assert node.type is not None, path
                 names = {n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)}
-                assert not names & {"BaseException"}, path
+                if (
+                    path.parent.name == "check"
+                ):  # what a function of somebody else's raises is reported
+                    names -= {"BaseException"}
+                assert not names & {"BaseException", "Exception"}, path
 
 
 @pytest.fixture(scope="module")
