@@ -231,7 +231,7 @@ def _check_correction(claimed: Print, right: Print) -> None:
     for printed, last, other in zip(
         claimed.printed, claimed.stages[-1], right.printed, strict=True
     ):
-        if not {*printed.terms} & {*other.terms}:
+        if not any(itertools.starmap(_same, itertools.product(printed.terms, other.terms))):
             sides = f"{other.left} = {other.right}", f"{printed.left} = {printed.right}"
             raise Undefinable("{} is derived, and keeps no side of the print {}".format(*sides))
         for one, side in (last.terms, last.terms[::-1]):
