@@ -116,6 +116,21 @@ def test_a_print_of_which_a_part_is_derived_is_no_misprint(notes):
     assert "drift:force: 1 equations are derived, and 2 printed" in run.stderr
 
 
+def test_a_number_that_the_text_quotes_is_settled_with_the_formula(notes):
+    """A formula that follows from definitions is not enough: pi is not about 3.2."""
+    quoted = SOURCE.replace('e^{-ct/m})",)', "e^{-ct/m})\",), quoted=(Quoted('about', '3.2'),)")
+    quoted = "from symhaptic.paper.quoted import Quoted\n" + quoted
+    (notes / "source.py").write_text(quoted, encoding="utf-8")
+    run = symhaptic("verify", "--source", notes)
+    assert run.returncode == 2
+    assert "drift:way: the text quotes a number, too; give value=" in run.stderr
+    chapter = CHAPTER.replace("-b * t / m))))", "-b * t / m))), value=3 + exp(-2))")  # 3.135...
+    (notes / "drifting.py").write_text(chapter, encoding="utf-8")
+    assert verdicts(notes)["drift:way"]["verdict"] == "refuted"
+    (notes / "source.py").write_text(quoted.replace("3.2", "3.1"), encoding="utf-8")
+    assert verdicts(notes)["drift:way"]["verdict"] == "enclosed"
+
+
 def test_what_no_chapter_settles_is_undecided(notes):
     more = SOURCE.replace(
         '{2m})",)),\n', '{2m})",)),\n    Statement("drift:late", "(3)", "never late"),\n'
