@@ -96,7 +96,7 @@ class Page(Steps):
             return self._record(statement, Settlement(derived=forms, note=note))
         if not theorems:
             point = dict(unless) if isinstance(unless, Mapping) else None
-            return self._follows(statement, forms, point, corrected, note)
+            return self._follows(statement, forms, point, corrected, value, note)
         judged = Judged(
             theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
             example=example,
@@ -125,12 +125,15 @@ class Page(Steps):
         derived: Sequence[Expr],
         point: dict[Expr, Expr] | None,
         corrected: Sequence[str] | None,
+        value: Source | Sequence[Source] | None,
         note: str | None,
     ) -> Verdict:
         """Settle equations by the definitions on the page."""
         definitions = tuple(self.definitions)
         if not statement.printed or statement.id in CLAIMED or statement.id in self.claimed:
             return self._record(statement, Settlement(note=note))
+        if statement.quoted and value is None:
+            raise FalseStep(f"{statement.id}: the text quotes a number, too; give value=")
         right = tuple(p for line in corrected or () for p in read(line)) or derived
         try:
             judged, claimed = following.settled(statement.printed, right, definitions, point)
@@ -145,7 +148,13 @@ class Page(Steps):
 
         used = tuple(f"{latex(name)}:={latex(meaning)}" for name, meaning in claimed.used)
         settlement = Settlement(
-            judged, claim, note=note, definitions=used, defines=claimed.is_definition
+            judged,
+            claim,
+            values=self._quoted(value),
+            quoted=statement.quoted,
+            note=note,
+            definitions=used,
+            defines=claimed.is_definition,
         )
         return self._record(statement, settlement)
 
