@@ -62,7 +62,9 @@ def derive(page):
         because="this is Fig. 5; it falls with every delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
-    page.step("The damping of the tips is that of (11)", tip[1], low, name=r"\frac Bb\Big|_{K_{\max}}")
+    page.step(
+        "The damping of the tips is that of (11)", tip[1], low, name=r"\frac Bb\Big|_{K_{\max}}"
+    )
     page.table(
         "Corner and tip of the seven curves (7) of Fig. 4; decimals cut off.",
         ["$d$", "corner $KT/b$", "corner $B/b$", "tip $KT/b$", "tip $B/b$"],

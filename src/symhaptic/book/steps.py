@@ -76,7 +76,11 @@ class Steps(Record):
         if name in self._meant(meaning).atoms(type(name)):
             raise FalseStep(f"{name} is defined by itself")
         for other, before in self.definitions:
-            if once and other == name and not compare(self._meant(before), self._meant(meaning)).equal:
+            if (
+                once
+                and other == name
+                and not compare(self._meant(before), self._meant(meaning)).equal
+            ):
                 raise FalseStep(f"{name} stands for {before} on the page already")
         if meaning.has(sp.I) and not _may_stand_for(name, meaning):
             raise FalseStep(f"{name} is real; {meaning} is not, by its form")

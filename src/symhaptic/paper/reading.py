@@ -7,6 +7,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable
 from typing import NoReturn, TypeAlias
@@ -40,7 +41,8 @@ _RELATIONS: dict[str, type] = {
     **dict.fromkeys((r"\geq", r"\ge"), sp.GreaterThan),
 }
 _SIGN = re.compile(
-    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)\b"
+    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)"
+    r"(?![A-Za-z])"
 )
 """What relates two sides, whether it can be read or not."""
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
@@ -62,12 +64,13 @@ _TAKEN = {
 }
 """Commands that are no names."""
 _GREEK = frozenset(
-    (
+    re.findall(
+        r"\\\S+",
         r"\alpha \beta \gamma \delta \epsilon \varepsilon \zeta \eta \theta \vartheta \iota \kappa "
         r"\lambda \mu \nu \xi \rho \varrho \sigma \varsigma \tau \upsilon \phi \varphi \chi \psi "
         r"\omega \Gamma \Delta \Theta \Lambda \Xi \Pi \Sigma \Upsilon \Phi \Psi \Omega \ell \hbar "
-        r"\hat{\omega}"
-    ).split()
+        r"\hat{\omega}",
+    )
 )
 """Commands that print a letter, of which a name may be made."""
 _EULER = r"\eulersnumber"
@@ -136,8 +139,8 @@ def _called(latex: str) -> str:
 
 
 def _differential(tokens: list[str]) -> str:
-    """The name behind a d that may be a differential: dx, m dv; not in a function, as sin d theta."""
-    for d, by in zip(tokens, tokens[1:], strict=False):
+    """The name behind a d that may be a differential, as in m dv; none in a function, sin d theta."""
+    for d, by in itertools.pairwise(tokens):
         if d in _FUNCTIONS:
             break
         if d == "d" and re.fullmatch(r"\\?[A-Za-z]+", by) and by not in _TAKEN:
