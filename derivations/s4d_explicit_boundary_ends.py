@@ -160,14 +160,8 @@ def nyquist(page):
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
     page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
-    page.limit(
-        "At $\\theta\\to\\pi$ the damping is finite",
-        damping,
-        theta,
-        pi,
-        end,
-        name=r"(-1)^d\beta(\theta)",
-    )
+    title, name = "At $\\theta\\to\\pi$ the damping is finite", r"(-1)^d\beta(\theta)"
+    page.limit(title, damping, theta, pi, end, name=name)
     page.limit(
         "At $\\theta\\to\\pi$ the boundary ends on the line of a root at $-1$",
         stiffness + 2 * damping,

@@ -67,21 +67,17 @@ class Steps(Record):
     def _defined(self, name: Expr | str | None, meaning: Expr, once: bool = True) -> None:
         """Keep what a name stands for: not itself, and one thing.
 
-        The paper may define a name for each of several cases, which nothing is derived from.
+        A statement that is a definition may say what the name means in one of several cases.
         """
         if not isinstance(name, (sp.Symbol, AppliedUndef)):
             return
         if told := carrying(name, meaning) or alike(name, meaning):
             raise FalseStep(f"{name}: {told}")
-        if name in self._meant(meaning).atoms(type(name)):
+        if once and name in self._meant(meaning).atoms(type(name)):
             raise FalseStep(f"{name} is defined by itself")
         for other, before in self.definitions:
-            if (
-                once
-                and other == name
-                and not compare(self._meant(before), self._meant(meaning)).equal
-            ):
-                raise FalseStep(f"{name} stands for {before} on the page already")
+            if once and other == name and not compare(*map(self._meant, (before, meaning))).equal:
+                raise FalseStep(f"{name} stands for more than one thing on the page: {before}")
         if meaning.has(sp.I) and not _may_stand_for(name, meaning):
             raise FalseStep(f"{name} is real; {meaning} is not, by its form")
         self.definitions.append((name, meaning))

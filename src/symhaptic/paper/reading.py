@@ -139,7 +139,7 @@ def _called(latex: str) -> str:
 
 
 def _differential(tokens: list[str]) -> str:
-    """The name behind a d that may be a differential, as in m dv; none in a function, sin d theta."""
+    """The name behind a d that may be a differential, as in m dv, and stands in no function."""
     for d, by in itertools.pairwise(tokens):
         if d in _FUNCTIONS:
             break

@@ -129,7 +129,7 @@ def alike(*forms: Expr) -> str | None:
     >>> alike(sp.Symbol("pi") ** 2), alike(x**2)
     ("the name 'pi' is printed as \\\\pi", None)
     """
-    known: dict[str, Expr] = {}
+    forms, known = tuple(map(sp.sympify, forms)), dict[str, Expr]()
     for symbol in {s for form in forms for s in form.free_symbols}:
         printed = latex(symbol)
         own = symbol.name not in SYMBOLS
