@@ -69,9 +69,9 @@ def _told_apart(claim: Proposition) -> Proposition:
     names: dict[Symbol, Symbol] = {}
     for symbol in symbols:
         name = symbol.name
-        while latex(new := Symbol(name)) in taken:
+        while latex(new := Symbol(name)).strip() in taken:
             name += "'"
-        taken.add(latex(new))
+        taken.add(latex(new).strip())
         if name != symbol.name:
             names[symbol] = new
     return _renamed(claim, {s: tree(new) for s, new in names.items()}) if names else claim

@@ -110,7 +110,7 @@ def signs_of(lines: Iterable[str]) -> list[str]:
     r"""The relation signs of some LaTeX, in their order.
 
     >>> signs_of([r"x \ne y", r"0 \leq x < 1"])
-    ['\\\\neq', '\\\\leq', '<']
+    ['\\neq', '\\leq', '<']
     """
     other = {r"\le": r"\leq", r"\ge": r"\geq", r"\ne": r"\neq", ":=": "="}
     return [other.get(sign, sign) for line in lines for sign in _SIGN.findall(line)]

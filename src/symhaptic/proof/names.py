@@ -131,7 +131,7 @@ def alike(*forms: Expr) -> str | None:
     """
     forms, known = tuple(map(sp.sympify, forms)), dict[str, Expr]()
     for symbol in {s for form in forms for s in form.free_symbols}:
-        printed = latex(symbol)
+        printed = latex(symbol).strip()
         own = symbol.name not in SYMBOLS
         if own and (printed in _TAKEN or _NO_NAME.search(printed)):
             return f"the name {symbol.name!r} is printed as {printed}"
