@@ -21,11 +21,11 @@ from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition
 from symhaptic.notation.terms import NoTerm
 from symhaptic.paper import Statement
-from symhaptic.paper.reading import Printed, read
+from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof.enclosed import Source
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.theorems.judge import Case, Judged, of_print
+from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print
 from symhaptic.proof.theorems.kernel import NotShown, Theorem, conjoined
 from symhaptic.proof.verdict import Kind, Verdict
 
@@ -87,12 +87,14 @@ class Page(Steps):
         """
         statement = self._statement(id)
         in_latex(id, shows)
+        if instead is not None:
+            _told(id, corrected or (), instead)
         theorems = [g for g in grounds if isinstance(g, Theorem)]
         forms = tuple(p for g in grounds if not isinstance(g, Theorem) for p in parts(g))
         if definition:
             for form in forms:
                 if isinstance(form, Eq) and isinstance(form.lhs, (Symbol, AppliedUndef)):
-                    self._defined(form.lhs, form.rhs)
+                    self._defined(form.lhs, form.rhs, once=False)
             return self._record(statement, Settlement(derived=forms, note=note))
         if not theorems:
             point = dict(unless) if isinstance(unless, Mapping) else None
@@ -184,7 +186,7 @@ class Page(Steps):
         What is wrong stands in the quotation.  A slip is no theorem, and is not counted as one.
         """
         statement = self._statement(id)
-        if wrong not in statement.quote:
+        if not wrong.strip() or wrong not in statement.quote:
             raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
         in_latex(id, right, shows)
         return self._record(statement, Settlement(slip=right, shows=shows))
@@ -198,3 +200,17 @@ class Page(Steps):
         in_latex(id, note)
         claim = self.claimed.get(id) or CLAIMED.get(id)
         return self._record(statement, Settlement(left_open=True, note=note, claim=claim))
+
+
+def _told(id: str, corrected: Sequence[str], instead: Proposition) -> None:
+    """Refuse relations that are shown for what holds instead, and are no part of it.
+
+    Words are shown as they are.
+    """
+    for line in corrected:
+        try:
+            forms = read(line)
+        except Unreadable:
+            continue
+        if not all(concludes(instead, form) for form in forms):
+            raise FalseStep(f"{id}: what holds instead does not conclude {line}")

@@ -20,7 +20,7 @@ from symhaptic.notation.proposition import Proposition, Relation, proposition
 from symhaptic.notation.written import written
 from symhaptic.paper.propositions import CLAIMED as REGISTERED
 from symhaptic.paper.propositions import Claim
-from symhaptic.paper.reading import Printed, Unreadable, signs_of
+from symhaptic.paper.reading import Printed, Unreadable, read, sides_of, signs_of
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.theorems.judge import of_print, taken_apart
 from symhaptic.rules import claims as _claims  # noqa: F401  registered there
@@ -139,10 +139,31 @@ def _reads_otherwise(statement: Statement) -> str | None:
     except Unreadable:
         if signs_of(statement.latex) != signs_of(statement.reading):
             return "reading: has other relation signs than the print"
-        return None
-    if statement.quoted or plain == statement.printed:
+        return _other_sides(statement)
+    left_out = [relation for relation in plain if relation not in statement.printed]
+    known = all(relation in plain for relation in statement.printed)
+    quotes = signs_of(statement.latex).count(r"\approx")
+    if known and len(left_out) <= min(quotes, len(statement.quoted)):
         return None
     return "reading: says something else than the print does"
+
+
+def _other_sides(statement: Statement) -> str | None:
+    """What is wrong with the sides of a reading: what can be read of the print stands in it, and
+    what cannot is no number."""
+    printed, reading = (
+        [side for line in lines for side in sides_of(line)]
+        for lines in (statement.latex, statement.reading or ())
+    )
+    for print_, ours in zip(printed, reading, strict=True):
+        found = read(ours, statement.notation)
+        try:
+            same = read(print_, statement.notation) == found
+        except Unreadable:
+            same = all(form.free_symbols for form in found)
+        if not same:
+            return f"reading: {ours} is not what {print_} says"
+    return None
 
 
 def _not_text(statement: Statement) -> str | None:
