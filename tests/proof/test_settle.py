@@ -147,18 +147,18 @@ def test_the_derived_form_is_what_the_theorem_is_about():
     assert Settlement(Judged(IDENTITY), concluded, SQUARED).decide(SQUARED).kind == Kind.PROVED
 
 
-POSITIVE = read("2K > K")
+POSITIVE = read("K^2 + K > 0")
 
 
 def test_a_condition_is_that_of_the_theorem_and_does_not_save_a_wrong_print():
-    theorem = for_all((K,), [K > 0], positive(K < 2 * K, K > 0))
-    unless = (counterexample(concluded(POSITIVE), {K: -S.One}, but=K > 0),)
+    theorem = for_all((K,), [K > 0], positive(K**2 + K > 0, K > 0))
+    unless = (counterexample(concluded(POSITIVE), {K: -S.Half}, but=K > 0),)
     settlement = Settlement(Judged(theorem, example({K: 1}, [K > 0]), unless), concluded)
     verdict = settlement.decide(POSITIVE)
     assert (verdict.kind, verdict.condition) == (Kind.QUALIFIED, "K>0")
-    assert verdict.counterexample == {"K": "-1"}
+    assert verdict.counterexample == {"K": "-1/2"}
     assert not verdict
-    for wrong in ("3K > K", "2K < K", r"2K \ge K"):
+    for wrong in ("K^2 + 2K > 0", "K^2 + K < 0", r"K^2 + K \ge 0"):
         with pytest.raises(Unfounded):
             settlement.decide(read(wrong))
 
