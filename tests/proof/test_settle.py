@@ -151,7 +151,7 @@ POSITIVE = read("K^2 + K > 0")
 
 
 def test_a_condition_is_that_of_the_theorem_and_does_not_save_a_wrong_print():
-    theorem = for_all((K,), [K > 0], positive(K**2 + K > 0, K > 0))
+    theorem = for_all((K,), [K > 0], positive(K**2 + K > 0, [K > 0, K > 0], K > 0))
     unless = (counterexample(concluded(POSITIVE), {K: -S.Half}, but=K > 0),)
     settlement = Settlement(Judged(theorem, example({K: 1}, [K > 0]), unless), concluded)
     verdict = settlement.decide(POSITIVE)
