@@ -98,7 +98,7 @@ class Page(Steps):
             return self._record(statement, Settlement(derived=forms, note=note))
         if not theorems:
             point = dict(unless) if isinstance(unless, Mapping) else None
-            return self._follows(statement, forms, point, corrected, note)
+            return self._follows(statement, forms, point, corrected, value, note)
         judged = Judged(
             theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
             example=example,
@@ -127,12 +127,15 @@ class Page(Steps):
         derived: Sequence[Expr],
         point: dict[Expr, Expr] | None,
         corrected: Sequence[str] | None,
+        value: Source | Sequence[Source] | None,
         note: str | None,
     ) -> Verdict:
         """Settle equations by the definitions on the page."""
         definitions = tuple(self.definitions)
         if not statement.printed or statement.id in CLAIMED or statement.id in self.claimed:
             return self._record(statement, Settlement(note=note))
+        if statement.quoted and value is None:
+            raise FalseStep(f"{statement.id}: the text quotes a number, too; give value=")
         right = tuple(p for line in corrected or () for p in read(line)) or derived
         try:
             judged, claimed = following.settled(statement.printed, right, definitions, point)
@@ -149,6 +152,7 @@ class Page(Steps):
         settlement = Settlement(
             judged,
             claim,
+            values=self._quoted(value),
             quoted=statement.quoted,
             note=note,
             definitions=used,

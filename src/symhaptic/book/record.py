@@ -142,7 +142,8 @@ class Record:
     def _record(
         self, statement: Statement, settlement: Settlement, verdict: Verdict | None = None
     ) -> Verdict:
-        verdict = verdict or settlement.decide(statement.printed)
+        if verdict is None:
+            verdict = settlement.decide(statement.printed)
         self._once("settled", statement.id)
         now = time.perf_counter()
         seconds, self._since = now - self._since, now

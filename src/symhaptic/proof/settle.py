@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb
-from sympy import Expr, Rational, Symbol
+from sympy import Eq, Expr, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
@@ -154,7 +154,7 @@ class Settlement:
             kind = Kind.UNDECIDED
         elif False in each:
             kind = Kind.REFUTED
-        elif kind in PASSES:
+        elif kind is Kind.PROVED:
             kind = Kind.ENCLOSED
         return replace(
             verdict,
@@ -186,8 +186,15 @@ def units_disagree(printed: Sequence[Expr]) -> str | None:
 
 
 def _defines(form: Expr) -> bool:
-    """Whether a relation says what a name stands for, and not by that name; or an expression."""
+    """Whether a relation says what a name stands for, and not by that name; or an expression.
+
+    What is no equation is a range of the name, between numbers.
+    """
     if not isinstance(form, Relational):
         return True
-    sides = form.args, form.args[::-1]
-    return any(isinstance(s, (Symbol, AppliedUndef)) and not o.has(s) for s, o in sides)
+    return any(
+        isinstance(name, (Symbol, AppliedUndef))
+        and not other.has(name)
+        and (isinstance(form, Eq) or other.is_number)
+        for name, other in (form.args, form.args[::-1])
+    )
