@@ -430,13 +430,6 @@ SOURCES = {
         "claim": "proposition(p[0])",
         "chapter": 'page.settle("odd:a", identity(1, 1))',
     },
-    "a condition that is the print": {
-        "statement": '("x < 0",)',
-        "claim": "ForAll((x,), proposition(p[0]))",
-        "chapter": 'page.settle("odd:a", for_all([x], [2*x < 0], positive(x < 0, [Rational(1, 2), '
-        "2*x < 0])), example=example({x: -1}, [2*x < 0]), unless=[counterexample("
-        "ForAll((x,), proposition(x < 0)), {x: 1}, but=2*x < 0)])",
-    },
     # verdicts
     "0 = 1 instead": {
         "statement": '("x < 0",)',

@@ -55,8 +55,10 @@ def written(claim: Proposition) -> str:
 def _told_apart(claim: Proposition) -> Proposition:
     r"""The same with a prime for symbols that would be printed as others that stand in it.
 
+    >>> from sympy import Dummy
     >>> from symhaptic.notation import x
-    >>> print(written(ForAll((x,), Exists((own := Symbol("x "),), Relation(x, "<", own)))))
+    >>> own = Dummy("x")
+    >>> print(written(ForAll((x,), Exists((own,), Relation(x, "<", own)))))
     \forall\,x:\ \exists\,x':\ x<x'
     """
     symbols = dict.fromkeys(sorted(claim.free, key=lambda s: (s.is_Dummy, s.name)))

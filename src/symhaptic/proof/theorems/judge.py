@@ -284,7 +284,7 @@ def _extra(claim: Proposition, shown: Proposition) -> tuple[Proposition, ...]:
     if symbols != others or then != same or not set(given) <= set(more):
         raise SaysElse(shown, claim)
     extra = tuple(p for p in more if p not in given)
-    if any(_says(condition, p) for condition in extra for p in conjuncts(then)):
+    if set(conjuncts(then)) & set(extra):
         raise Unfounded("the condition is what is claimed")
     return extra
 
