@@ -143,7 +143,7 @@ def test_no_tex_is_left_in_the_words(some):
         ("a $b$ c", "a :math:`b` c"),
         ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
         ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
-        ("(b) and (c) differ", "\\(b) and (c) differ"),
+        ("(b) and (c) differ", "\\ (b) and (c) differ"),
     ],
 )
 def test_words(text, made):

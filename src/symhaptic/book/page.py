@@ -46,6 +46,7 @@ class Page(Steps):
         Formulas are LaTeX; ``claim`` is what is said, as a proposition, in which the print is
         concluded or, as a ``condition``, stands beside a predicate.
         """
+        in_latex(id, *printed)
         for line in printed:
             read(line)
         if id in STATEMENTS:
@@ -86,7 +87,7 @@ class Page(Steps):
         a point at which it fails.  With ``definition`` the print introduces a name.
         """
         statement = self._statement(id)
-        in_latex(id, shows)
+        in_latex(id, *(corrected or ()))
         theorems = [g for g in grounds if isinstance(g, Theorem)]
         forms = tuple(p for g in grounds if not isinstance(g, Theorem) for p in parts(g))
         if definition:
@@ -186,7 +187,7 @@ class Page(Steps):
         statement = self._statement(id)
         if wrong not in statement.quote:
             raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
-        in_latex(id, right, shows)
+        in_latex(id, right)
         return self._record(statement, Settlement(slip=right, shows=shows))
 
     def leave_open(self, id: str, note: str) -> Verdict:
@@ -195,6 +196,5 @@ class Page(Steps):
         An undecided statement never passes.
         """
         statement = self._statement(id)
-        in_latex(id, note)
         claim = self.claimed.get(id) or CLAIMED.get(id)
         return self._record(statement, Settlement(left_open=True, note=note, claim=claim))

@@ -19,6 +19,8 @@ BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been reference
 
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
+_SAFE = ("-interaction=nonstopmode", "-halt-on-error", "-latexoption=-no-shell-escape")
+"""TeX asks nothing, stops at an error, and starts no other program."""
 
 _TOLD = 20
 """Bad lines that a message lists."""
@@ -60,7 +62,7 @@ def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> Non
     """Run latexmk on a document; overfull lines and undefined references are errors."""
     say(f"typesetting {name}.pdf")
     run = subprocess.run(
-        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", f"{name}.tex"],
+        ["latexmk", "-pdf", *_SAFE, f"{name}.tex"],
         cwd=folder,
         capture_output=True,
         text=True,
