@@ -10,6 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symhaptic.notation.extras import missing
+
+NEEDS = "a report needs jinja2 and matplotlib: pip install 'symhaptic[report]'"
 NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
@@ -32,12 +35,8 @@ class ReportError(RuntimeError):
 
 def filled(name: str, **words: Any) -> str:
     """A template with its places filled."""
-    try:
-        from jinja2 import Environment, PackageLoader, StrictUndefined
-    except ImportError:
-        raise ReportError(
-            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
-        ) from None
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
     environment = Environment(
         loader=PackageLoader("symhaptic.book.tex"),
         undefined=StrictUndefined,
@@ -51,6 +50,11 @@ def filled(name: str, **words: Any) -> str:
         comment_end_string="#>",
     )
     return environment.get_template(name).render(title=TITLE, **words)
+
+
+def can() -> bool:
+    """Whether what writes a report is installed."""
+    return not missing("jinja2", "matplotlib")
 
 
 def has_tex() -> bool:
