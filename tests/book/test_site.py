@@ -382,7 +382,7 @@ def test_the_guides_are_pages_with_their_code_and_links():
 
     found = guides()
     assert list(found) == list(ORDER)
-    assert "::\n\n   pip install symhaptic\n" in found["verify"]
+    assert "::\n\n   pip install ." in found["verify"]
     assert ".. code:: python\n\n   >>> " in found["limits"]
     assert not any(".md>`__" in text for text in found.values())
 

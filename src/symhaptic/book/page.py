@@ -46,9 +46,9 @@ class Page(Steps):
         Formulas are LaTeX; ``claim`` is what is said, as a proposition, in which the print is
         concluded or, as a ``condition``, stands beside a predicate.
         """
-        in_latex(id, *printed)
         for line in printed:
             read(line)
+        in_latex(id, *printed)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
         if not is_id(id):
