@@ -211,7 +211,7 @@ def test_a_check_of_mutants_has_a_record_to_hold_them_against(notes, tmp_path):
         ["symhaptic: error: --check: the record is needed; -o FILE names it"],
     )
     record = ("-o", tmp_path / "mutants.json")
-    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 1
+    assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 2
     assert symhaptic("mutants", "--source", notes, *record).returncode == 0
     assert symhaptic("mutants", "--source", notes, "--check", *record).returncode == 0
 
@@ -245,7 +245,7 @@ def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
         ('def derive(page):\n    page.enclosed("t", [1])', "1 is no pair of a name"),
         ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
         ('def derive(page):\n    page.define("t", "{x", 2*y)', "'{x' has braces that do not match"),
-        ('def derive(page):\n    page.settle("odd:one", shows="}")', "'}' has braces that do not"),
+        ('def derive(page):\n    page.state("a", "b", "}")', "'}' has braces that do not"),
         ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 99 further letters"),
     ],
 )
@@ -458,3 +458,17 @@ def test_another_counterexample_is_told(notes):
     run = symhaptic("verify", "--source", notes, "--strict")
     assert run.returncode == 1
     assert "DIFFERS  drift:force: the counterexample is {'b': '3', 'm': '1', 't': '2'" in run.stdout
+
+
+def test_no_control_character_reaches_a_terminal(tmp_path):
+    body = "def derive(page):\n    page.settle('odd:one', Eq(x, 2*y))"
+    folder = odd(tmp_path, body)
+    source = folder / "source.py"
+    source.write_text(source.read_text().replace("an equation", "\\x1b[31m red \\x9b1m"))
+    run = symhaptic("verify", "--source", folder, "odd:one")
+    assert "\ufffd[31m red \ufffd1m" in run.stdout
+    for wrong in ("raise ValueError('\\x1b[2J')", "page.settle('\\x1b[2J')"):
+        (folder / "chapter.py").write_text(f'"""A title"""\ndef derive(page):\n    {wrong}\n')
+        run = symhaptic("verify", "--source", folder)
+        assert run.returncode == 2
+        assert "\x1b" not in run.stdout + run.stderr

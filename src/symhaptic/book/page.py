@@ -48,6 +48,7 @@ class Page(Steps):
         """
         for line in printed:
             read(line)
+        in_latex(id, *printed)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
         if not is_id(id):
@@ -86,7 +87,7 @@ class Page(Steps):
         a point at which it fails.  With ``definition`` the print introduces a name.
         """
         statement = self._statement(id)
-        in_latex(id, shows)
+        in_latex(id, *(corrected or ()))
         if instead is not None:
             _told(id, corrected or (), instead)
         theorems = [g for g in grounds if isinstance(g, Theorem)]
@@ -188,7 +189,7 @@ class Page(Steps):
         statement = self._statement(id)
         if not wrong.strip() or wrong not in statement.quote:
             raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
-        in_latex(id, right, shows)
+        in_latex(id, right)
         return self._record(statement, Settlement(slip=right, shows=shows))
 
     def leave_open(self, id: str, note: str) -> Verdict:
@@ -197,7 +198,6 @@ class Page(Steps):
         An undecided statement never passes.
         """
         statement = self._statement(id)
-        in_latex(id, note)
         claim = self.claimed.get(id) or CLAIMED.get(id)
         return self._record(statement, Settlement(left_open=True, note=note, claim=claim))
 

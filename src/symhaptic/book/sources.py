@@ -15,7 +15,7 @@ import sympy as sp
 
 from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import refused
 from symhaptic.notation.proposition import Proposition, Relation, proposition
 from symhaptic.notation.written import written
 from symhaptic.paper.propositions import CLAIMED as REGISTERED
@@ -83,8 +83,8 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
         if wrong := _reads_otherwise(own):
             raise ValueError(f"{statement.id}: {wrong}")
         for line in (*statement.latex, statement.domain):
-            if not matching(line):
-                raise ValueError(f"{statement.id}: {line!r} has braces that do not match")
+            if why := refused(line):
+                raise ValueError(f"{statement.id}: {line!r} {why}")
         own.given  # noqa: B018  raises if the domain cannot be read
     for id in REGISTERED.keys() - STATEMENTS.keys() - found.keys():
         if id.startswith(f"{source.key}:"):

@@ -8,6 +8,7 @@ symbols has to be equal to that expression.
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -289,6 +290,11 @@ class Steps(Record):
         ``panels`` are rows and columns, ``height`` is in widths of the text; ``draw`` gets the
         array of axes where there are several panels.
         """
+        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]*", name):
+            raise FalseStep(
+                f"figure {name!r}: a file is named so; use letters and digits of ASCII, '-', '_' "
+                "and '.'"
+            )
         self.blocks.append(
             Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
         )

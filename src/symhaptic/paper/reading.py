@@ -426,7 +426,7 @@ class _Reader:
                 raise Unreadable(f"{token}^{{-1}}, an inverse or 1/{token}, in {self.latex!r}")
             return _FUNCTIONS[token](self.argument()) ** power
         if token.startswith(r"\text"):
-            unit = token[token.index("{") + 1 : -1].strip()
+            unit = token.partition("{")[2][:-1].strip()
             if unit in _UNITS:
                 return sp.Symbol(_UNITS[unit])
             raise Unreadable(f"words {unit!r} in {self.latex!r}")

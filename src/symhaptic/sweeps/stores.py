@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
@@ -55,8 +56,10 @@ def store(to: str | Path) -> Store:
     """Zarr or Parquet, by the end of the name."""
     place = str(to).rstrip("/")
     if place.endswith(".zarr"):
+        needed("symhaptic.sweep to a Zarr store", "zarr", extra="sweep")
         return Zarr(place)
     if place.endswith(".parquet") and "://" not in place:
+        needed("symhaptic.sweep to Parquet files", "pyarrow", extra="sweep")
         return Parquet(place)
     raise ValueError(
         f"to: {place!r} is not allowed; a name that ends in .zarr is, or one of a folder that "

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps import dataset
 from symhaptic.sweeps.axes import plan_of
@@ -73,6 +74,7 @@ def sweep(
     >>> found.alpha.sel(delta=0.02).round(4).values
     array([0.7132, 0.1548, 0.0691])
     """
+    needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
     plan, coords = plan_of(quantity, scene, over, reduce, chunks, axes)
     like = dataset.empty(plan, coords)
     if to is not None:
@@ -117,6 +119,7 @@ def _large(plan: Plan) -> bool:
     """Whether the result is larger than half of the memory."""
     if plan.nbytes < _SMALL:
         return False
+    needed("symhaptic.sweep of a result so large", "distributed", extra="sweep")
     from distributed.system import MEMORY_LIMIT
 
     return 2 * plan.nbytes > MEMORY_LIMIT

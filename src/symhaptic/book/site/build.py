@@ -25,7 +25,7 @@ from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.guides import guides, more, pictures
 from symhaptic.book.site.notebooks import FOLDER, GUIDES, notebooks
 from symhaptic.book.site.place import MARK, allowed
-from symhaptic.book.site.words import container, heading, table, words
+from symhaptic.book.site.words import container, heading, plain, table, words
 from symhaptic.book.tex.build import MEANINGS
 from symhaptic.book.tex.tex import ReportError
 from symhaptic.proof.verdict import Kind
@@ -115,7 +115,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
     out = [*heading(TITLE), OPENING]
     if whole:
         out += table("tasks", [["you want", "go to"], *map(list, TASKS)])
-        told = f"**{len(entries)} statements,** {by_source(entries)}: {counted(entries)}."
+        told = f"**{len(entries)} statements,** {plain(by_source(entries))}: {counted(entries)}."
         out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
     before = ["results", "errata", "ledger"] if whole else []
@@ -235,6 +235,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_search_summary": False,
         "html_show_sphinx": False,
         "html_show_copyright": False,
+        "smartquotes_action": "qe",  # of two hyphens it would make a dash
         "extensions": [
             *(f"symhaptic.book.site.{name}" for name in EXTENSIONS),
             "sphinx.ext.autodoc",

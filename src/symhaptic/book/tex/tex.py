@@ -10,6 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symhaptic.notation.extras import missing
+
+NEEDS = "a report needs jinja2 and matplotlib: pip install 'symhaptic[report]'"
 NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
@@ -19,6 +22,8 @@ BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been reference
 
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
+_SAFE = ("-interaction=nonstopmode", "-halt-on-error", "-latexoption=-no-shell-escape")
+"""TeX asks nothing, stops at an error, and starts no other program."""
 
 _TOLD = 20
 """Bad lines that a message lists."""
@@ -30,12 +35,8 @@ class ReportError(RuntimeError):
 
 def filled(name: str, **words: Any) -> str:
     """A template with its places filled."""
-    try:
-        from jinja2 import Environment, PackageLoader, StrictUndefined
-    except ImportError:
-        raise ReportError(
-            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
-        ) from None
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
     environment = Environment(
         loader=PackageLoader("symhaptic.book.tex"),
         undefined=StrictUndefined,
@@ -51,6 +52,11 @@ def filled(name: str, **words: Any) -> str:
     return environment.get_template(name).render(title=TITLE, **words)
 
 
+def can() -> bool:
+    """Whether what writes a report is installed."""
+    return not missing("jinja2", "matplotlib")
+
+
 def has_tex() -> bool:
     """Whether latexmk and pdflatex are installed."""
     return shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
@@ -60,7 +66,7 @@ def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> Non
     """Run latexmk on a document; overfull lines and undefined references are errors."""
     say(f"typesetting {name}.pdf")
     run = subprocess.run(
-        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", f"{name}.tex"],
+        ["latexmk", "-pdf", *_SAFE, f"{name}.tex"],
         cwd=folder,
         capture_output=True,
         text=True,
