@@ -237,6 +237,28 @@ def test_a_store_begun_with_other_kernels_is_refused(tmp_path, monkeypatch):
         sweep("max_stable_stiffness", **axes)
 
 
+@pytest.mark.parametrize("guard", ['if __name__ == "__main__":', "if True:"])
+def test_a_killed_worker_process_is_reported_in_one_line(guard, tmp_path):
+    program = f"""
+import os, signal
+from symhaptic import sweep
+
+def deadly(alpha):
+    if alpha.size > 1:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return alpha
+
+{guard}
+    sweep(deadly, alpha=[0.0, 1.0], on="processes", workers=1)
+"""
+    (tmp_path / "program.py").write_text(program)
+    command = [sys.executable, tmp_path / "program.py"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    last = done.stderr.splitlines()[-1]
+    told = "BrokenExecutor: a worker process was killed or could not start; where memory is short"
+    assert told in last
+
+
 @pytest.mark.ci
 def test_a_worker_that_is_killed_half_way(tmp_path):
     """Two processes of a local cluster, one of them killed: its blocks go to another one."""
