@@ -80,12 +80,11 @@ def sweep(
             raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; one of them is")
         place = store(to)
         place.begin(plan, like)
-        missing = list(place.missing(plan))
-        total = int(np.prod(plan.grid))
-        if missing:
-            with executor(on, workers) as pool:
+        if next(place.missing(plan), None) is not None:
+            with place.alone(), executor(on, workers) as pool:
+                missing = list(place.missing(plan))
                 pieces = map(plan.piece, missing)
-                for _ in done(pool, place.finish, pieces, len(missing), total):
+                for _ in done(pool, place.finish, pieces, len(missing), int(np.prod(plan.grid))):
                     pass
         return place.open(plan, like)
     if lazy or (lazy is None and _large(plan)):
