@@ -320,6 +320,25 @@ def test_no_flipped_bit_gives_other_values(kind, tmp_path):
     assert np.array_equal(found.alpha.values, wanted, equal_nan=True)
 
 
+@pytest.mark.parametrize("name", ["zarr.json", "alpha/zarr.json", "blocks/done/zarr.json",
+                                  "beta/zarr.json", "beta/c/0"])  # fmt: skip
+def test_damage_of_what_describes_a_group_is_reported_in_one_line(name, tmp_path):
+    place = tmp_path / "kept.zarr"
+    found, axes = kept("zarr", place)
+    wanted, whole, refused = found.alpha.values, (place / name).read_bytes(), 0
+    for i in range(3, 8 * len(whole), 401 if len(whole) > 100 else 29):
+        damaged = bytearray(whole)
+        damaged[i // 8] ^= 1 << i % 8
+        (place / name).write_bytes(damaged)
+        try:
+            values = sweep("linear_limit", to=place, **axes).alpha.values
+        except ValueError as wrong:
+            refused += bool(re.match(r"to: .+(damaged|holds)[^\n]+$", str(wrong)))
+        else:
+            assert np.array_equal(values, wanted, equal_nan=True), i
+    assert refused
+
+
 def test_another_reader_of_zarr_notices_a_flipped_bit(tmp_path):
     kept("zarr", tmp_path / "kept.zarr")
     file = tmp_path / "kept.zarr" / "alpha/c/1"

@@ -98,6 +98,22 @@ def _damaged(place: str, where: str) -> ValueError:
     )
 
 
+_WRONG = (KeyError, TypeError, ValueError, RuntimeError)
+"""What Zarr, and what it decompresses with, raise for files that are damaged."""
+
+
+@contextmanager
+def _readable(place: str) -> Iterator[None]:
+    """Report damage of what describes a group."""
+    try:
+        yield
+    except _WRONG as wrong:
+        raise ValueError(
+            f"to: a zarr.json, a label or a mark in {place!r} is damaged ({wrong}); give another "
+            "place, or remove this one"
+        ) from None
+
+
 def _bad_block(files: str, mark: str) -> ValueError:
     return ValueError(
         f"to: {files} is damaged or missing; delete {mark}, and the same call computes this block "
@@ -169,7 +185,7 @@ class Zarr:
             except FileNotFoundError:
                 if local:
                     _begun(self.place, None, plan, self._ABOUT)
-            except (TypeError, ValueError):
+            except _WRONG:
                 raise _damaged(self.place, self._ABOUT) from None
             else:
                 said = found.attrs.get(PLAN)
@@ -226,7 +242,11 @@ class Zarr:
         """Refuse a sweep of other labels."""
         import xarray
 
-        found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+        with _readable(self.place):
+            found = xarray.open_zarr(
+                self.place, consolidated=False, chunks=None
+            ).coords.to_dataset()
+            found.load()
         for name in sorted({*map(str, found), *map(str, empty.coords)}):
             if name not in found or name not in empty.coords or not (
                 found[name].equals(empty.coords[name])
@@ -238,7 +258,8 @@ class Zarr:
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
-        done = np.asarray(self._group()["blocks/done"][...])
+        with _readable(self.place):
+            done = np.asarray(self._group()["blocks/done"][...])
         return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
@@ -264,7 +285,7 @@ class Zarr:
             try:
                 values = np.asarray(group[variable.name][piece.region])
                 same = group["blocks/done"][piece.index][i] == _checksum(values)
-            except (ValueError, RuntimeError):  # of Zarr and of what it decompresses with
+            except _WRONG:
                 same = False
             if not same:
                 raise _bad_block(f"{self.place}/{variable.name}/{place}", mark)
