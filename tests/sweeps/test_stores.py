@@ -320,6 +320,7 @@ def test_no_flipped_bit_gives_other_values(kind, tmp_path):
     assert np.array_equal(found.alpha.values, wanted, equal_nan=True)
 
 
+@pytest.mark.filterwarnings("ignore:Object at .* is not recognized")
 @pytest.mark.parametrize("name", ["zarr.json", "alpha/zarr.json", "blocks/done/zarr.json",
                                   "beta/zarr.json", "beta/c/0"])  # fmt: skip
 def test_damage_of_what_describes_a_group_is_reported_in_one_line(name, tmp_path):

@@ -243,10 +243,9 @@ class Zarr:
         import xarray
 
         with _readable(self.place):
-            found = xarray.open_zarr(
-                self.place, consolidated=False, chunks=None
-            ).coords.to_dataset()
-            found.load()
+            found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+            for coord in found.values():
+                coord.load()
         for name in sorted({*map(str, found), *map(str, empty.coords)}):
             if name not in found or name not in empty.coords or not (
                 found[name].equals(empty.coords[name])
@@ -278,7 +277,8 @@ class Zarr:
         return lazily(plan, empty, self._read)
 
     def _read(self, piece: Piece) -> list[NDArray[Any]]:
-        group = self._group("r")
+        with _readable(self.place):
+            group = self._group("r")
         found, place = [], "/".join(("c", *map(str, piece.index)))
         mark = f"{self.place}/blocks/done/{place}/0"
         for i, variable in enumerate(piece.variables):
