@@ -59,7 +59,8 @@ def sweep(
     on that.  A bar on a terminal shows how far it is.
 
     ``to`` is where it is kept, block by block: a name that ends in ``.zarr``, which may be the
-    address of a store, or in ``.parquet``.  The same call again goes on where it was killed.
+    address of a store, or in ``.parquet``.  The same call again resumes it after a kill; another
+    call, other code of symhaptic or of the function, and a second writer are refused.
     With ``lazy`` nothing is computed yet: the arrays are Dask's.  So they are where the result
     is larger than half of the memory and has no place.
 
