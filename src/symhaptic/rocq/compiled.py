@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
+from symhaptic.book import processes
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.rocq.assumptions import axioms, resting, told
 from symhaptic.rocq.chapter import OPEN, File, printed
@@ -80,9 +81,7 @@ def version() -> str:
 def _compiled(folder: Path, name: str, seconds: int = SECONDS) -> subprocess.CompletedProcess[str]:
     limit = f"Default Timeout={seconds}"
     command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
-    return subprocess.run(
-        command, cwd=folder, env=_ROOM | os.environ, capture_output=True, text=True, check=False
-    )
+    return processes.run(command, cwd=folder, env=_ROOM | os.environ)
 
 
 def written(path: Path, folder: Path) -> Outcome:

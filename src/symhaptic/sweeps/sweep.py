@@ -60,7 +60,8 @@ def sweep(
     on that.  A bar on a terminal shows how far it is.
 
     ``to`` is where it is kept, block by block: a name that ends in ``.zarr``, which may be the
-    address of a store, or in ``.parquet``.  The same call again goes on where it was killed.
+    address of a store, or in ``.parquet``.  The same call again resumes it after a kill; another
+    call, other code of symhaptic or of the function, and a second writer are refused.
     With ``lazy`` nothing is computed yet: the arrays are Dask's.  So they are where the result
     is larger than half of the memory and has no place.
 
@@ -82,12 +83,11 @@ def sweep(
             raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; one of them is")
         place = store(to)
         place.begin(plan, like)
-        missing = list(place.missing(plan))
-        total = int(np.prod(plan.grid))
-        if missing:
-            with executor(on, workers) as pool:
+        if next(place.missing(plan), None) is not None:
+            with place.alone(), executor(on, workers) as pool:
+                missing = list(place.missing(plan))
                 pieces = map(plan.piece, missing)
-                for _ in done(pool, place.finish, pieces, len(missing), total):
+                for _ in done(pool, place.finish, pieces, len(missing), int(np.prod(plan.grid))):
                     pass
         return place.open(plan, like)
     if lazy or (lazy is None and _large(plan)):

@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book.processes import run
 from symhaptic.notation.extras import missing
 
 NEEDS = "a report needs jinja2 and matplotlib: pip install 'symhaptic[report]'"
@@ -65,19 +65,15 @@ def has_tex() -> bool:
 def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> None:
     """Run latexmk on a document; overfull lines and undefined references are errors."""
     say(f"typesetting {name}.pdf")
-    run = subprocess.run(
+    done = run(
         ["latexmk", "-pdf", *_SAFE, f"{name}.tex"],
         cwd=folder,
-        capture_output=True,
-        text=True,
         errors="replace",
-        stdin=subprocess.DEVNULL,
         env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"},
-        check=False,
     )
     log_file = folder / f"{name}.log"
     log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
-    if run.returncode != 0:
+    if done.returncode != 0:
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
         files = re.findall(r"\(\./([\w.-]+)\.tex", log)
         raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")
