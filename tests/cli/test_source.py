@@ -245,7 +245,7 @@ def odd(tmp_path, body, ids=("odd:one",), printed="x = 2y"):
         ('def derive(page):\n    page.enclosed("t", [1])', "1 is no pair of a name"),
         ('def derive(page):\n    page.enclosed("t", ["ab"])', "'ab' is no pair of a name"),
         ('def derive(page):\n    page.define("t", "{x", 2*y)', "'{x' has braces that do not match"),
-        ('def derive(page):\n    page.state("a", "b", "}")', "'}' has braces that do not"),
+        ('def derive(page):\n    page.state("a", "b", "}")', "'}' is not in the notation"),
         ('def derive(page):\n    page.state("a\\nb", "two lines")', "up to 99 further letters"),
     ],
 )
