@@ -46,6 +46,9 @@ for _ in range(100):  # a program that is being killed may still write there
     if not os.path.lexists(sys.argv[1]):
         break
     time.sleep(0.05)
+for parent in sys.argv[2:]:
+    if not os.listdir(parent):
+        os.rmdir(parent)
 """
 
 _PROGRAM = """
@@ -67,9 +70,12 @@ def _held(what: str, *arguments: str | Path, **options: Any) -> Popen[str]:
 
 @contextmanager
 def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[Path]:
-    """Make a temporary folder, which is removed at the end."""
+    """Make a temporary folder, which is removed at the end; so is a new parent that stays empty."""
+    new = [] if parent is None or parent.exists() else [parent]
+    if parent is not None:
+        parent.mkdir(parents=True, exist_ok=True)
     made = tempfile.mkdtemp(prefix=prefix, dir=parent)
-    with _held(_FOLDER, made):
+    with _held(_FOLDER, made, *new):
         yield Path(made)
 
 

@@ -148,7 +148,6 @@ def _beside(place: Path) -> Iterator[Path]:
     """Where it is made before it has its name, in a folder of its own that does not stay."""
     stack = ExitStack()
     try:
-        place.parent.mkdir(parents=True, exist_ok=True)
         draft = stack.enter_context(folder(f".{place.name}-", place.parent))
     except (OSError, ValueError) as wrong:
         reason = wrong.strerror if isinstance(wrong, OSError) else wrong

@@ -47,12 +47,13 @@ def executor(on: Any, workers: int | None) -> Iterator[Executor]:
         watched, held = context.Pipe(duplex=False)
         if on == "processes":
             made = ProcessPoolExecutor(workers, context, end_with_parent, (watched,))
+        finished = False
         try:
             yield made
-        except BaseException:
-            held.close()  # the worker processes end at once
-            raise
+            finished = True
         finally:
+            if not finished:
+                held.close()  # the worker processes end at once
             made.shutdown(cancel_futures=True)
             held.close()
             watched.close()

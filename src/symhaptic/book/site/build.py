@@ -151,7 +151,6 @@ def write(
     errata, ledger and results are left out.  ``take`` puts a figure into its file.
     """
     allowed(target)
-    target.parent.mkdir(parents=True, exist_ok=True)
     with folder(".draft-", target.parent) as draft:
         source, made = draft / "source", draft / "site"
         _sources(numbered, source, say, whole, take)

@@ -58,9 +58,8 @@ def drafted(target: Path) -> Iterator[Path]:
 
     A run that is killed leaves the old report whole.
     """
-    made_here, stack = not target.exists(), ExitStack()
+    stack = ExitStack()
     try:
-        target.mkdir(parents=True, exist_ok=True)
         for old in target.glob(f"{DRAFT}*"):  # another run may be making a younger one
             if time.time() - old.stat().st_mtime > STALE:
                 shutil.rmtree(old, ignore_errors=True)
@@ -70,15 +69,11 @@ def drafted(target: Path) -> Iterator[Path]:
             f"-o {target}: cannot write there ({wrong.strerror}); a folder that can be written is "
             "allowed"
         ) from None
-    try:
-        with stack:
-            yield draft
-            made = [p for p in sorted(draft.rglob("*")) if p.is_file() and p.suffix in KEPT]
-            refuse_foreign(target, [path.relative_to(draft).as_posix() for path in made])
-            for path in made:
-                place = target / path.relative_to(draft)
-                place.parent.mkdir(exist_ok=True)
-                os.replace(path, place)
-    finally:
-        if made_here and not any(target.iterdir()):
-            target.rmdir()
+    with stack:
+        yield draft
+        made = [p for p in sorted(draft.rglob("*")) if p.is_file() and p.suffix in KEPT]
+        refuse_foreign(target, [path.relative_to(draft).as_posix() for path in made])
+        for path in made:
+            place = target / path.relative_to(draft)
+            place.parent.mkdir(exist_ok=True)
+            os.replace(path, place)
