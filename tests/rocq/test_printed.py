@@ -137,8 +137,8 @@ def test_the_text_is_the_same_from_run_to_run():
 
 
 @pytest.mark.parametrize(("spring", "loss"), [(0.3, 0.2), (0.001, 0.02), (2.0, 0.0), (0.0, 0.7)])
-def test_what_the_prelude_believes_of_a_device_is_so(spring, loss):
-    """Its axiom rule_on_plants, by the power series there; the device is sampled by SciPy."""
+def test_what_boxes_take_of_a_device_is_so(spring, loss):
+    """The theorem on_plants, by the power series there; the device is sampled by SciPy."""
     state, force = np.array([[0, 1], [-spring, -loss]]), np.array([[0], [1]])
     sampled = cont2discrete((state, force, np.array([[1, 0]]), np.zeros((1, 1))), 1)
     (_, n_1, n_0), (_, minus_a, e) = ss2tf(*sampled[:4])[0][0], ss2tf(*sampled[:4])[1]

@@ -14,7 +14,7 @@ from symhaptic.cli.foreign import stale
 from symhaptic.notation.proposition import proposition
 from symhaptic.proof.theorems.derivation import sources
 from symhaptic.rocq import assumptions, compiled, preludes, together
-from symhaptic.rocq.chapter import ALONE, MEANING, PROVED, File, printed
+from symhaptic.rocq.chapter import ALONE, PROVED, File, printed
 from symhaptic.rocq.outcome import unasked
 from symhaptic.rocq.record import differences, record
 from symhaptic.rocq.steps import Step, order
@@ -104,11 +104,9 @@ def test_leaves_are_found_again(name, empty):
 
 def in_kernel(judged):
     """The rules and axioms, and what is meant by predicates, that our kernel names."""
-    meanings = MEANING | set(map(assumptions.rule_of, preludes.known_there()))
+    meanings = set(map(assumptions.rule_of, preludes.known_there()))
     theorems = [judged.theorem, *(case.theorem for case in judged.unless)]
     found = {t.given[0] if t.rule == "known" else t.rule for t in order(theorems)}
-    if found & {"roots_inside", "root_outside"}:  # Rocq counts such zeros as Schur did
-        found.add(foreign.SCHUR)
     return found & (set(sources()) | meanings)
 
 

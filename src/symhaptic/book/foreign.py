@@ -32,9 +32,6 @@ UNKNOWN = "Rocq was not asked"
 REALS, INTEGERS = "the axioms of the reals", "primitive integers and floats"
 """What a statement may rest on beside classical rules."""
 
-SCHUR = "schur"
-"""By what Rocq counts zeros, where our kernel has a decider; its source stands in Zeros.v."""
-
 
 @dataclass(frozen=True)
 class Checked:
@@ -59,10 +56,9 @@ class Checked:
     def others(self) -> list[str]:
         """What else it rests on, in words: meanings of predicates, and Rocq's library."""
         library = [name for name in (REALS, INTEGERS) if name in self.rests]
-        known = {*self.rules, *library, SCHUR}
+        known = {*self.rules, *library}
         meanings = [name.replace("_", " ") for name in self.rests if name not in known]
-        counted = ["Schur's criterion"] if SCHUR in self.rests else []
-        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + counted + library
+        return ([f"the meaning of {listed(meanings)}"] if meanings else []) + library
 
     @property
     def reason(self) -> str:

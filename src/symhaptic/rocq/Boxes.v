@@ -1,6 +1,6 @@
 (* What is positive on a box, by the pieces of a certificate: Rocq evaluates each of them with the
    intervals of coq-interval, over primitive floats; that what it finds holds is proved once here. *)
-From Symhaptic Require Export Prelude.
+From Symhaptic Require Export Control.
 From Coq Require Export String.
 From Coq Require Import Ascii.
 From Interval Require Import Xreal Interval Primitive_ops Float_full Tree Prog Eval Reify.
@@ -473,11 +473,6 @@ Fixpoint ways (g d : R) (k : nat) : R * R :=
   end.
 Definition held (g d x : R) : Prop := is_series (fun k => snd (ways g d k)) x.
 
-(* What the predicate means: the numbers of the sampled device are those of that motion; for n_0
-   the time runs backwards. *)
-Axiom rule_on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
-  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
-
 Lemma ways_next : forall g d k,
   snd (ways g d (S (S k))) =
   - (d * snd (ways g d (S k)) / INR (k + 4) + g * snd (ways g d k) / (INR (k + 4) * INR (k + 3))).
@@ -485,6 +480,146 @@ Proof.
   intros g d k; cbn [ways]; destruct (ways g d k) as [p q]; cbn [snd].
   replace (S k + 3)%nat with (k + 4)%nat by lia; replace (S k + 2)%nat with (k + 3)%nat by lia.
   reflexivity.
+Qed.
+
+(* The coefficients of the powers of the time, and that they fall as those of an exponential. *)
+Definition taylor (g d : R) (n : nat) : R := match n with S (S k) => snd (ways g d k) | _ => 0 end.
+Lemma taylor_next : forall g d n, INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n =
+  match n with O => 1 | _ => 0 end.
+Proof.
+  intros g d [| [| n]]; [simpl; field | simpl; field |].
+  change (taylor g d (S (S (S (S n))))) with (snd (ways g d (S (S n)))); change (taylor g d (S (S (S n)))) with (snd (ways g d (S n))).
+  change (taylor g d (S (S n))) with (snd (ways g d n)); rewrite ways_next.
+  replace (S (S n) + 2)%nat with (n + 4)%nat by lia; replace (S (S n) + 1)%nat with (n + 3)%nat by lia.
+  assert (INR (n + 4) <> 0) by (apply not_0_INR; lia); assert (INR (n + 3) <> 0) by (apply not_0_INR; lia); field; split; assumption.
+Qed.
+Lemma taylor_falls : forall g d n, Rabs (taylor g d n) <= (1 + Rabs d + Rabs g) ^ n / INR (fact n).
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (B : forall n, Rabs (taylor g d n) * INR (fact n) <= k ^ n /\ Rabs (taylor g d (S n)) * INR (fact (S n)) <= k ^ S n).
+  { induction n as [| n [A B]].
+    - simpl; rewrite Rabs_R0; split; lra.
+    - split; [exact B |]; assert (T := taylor_next g d n).
+      assert (P1 : 0 < INR (n + 1)) by (apply lt_0_INR; lia); assert (P2 : 0 < INR (n + 2)) by (apply lt_0_INR; lia).
+      assert (Pf : 0 < INR (fact n)) by apply INR_fact_lt_0.
+      replace (INR (fact (S (S n)))) with (INR (n + 2) * INR (n + 1) * INR (fact n)).
+      2: { rewrite !fact_simpl, !mult_INR; replace (S (S n)) with (n + 2)%nat by lia; replace (S n) with (n + 1)%nat by lia; ring. }
+      replace (Rabs (taylor g d (S (S n))) * (INR (n + 2) * INR (n + 1) * INR (fact n))) with
+        (Rabs (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) * INR (fact n)).
+      2: { rewrite !Rabs_mult, (Rabs_pos_eq (INR (n + 2))), (Rabs_pos_eq (INR (n + 1))) by lra; ring. }
+      rewrite fact_simpl, mult_INR in B; replace (S n) with (n + 1)%nat in B by lia.
+      set (u := match n with O => 1 | _ => 0 end) in T.
+      replace (INR (n + 2) * INR (n + 1) * taylor g d (S (S n))) with (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) by lra.
+      assert (U : Rabs u * INR (fact n) <= k ^ S n).
+      { unfold u; destruct n; [simpl; rewrite Rabs_R1; lra | rewrite Rabs_R0, Rmult_0_l; apply pow_le; lra]. }
+      assert (Tr : Rabs (u - d * (INR (n + 1) * taylor g d (S n)) - g * taylor g d n) <=
+        Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)).
+      { unfold Rminus; eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat].
+        - eapply Rle_trans; [apply Rabs_triang |]; apply Rplus_le_compat_l; rewrite Rabs_Ropp, !Rabs_mult, (Rabs_pos_eq (INR (n + 1))) by lra; lra.
+        - rewrite Rabs_Ropp, Rabs_mult; lra. }
+      apply Rle_trans with ((Rabs u + Rabs d * (INR (n + 1) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n)).
+      { apply Rmult_le_compat_r; [lra | exact Tr]. }
+      assert (Kn : k ^ n <= k ^ S n) by (simpl; assert (0 < k ^ n) by (apply pow_lt; lra); nra).
+      replace (n + 1)%nat with (S n) in * by lia.
+      assert (Q1 : Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) <= Rabs d * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos |]; eapply Rle_trans; [apply Req_le | exact B]; ring. }
+      assert (Q2 : Rabs g * (Rabs (taylor g d n) * INR (fact n)) <= Rabs g * k ^ S n).
+      { apply Rmult_le_compat_l; [apply Rabs_pos | lra]. }
+      assert (Sum : (Rabs u + Rabs d * (INR (S n) * Rabs (taylor g d (S n))) + Rabs g * Rabs (taylor g d n)) * INR (fact n) =
+        Rabs u * INR (fact n) + Rabs d * (INR (S n) * Rabs (taylor g d (S n)) * INR (fact n)) + Rabs g * (Rabs (taylor g d n) * INR (fact n))) by ring.
+      rewrite Sum; apply Rle_trans with (k ^ S n + Rabs d * k ^ S n + Rabs g * k ^ S n); [lra |].
+      change (k ^ S (S n)) with (k * k ^ S n); replace (k * k ^ S n) with ((1 + Rabs d + Rabs g) * k ^ S n) by reflexivity; lra. }
+  intro n; assert (P : 0 < INR (fact n)) by apply INR_fact_lt_0; apply Rle_div_r; [exact P | apply B].
+Qed.
+Lemma below_exp : forall z n, 0 <= z -> z ^ n / INR (fact n) <= exp z.
+Proof.
+  intros z n Z; assert (P : forall k, 0 <= z ^ k * / INR (fact k)).
+  { intro k; apply Rmult_le_pos; [apply pow_le, Z | apply Rlt_le, Rinv_0_lt_compat, INR_fact_lt_0]. }
+  assert (E := is_exp_Reals z); apply is_pseries_R in E.
+  assert (I : forall m, sum_n (fun k => / INR (fact k) * z ^ k) m <= sum_n (fun k => / INR (fact k) * z ^ k) (S m)).
+  { intro m; rewrite sum_Sn; change plus with Rplus; generalize (P (S m)); rewrite Rmult_comm; lra. }
+  assert (L := is_lim_seq_incr_compare _ (exp z) E I n); eapply Rle_trans; [| exact L].
+  destruct n as [| n]; [rewrite sum_O; simpl; lra |].
+  rewrite sum_Sn; assert (0 <= sum_n (fun k => / INR (fact k) * z ^ k) n).
+  { clear - P; induction n as [| n IH]; [rewrite sum_O; rewrite Rmult_comm; apply P |].
+    rewrite sum_Sn; change plus with Rplus; apply Rplus_le_le_0_compat; [exact IH | rewrite Rmult_comm; apply P]. }
+  eapply Rle_trans; [| apply Rplus_le_compat_r; exact H]; unfold Rdiv; apply Req_le; ring.
+Qed.
+Lemma taylor_converges : forall g d, CV_radius (taylor g d) = p_infty.
+Proof.
+  intros g d; set (k := 1 + Rabs d + Rabs g); assert (K : 1 <= k) by (unfold k; generalize (Rabs_pos d) (Rabs_pos g); lra).
+  assert (L : forall r : R, 0 <= r -> Rbar_le r (CV_radius (taylor g d))).
+  { intros r R0; destruct (CV_radius_bounded (taylor g d)) as [U _]; apply U.
+    exists (exp (k * r)); intro n; rewrite Rabs_mult, (Rabs_pos_eq (r ^ n)) by (apply pow_le, R0).
+    apply Rle_trans with ((k * r) ^ n / INR (fact n)); [| apply below_exp, Rmult_le_pos; lra].
+    rewrite Rpow_mult_distr; unfold Rdiv; rewrite (Rmult_comm (k ^ n)), Rmult_assoc, (Rmult_comm (r ^ n)).
+    apply Rmult_le_compat_r; [apply pow_le, R0 | apply taylor_falls]. }
+  destruct (CV_radius (taylor g d)) as [r | |]; [exfalso | reflexivity | exfalso; exact (L 0 (Rle_refl 0))].
+  assert (A := L (Rabs r + 1) ltac:(generalize (Rabs_pos r); lra)); simpl in A; generalize (Rle_abs r); lra.
+Qed.
+Lemma no_series : is_series (fun _ : nat => 0) 0.
+Proof. apply (filterlim_ext (fun _ => 0)); [intro n; rewrite sum_n_const; ring | apply filterlim_const]. Qed.
+(* The sum of the series in time is the motion under a unit force. *)
+Lemma series_moves : forall g d, moves g d 1 (PSeries (taylor g d)) (PSeries (PS_derive (taylor g d))).
+Proof.
+  intros g d t; set (a := taylor g d); assert (R0 : CV_radius a = p_infty) by apply taylor_converges.
+  assert (R1 : CV_radius (PS_derive a) = p_infty) by (rewrite CV_radius_derive; exact R0).
+  split; [apply is_derive_PSeries; rewrite R0; exact I |].
+  evar_last; [apply is_derive_PSeries; rewrite R1; exact I |].
+  assert (C : forall b, CV_radius b = p_infty -> ex_pseries b t) by (intros b B; apply CV_radius_inside; rewrite B; exact I).
+  assert (E : PSeries (PS_derive (PS_derive a)) t + d * PSeries (PS_derive a) t + g * PSeries a t = 1).
+  { assert (C2 : CV_radius (PS_derive (PS_derive a)) = p_infty) by (rewrite CV_radius_derive; exact R1).
+    assert (S0 := PSeries_correct _ _ (C _ R0)); assert (S1 := PSeries_correct _ _ (C _ R1)); assert (S2 := PSeries_correct _ _ (C _ C2)).
+    assert (T1 := is_pseries_scal d _ t _ (Rmult_comm _ _) S1); assert (T0 := is_pseries_scal g _ t _ (Rmult_comm _ _) S0).
+    assert (T := is_pseries_plus _ _ t _ _ (is_pseries_plus _ _ t _ _ S2 T1) T0).
+    apply (is_pseries_ext _ (fun n => match n with O => 1 | _ => 0 end)) in T.
+    - assert (One : is_pseries (fun n => match n with O => 1 | _ => 0 end) t 1).
+      { apply is_pseries_R, is_series_decr_1.
+        evar_last; [apply (is_series_ext (fun _ => 0)); [intro n; change (0 = 0 * t ^ S n); ring | apply no_series] |].
+        unfold plus, opp; simpl; ring. }
+      apply is_pseries_unique in T; apply is_pseries_unique in One; rewrite One in T; symmetry; exact T.
+    - intro n; transitivity (INR (n + 2) * INR (n + 1) * taylor g d (S (S n)) + d * (INR (n + 1) * taylor g d (S n)) + g * taylor g d n); [| apply taylor_next]; unfold PS_plus, PS_scal, PS_derive.
+      change plus with Rplus; change scal with Rmult; fold a; replace (n + 2)%nat with (S (S n)) by lia; replace (n + 1)%nat with (S n) by lia.
+      rewrite !S_INR; match goal with |- ?x = ?y => change (@eq R x y) end; ring. }
+  lra.
+Qed.
+
+Theorem on_plants : forall g d n1 n0 a e : R, device g d n1 n0 a e ->
+  held g d n1 /\ held g (- d) (n0 / exp (- d)) /\ e = exp (- d) /\ 1 - a + e = g * (n1 + n0).
+Proof.
+  intros g d n1 n0 a e V; assert (Start : forall k, PSeries (taylor g k) 0 = 0 /\ PSeries (PS_derive (taylor g k)) 0 = 0).
+  { intro k; rewrite !PSeries_0; unfold PS_derive; simpl; split; ring. }
+  assert (Sum : forall k, held g k (PSeries (taylor g k) 1)).
+  { intro k; unfold held; assert (R0 : CV_radius (taylor g k) = p_infty) by apply taylor_converges.
+    assert (P := PSeries_correct (taylor g k) 1 ltac:(apply CV_radius_inside; rewrite R0; exact I)); apply is_pseries_R in P.
+    apply (is_series_ext _ (taylor g k)) in P; [| intro n; rewrite pow1; apply Rmult_1_r].
+    apply (is_series_incr_n (taylor g k) 2); [lia |].
+    evar_last; [exact P |]; simpl pred; rewrite sum_Sn, sum_O; unfold plus; simpl; ring. }
+  assert (W := V); destruct W as (x1 & v1 & x2 & v2 & x3 & v3 & M & A & E & N1 & N0).
+  repeat split.
+  - rewrite N1; destruct (one_motion g d 1 _ _ _ _ (third _ _ _ _ _ _ _ _ M) (series_moves g d)) with (t := 1) as [X _];
+      [rewrite (third_place _ _ _ _ _ _ _ _ M); symmetry; apply Start | rewrite (third_speed _ _ _ _ _ _ _ _ M); symmetry; apply Start | lra |].
+    rewrite X; apply Sum.
+  - (* exp(d t) times the motion under the force exp(-d t) is that of the damping - d *)
+    set (w := fun t => x2 t * x2 t - v2 t * x3 t); set (s := fun t => x2 t - d * w t).
+    assert (B : moves g (- d) 1 (fun t => exp (d * t) * w t) (fun t => exp (d * t) * (s t + d * w t))).
+    { intro t; assert (P : is_derive w t (s t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (Q : is_derive s t (exp (- d * t) - d * s t - g * w t)) by apply (fading_force _ _ _ _ _ _ _ _ M t).
+      assert (P' : Derive (fun t => w t) t = s t) by (apply is_derive_unique; exact P).
+      assert (Q' : Derive (fun t => s t) t = exp (- d * t) - d * s t - g * w t) by (apply is_derive_unique; exact Q).
+      assert (F : exp (d * t) * exp (- d * t) = 1) by (rewrite <- exp_plus, <- exp_0; f_equal; ring).
+      clearbody w s; split.
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P'; ring].
+      - auto_derive; [repeat split; eexists; eassumption | rewrite P', Q'].
+        transitivity (exp (d * t) * exp (- d * t) + d * exp (d * t) * (s t + d * w t) - g * (exp (d * t) * w t)); [ring | rewrite F; ring]. }
+    destruct (one_motion g (- d) 1 _ _ _ _ B (series_moves g (- d))) with (t := 1) as [X _]; [| | lra |].
+    + rewrite (proj1 (Start (- d))); unfold w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + rewrite (proj2 (Start (- d))); unfold s, w; rewrite (second_place _ _ _ _ _ _ _ _ M), (third_place _ _ _ _ _ _ _ _ M); ring.
+    + replace (n0 / exp (- d)) with (PSeries (taylor g (- d)) 1); [apply Sum |].
+      rewrite <- X, N0, Rmult_1_r; destruct (held_force _ _ _ _ _ _ _ _ M 1) as (H & _); rewrite H.
+      unfold w; rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos.
+  - exact (device_loss _ _ _ _ _ _ V).
+  - generalize (device_at_rest _ _ _ _ _ _ V); lra.
 Qed.
 
 (* Up to t^8, what follows is less than the next coefficients say. *)
@@ -581,7 +716,7 @@ Lemma sampled : forall g d n1 n0 a e : R, device g d n1 n0 a e -> Rabs g <= 1 ->
   exists r s, Rabs r <= left_out g d /\ Rabs s <= left_out g (- d) /\ n1 = way g d + r /\
     n0 = exp (- d) * (way g (- d) + s) /\ e = exp (- d) /\ - a + e + 1 = g * (n1 + n0).
 Proof.
-  intros g d n1 n0 a e V G D; destruct (rule_on_plants g d n1 n0 a e V) as (P & Q & E & A).
+  intros g d n1 n0 a e V G D; destruct (on_plants g d n1 n0 a e V) as (P & Q & E & A).
   destruct (held_within g d n1 G D P) as (r & R & X).
   destruct (held_within g (- d) _ G ltac:(rewrite Rabs_Ropp; exact D) Q) as (t & T & Y).
   exists r, t; repeat split; try assumption; [| lra].
@@ -631,7 +766,7 @@ Definition checked_numbers (others : nat) (inner : list expr) (outer : expr) (en
   forallb small_side (firstn 2 ends) &&
   checked rests_of (numbers_of others ++ inner) outer ends cuts.
 Theorem boxed_numbers : forall inner outer ends cuts g d others n1 n0 a e,
-  device (RtoC g) (RtoC d) (RtoC n1) (RtoC n0) (RtoC a) (RtoC e) ->
+  device g d n1 n0 a e ->
   checked_numbers (List.length others) inner outer ends cuts = true -> Forall2 lies ends (g :: d :: others) ->
   forall t, (forall r s, eval outer (with_names inner (a :: n0 :: e :: n1 :: (g :: d :: others) ++ r :: s :: nil)) = t) ->
   0 < t.
@@ -685,7 +820,7 @@ Ltac in_pieces xs ends cuts :=
 (* Of a device's numbers and of gamma, delta and others; vs are further terms that it names. *)
 Ltac of_device vs xs ends cuts :=
   let ends := ends_expressed ends in
-  lazymatch goal with V : device (RtoC ?g) (RtoC ?d) (RtoC ?n1) (RtoC ?n0) (RtoC ?a) (RtoC ?e) |- 0 < ?t =>
+  lazymatch goal with V : device ?g ?d ?n1 ?n0 ?a ?e |- 0 < ?t =>
     lazymatch xs with _ :: _ :: ?others =>
       let terms := with_terms vs constr:(a :: n0 :: e :: n1 :: xs) in
       lazymatch terms with (?inner, ?l) =>

@@ -1,4 +1,4 @@
-(* What every chapter uses: the meaning of the predicates, and the tactics that prove leaves.
+(* What every chapter uses: real and complex functions, and the tactics that prove leaves.
    A relation whose terms divide stands beside what it divides by: c <> 0 /\ a / c < b. *)
 From Coq Require Export Reals Lra Lia Nsatz FunctionalExtensionality.
 From Coq Require QArith Qround Qreals Qreduction Ranalysis5.
@@ -26,59 +26,6 @@ Definition Cless (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z < Re w.
 Definition Cless_eq (z w : C) : Prop := Im z = 0 /\ Im w = 0 /\ Re z <= Re w.
 Definition Ctends (f : R -> C) (a : R) (l : C) : Prop :=
   tends (fun x => Re (f x)) a (Re l) /\ tends (fun x => Im (f x)) a (Im l).
-
-(* What is said of polynomials, walls, loops and devices is not defined here; what is known of it
-   stands in the axioms.  A function of z stands for a polynomial, or for a transfer function. *)
-Parameter stable hurwitz : (C -> C) -> Prop.
-Parameter passive : (C -> C) -> C -> Prop.
-Parameter degree : (C -> C) -> C -> Prop.
-Parameter answers : (C -> C) -> C -> C -> C -> Prop.
-Parameter passive_wall stable_loop stable_substituted stable_principal :
-  C -> C -> C -> C -> C -> Prop.
-Parameter passive_device : (C -> C) -> C -> C -> C -> C -> C -> Prop.
-Parameter pole device : C -> C -> C -> C -> C -> C -> Prop.
-Parameter late_device : C -> C -> C -> C -> C -> C -> C -> C -> Prop.
-Parameter swings : C -> C -> C -> C -> Prop.
-
-(* A motion at constant speeds, piece by piece (time in periods, way), from rest at 0; the force that
-   a wall holds from k + late on is K x_k + B (x_k - x_(k-1))/T.  All of it but K, B and b is rational. *)
-Module Motion.
-Import QArith Qround.
-Open Scope Q_scope.
-Fixpoint after (motion : list (Q * Q)) (t : Q) : Q :=
-  match motion with
-  | nil => 0
-  | cons (time, way) rest =>
-      if Qle_bool time t then Qred (way + after rest (t - time)) else Qred (way * t / time)
-  end.
-Definition place motion t := if Qle_bool t 0 then 0 else after motion t.
-Fixpoint lasts (motion : list (Q * Q)) : Q :=
-  match motion with nil => 0 | cons (time, _) rest => Qred (time + lasts rest) end.
-Fixpoint forwards (motion : list (Q * Q)) : bool :=
-  match motion with nil => true | cons (time, _) rest => andb (negb (Qle_bool time 0)) (forwards rest) end.
-Fixpoint burnt (motion : list (Q * Q)) : Q :=
-  match motion with nil => 0 | cons (time, way) rest => Qred (way * way / time + burnt rest) end.
-(* The sum of f(k) times the way while the force of sample k is held, for k = 1 to n. *)
-Fixpoint taken motion (late : Q) (f : Q -> Q) (n : nat) : Q :=
-  match n with
-  | O => 0
-  | S m =>
-      let k := inject_Z (Z.of_nat n) in
-      Qred (f k * (place motion (k + 1 + late) - place motion (k + late)) + taken motion late f m)
-  end.
-Definition samples motion := Z.to_nat (Qceiling (lasts motion)).
-Definition by_spring motion late := taken motion late (place motion) (samples motion).
-Definition by_damper motion late :=
-  taken motion late (fun k => place motion k - place motion (k - 1)) (samples motion).
-Definition energy (K B b T : R) (late : Q) motion : R :=
-  (b / T * Q2R (burnt motion) + K * Q2R (by_spring motion late) + B / T * Q2R (by_damper motion late))%R.
-End Motion.
-
-(* What the predicate means: a motion that gains energy. *)
-Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list _),
-  d = Q2R late -> 0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
-  Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
-  ~ passive_wall K B b T d.
 
 (* -- numbers --------------------------------------------------------------------------- *)
 
@@ -418,7 +365,13 @@ Ltac turned :=
 
 Ltac raised := repeat rewrite exp_plus; rewrite ?exp_Ropp; field; nz.
 (* The value of a function of a sum, which is written out. *)
-Ltac by_parts way := transitivity way; [f_equal; solve [fraction; nz] | first [turned | raised]].
+Ltac root_squares :=
+  repeat match goal with |- context [sqrt ?a] =>
+    lazymatch goal with _ : sqrt a * sqrt a = _ |- _ => fail | _ => pose proof (root_square a ltac:(rooted)) end
+  end.
+Ltac same_root := apply Rsqr_inj; [rooted | rooted | unfold Rsqr; root_squares; lra].
+Ltac by_parts way :=
+  transitivity way; [f_equal; first [solve [fraction; nz] | solve [same_root]] | first [turned | raised]].
 
 (* -- signs -------------------------------------------------------------------------- *)
 
@@ -913,9 +866,6 @@ Ltac rationals :=
     end
   end;
   unfold Q2R; cbn [QArith_base.Qnum QArith_base.Qden].
-Ltac gained :=
-  first [reflexivity | unfold Motion.energy; rationals; numeric].
-
 Ltac Craises_to z w n :=
   replace (Craised z w) with (z ^ n)%C by (rewrite <- Craised_number; f_equal; simpl; Cpushed; ring).
 Ltac Craises :=
@@ -1133,7 +1083,7 @@ Ltac atom :=
       end
     | from_known by_same
     | Cmixed
-    | lazymatch goal with |- _ <= _ => interval end ].
+    | lazymatch goal with |- _ <= _ => interval | |- _ <> RtoC 0 => Cnz end ].
 
 (* One relation from just one other. *)
 Ltac direct H :=

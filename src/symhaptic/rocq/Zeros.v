@@ -6,23 +6,6 @@ Import List Tree.
 Open Scope list_scope.
 Open Scope R_scope.
 
-(* -- the criterion -------------------------------------------------------------------- *)
-
-(* The coefficients stand in the order of the powers, the lowest first. *)
-Fixpoint poly (a : list C) (z : C) : C :=
-  match a with nil => RtoC 0 | x :: more => (x + z * poly more z)%C end.
-(* (p - p(0)/conj(b) p_star)/z, where b leads p, and p_star(z) = z^n conj(p(1/conj(z))). *)
-Definition reduced (a : list C) : list C :=
-  let k := (hd (RtoC 0) a / Cconj (last a (RtoC 0)))%C in
-  tl (map (fun x => (fst x - k * Cconj (snd x))%C) (combine a (rev a))).
-
-(* All zeros lie inside if there is none, or if |p(0)| < |b| and those of the reduced one do: Schur,
-   Ueber Potenzreihen, die im Innern des Einheitskreises beschraenkt sind, J. reine angew. Math. 148,
-   1918; Marden, Geometry of Polynomials, Theorem 42,1. *)
-Axiom rule_schur : forall a : list C, last a (RtoC 0) <> RtoC 0 ->
-  (stable (poly a) <->
-    List.length a = 1%nat \/ (Cmod (hd (RtoC 0) a) < Cmod (last a (RtoC 0)) /\ stable (poly (reduced a)))).
-
 (* -- complex intervals ---------------------------------------------------------------- *)
 
 Module Big := SpecificFloat BigIntRadix2.
@@ -311,7 +294,7 @@ Lemma inside_holds : forall steps A a, Forall2 within A a -> inside steps A = tr
 Proof.
   induction steps as [| steps IH]; intros A a F E; destruct F as [| X x A a P F]; try discriminate.
   simpl in E; apply andb_prop in E; destruct E as [E G].
-  assert (F' := Forall2_cons X x P F); apply rule_schur.
+  assert (F' := Forall2_cons X x P F); apply schur.
   - apply (apart_holds (last (X :: A) nothing)); [apply within_last, F' | exact E].
   - destruct F as [| Y y A a Q F]; [left; reflexivity | right].
     apply andb_prop in G; destruct G as [G N]; split.
@@ -324,7 +307,7 @@ Proof.
   destruct F as [| Y y A a Q F]; try discriminate.
   assert (F' := Forall2_cons X x P (Forall2_cons Y y Q F)).
   simpl in E; apply andb_prop in E; destruct E as [E G].
-  apply rule_schur in S; [destruct S as [S | [S T]]; [discriminate |] |].
+  apply schur in S; [destruct S as [S | [S T]]; [discriminate |] |].
   - apply orb_prop in G; destruct G as [G | G].
     + apply (Rlt_irrefl (Cmod x)); apply Rlt_trans with (1 := S).
       apply (smaller_holds (last (X :: Y :: A) nothing) _ X); [apply within_last, F' | exact P | exact G].

@@ -15,18 +15,21 @@ from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.rocq.classical import CLASSICAL, ELEMENTARY
 from symhaptic.rocq.leaves import BOXED, COUNTED, LEAVES
 from symhaptic.rocq.logic import LOGIC
+from symhaptic.rocq.loops import LOOPS
+from symhaptic.rocq.meaning import differs
 from symhaptic.rocq.propositions import half_said
 from symhaptic.rocq.steps import Proof, Step, comment, order, stated, wrapped
 from symhaptic.rocq.terms import Names, NotPrinted
+from symhaptic.rocq.zeros import ZEROS
 
-WRITTEN = LOGIC | LEAVES | CLASSICAL
-MEANT = "what the predicate means: the characteristic polynomial of the model"
-MEANING = frozenset({"loop", "loop_substituted"})
-"""Rules that say what a predicate means."""
-BELIEVED = sources() | dict.fromkeys(MEANING, MEANT)
+SHOWN = CLASSICAL | ZEROS | LOOPS
+"""Classical rules that are theorems here."""
+WRITTEN = LOGIC | LEAVES | SHOWN
+BELIEVED = sources()
 """Rules that are believed, with where each is from; those that are proved here are not asked."""
-PROVED = frozenset(CLASSICAL) | frozenset(ELEMENTARY)
+PROVED = frozenset(SHOWN) | frozenset(ELEMENTARY)
 """Classical rules and axioms that are theorems of Rocq here."""
+HALF = "a root of what may be negative, in complex numbers"
 OPEN = "not checked:"
 """How the comment of a leaf begins that no tactic checks; it is an axiom named ``open_``."""
 
@@ -49,7 +52,7 @@ class File:
 
     def written(self, asks: bool = True) -> str:
         """The text: byte by byte the same from run to run; it may ask on what all of it rests."""
-        import_ = f"From Symhaptic Require Import {' '.join(['Prelude', *self._checkers()])}."
+        import_ = f"From Symhaptic Require Import {' '.join(['Control', *self._checkers()])}."
         head = [*map(_paragraph, self._head()), import_, ""]
         steps = [f"{self._title(step)}{step.written()}" for step in self.steps]
         # where it is cut short, it names what it has not read yet among the axioms
@@ -70,7 +73,7 @@ class File:
     def _checkers(self) -> list[str]:
         """The files of the checkers that it uses."""
         rules = {step.rule for step in self.steps}
-        return [name for name, (some, *_) in CHECKERS.items() if rules & some]
+        return [name for name, (some, _) in CHECKERS.items() if rules & some]
 
     def named_by(self, id: str) -> set[str]:
         """Every name in the lemmas of a statement, and in those that they use."""
@@ -79,7 +82,6 @@ class File:
         while left:
             step = known[left.pop()]
             words = set(re.findall(r"[\w']+", " ".join([step.name, step.statement, *step.lines])))
-            words |= {axiom for some, _, axiom in CHECKERS.values() if step.rule in some and axiom}
             left += (words - found) & set(known)
             found |= words
         return found
@@ -110,17 +112,19 @@ HOW = (
     "Lemmas stand after those that they use. A lemma says a theorem for all of its free symbols: "
     "hypotheses, then conclusion; a relation stands beside what it divides by. Its comment names "
     "the rule that made it, listed below. Axioms are named axiom_ and rule_, with their source: "
-    "classical theorems, and what is known of a device; one that is named open_ is a step which "
-    "nobody has checked here. What is named _fails_ shows a point at which a condition, or what is "
-    "printed, fails. Tactics, and what the predicates are, stand in Prelude.v"
+    "classical theorems on passivity, and what is known of walls and of the answers of a device; "
+    "one that is named open_ is a step which nobody has checked here. What is named _fails_ shows "
+    "a point at which a condition, or what is printed, fails. Tactics stand in Prelude.v and "
+    "Control.v, predicates in Polynomials.v, Circle.v (stable, hurwitz), Device.v, Loop.v and "
+    "Control.v"
 )
 ALONE = frozenset({"identity", "number", "broken", "tends"}) | BOXED
 """Leaves that use no other lemma."""
 CHECKERS = {
-    "Boxes": (BOXED, "how the pieces of a box are checked", ""),
-    "Zeros": (COUNTED, "how the zeros of a polynomial are counted", "rule_schur"),
+    "Boxes": (BOXED, "how the pieces of a box are checked"),
+    "Zeros": (COUNTED, "how the zeros of a polynomial are counted"),
 }
-"""Programs that are proved in Rocq, by their files: for which rules, what they do, and by what."""
+"""Programs that are proved in Rocq, by their files: for which rules, and what they do."""
 
 
 def _paragraph(text: str) -> str:
@@ -151,9 +155,8 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     known: dict[Said, Step] = {}
     why: dict[Said, str] = {}
     named = _named(chapter)
-    half = {said(t) for _, _, t in theorems_of(chapter) if _half_said(t)}
-    # what would say less is not worth its steps
-    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in half):
+    unlike = _unlike(chapter)
+    for theorem in order(t for _, _, t in theorems_of(chapter) if said(t) not in unlike):
         if said(theorem) in known:
             continue
         try:
@@ -162,16 +165,16 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
         except NotPrinted as wrong:
             why[said(theorem)] = str(wrong)
             continue
-        for i, step in enumerate(found):
-            if broken and step.name in broken and step.kind != "Axiom":
-                found[i] = _opened(step, broken[step.name])
+        if broken:
+            found = _opened_where(found, broken)
         known[said(theorem)] = found[-1]
-        file.steps += found
+        there = {step.name for step in file.steps}
+        file.steps += [step for step in found if step.name not in there]
     for kind, id, theorem in theorems_of(chapter):
         if kind == "statement":
             file.says[id] = chapter.page.settled[id].statement.says
-            if said(theorem) in half:
-                file.missing.setdefault(id, "a root of what may be negative, in complex numbers")
+            if said(theorem) in unlike:
+                file.missing.setdefault(id, unlike[said(theorem)])
             elif said(theorem) in known:
                 file.statements[id] = (*file.statements.get(id, ()), known[said(theorem)].name)
             else:
@@ -185,8 +188,24 @@ def printed(chapter: Chapter, broken: Mapping[str, str] | None = None) -> File:
     return file
 
 
-def _half_said(theorem: Theorem) -> bool:
-    return any(map(half_said, (*theorem.hypotheses, theorem.conclusion)))
+def _unlike(chapter: Chapter) -> dict[Said, str]:
+    """Why a theorem of a chapter is not printed: the text would not say the same."""
+    found = {}
+    for kind, _, theorem in theorems_of(chapter):
+        if any(map(half_said, (*theorem.hypotheses, theorem.conclusion))):
+            found[said(theorem)] = HALF
+        elif kind == "statement" and (wrong := _says_else(theorem)):
+            found[said(theorem)] = wrong
+    return found
+
+
+def _says_else(*theorems: Theorem) -> str | None:
+    """Where the text of theorems is found to say something else than the theorems."""
+    try:
+        claims = ((t.hypotheses, (*t.hypotheses, t.conclusion)) for t in theorems)
+        return next(filter(None, (differs(said, given) for given, said in claims)), None)
+    except NotPrinted as wrong:
+        return str(wrong)
 
 
 def _named(chapter: Chapter) -> dict[Said, str]:
@@ -220,7 +239,7 @@ def _step(
         step.pieces = theorem.given[0].pieces
     if theorem.rule == "known":
         return [_axiom(step, rule, own)]
-    if theorem.rule in BELIEVED and theorem.rule not in CLASSICAL:
+    if theorem.rule in BELIEVED and theorem.rule not in SHOWN:
         return _instance(step, theorem, known, number)
     names = Names("0")  # of a symbol that cancels, any number will do
     try:
@@ -233,7 +252,7 @@ def _step(
     except NotPrinted as wrong:
         return [_opened(step, str(wrong))]
     step.lines = proof.lines
-    return [step]
+    return [*proof.helpers, step]
 
 
 def _introduce(proof: Proof, over: Sequence[str]) -> None:
@@ -248,6 +267,22 @@ def _opened(step: Step, why: str) -> Step:
     """The leaf as an axiom that every statement on it is seen to rest on."""
     name = step.name if step.name.startswith("open_") else f"open_{step.name}"
     return replace(step, name=name, kind="Axiom", lines=[], why=f"{OPEN} {why}")
+
+
+def _opened_where(steps: Sequence[Step], broken: Mapping[str, str]) -> list[Step]:
+    """The same with those open that are known to fail, under the names that these then have."""
+    found, names = list[Step](), dict[str, str]()
+    for step in steps:
+        if step.name in broken and step.kind != "Axiom":
+            found.append(_opened(step, broken[step.name]))
+            names[step.name] = found[-1].name
+        else:
+            lines = [
+                re.sub(r"[\w']+", lambda word: names.get(word[0], word[0]), line)
+                for line in step.lines
+            ]
+            found.append(replace(step, lines=lines) if names else step)
+    return found
 
 
 def _axiom(step: Step, name: str, own: str | None) -> Step:
@@ -265,7 +300,12 @@ def _axiom(step: Step, name: str, own: str | None) -> Step:
 
 def _instance(step: Step, theorem: Theorem, known: Mapping[Said, Step], number: int) -> list[Step]:
     """A classical rule, for just this use of it: what its premises say gives what it concludes."""
-    premises = [known[said(p)] for p in theorem.premises if p.rule != "assume"]
+    used = [p for p in theorem.premises if p.rule != "assume"]
+    if any(half_said(c) for t in (theorem, *used) for c in (*t.hypotheses, t.conclusion)):
+        raise NotPrinted(HALF)
+    if wrong := _says_else(theorem, *used):
+        raise NotPrinted(wrong)
+    premises = [known[said(p)] for p in used]
     statement = " -> ".join([*(f"({p.statement})" for p in premises), f"({step.statement})"])
     name = f"rule_{theorem.rule}_{number}"
     rule = replace(step, name=name, kind="Axiom", why=BELIEVED[theorem.rule], statement=statement)

@@ -47,6 +47,34 @@ ELEMENTARY = {
     "sin rises": "intros x y H; opened; apply sin_increasing_1; lra.",
     "cos falls": "intros x y H; opened; apply cos_decreasing_1; lra.",
     "not negative": "intros x H; apply whole_start; exact H.",
+    "equality": "intros s z; destruct (Ceq_dec s z); [left | right]; assumption.",
+    "full turns": "intros x p [n E]; subst p; split; "
+    "[rewrite <- (sin_period x n) | rewrite <- (cos_period x n)]; f_equal; ring.",
+    "polar": "intros x y X; apply right_of_axis; exact X.",
+    "linear": "intros x [A B]; apply linear_inside; split; assumption.",
+    "swings": "intros m b k w W; apply (iff_trans (swinging m b k w W)); swung_as.",
+    "device": "exact device_exists.",
+    "device at rest": "of_device_by device_at_rest.",
+    "device's loss": "of_device_by device_loss.",
+    "device pushed": "intros; opened; finish (device_pushed _ _ _ _ _ _ ltac:(eauto)).",
+    "device forgets": "intros; opened; eapply device_forgets; eauto.",
+    "undamped device": "intros; opened; finish (undamped_device _ _ _ _ _ ltac:(eassumption)).",
+    "free mass": "intros; finish (free_mass _ _ _ _ ltac:(eassumption)).",
+    "device turns": "intros; opened; "
+    "finish (device_turns _ _ _ _ _ _ ltac:(split; [eassumption | lra])).",
+    "late device": "intros; opened; apply late_device_exists; split; assumption.",
+    "late device and device": "intros; opened; "
+    "finish (late_device_and_device _ _ _ _ _ _ _ _ _ _ _ _ "
+    "ltac:(eassumption) ltac:(eassumption)).",
+    "undamped late device": "intros; "
+    "finish (undamped_late_device _ _ _ _ _ _ _ ltac:(eassumption)).",
+    "free late mass": "intros; finish (free_late_mass _ _ _ _ _ _ ltac:(eassumption)).",
+    "loop of a device": "whole_loop.",
+    "loop of a late device": "late_loop.",
+    "loop in w": "loop_of_fraction.",
+    "loop as the paper reads it": "loop_read.",
+    "half a period on the principal sheet": "principal_half.",
+    "held by a pole": "pole_held.",
     "rest": "intros x y [H G]; destruct (with_rest x y H G) as (p & P & Q & L); exists p; "
     "repeat split; [exact P | lra | lra].",
 }

@@ -16,7 +16,7 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, imaginary, real_text
 
 _AS_OTHERS: dict[type[Expr], Callable[[Expr], Expr]] = {
     sp.tan: lambda x: sp.sin(x) / sp.cos(x),
@@ -204,7 +204,8 @@ def _multiple(c: Expr, s: Expr, count: int) -> tuple[Expr, Expr]:
 
 
 def plain(expr: Expr) -> Expr:
-    """Without tangents and hyperbolic functions."""
+    """Without tangents, hyperbolic functions and roots of negative numbers."""
+    expr = imaginary(expr)
     changes = {f: _AS_OTHERS[f.func](f.args[0]) for f in expr.atoms(*_AS_OTHERS)}
     return plain(expr.xreplace(changes)) if changes else expr
 
@@ -263,6 +264,17 @@ def _rational(terms: Sequence[Expr], difference: Callable[[Image], Expr]) -> boo
     symbols = sorted(bare.free_symbols, key=sp.default_sort_key)
     # Rocq decides; here a point with large primes for coordinates tells which tactic to try.
     return bool(bare.xreplace({s: _prime(1000 + 7 * i) for i, s in enumerate(symbols)}) == 0)
+
+
+def powers_of_few(functions: Sequence[Expr], names: Names) -> list[str]:
+    """What real exponentials are as powers of few of them, each with how that is shown."""
+    parts = _Parts([f for f in functions if not complex_(f)])
+    for f in functions:
+        if not complex_(f):
+            parts.image(f)
+    names.spelled |= {v: real_text(f, names) for f, v in parts.values.items()}
+    shown = [line for line in _expansions(parts, names) if line.startswith("assert")]
+    return [line.removeprefix("assert (E : ").removesuffix(".") for line in shown]
 
 
 def _expansions(parts: _Parts, names: Names) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from sympy import Expr, Symbol, sqrt
+from sympy import Expr, Pow, S, Symbol, exp, sqrt
 
 from symhaptic.book.rests import said
 from symhaptic.notation.proposition import (
@@ -230,7 +230,15 @@ def instance(proof: Proof, theorem: Theorem) -> None:
     assert isinstance(claim, ForAll)
     found = f"{proof.have(premise)} {' '.join(_values(proof, claim.over, values))}"
     turns = _evaluated(proof, claim.body, values)
-    if turns:
+    if _vanishes(claim.body, values):
+        name = proof.new("P")
+        proof.say(
+            f"pose proof ({found}) as {name}; cbv beta in {name}.",
+            f"repeat match type of {name} with context [Cexp ?a] => "
+            f"rewrite (Cexp_nought a) in {name} by Cring end.",
+            f"finish {name}.",
+        )
+    elif turns:
         given, name = proof.new("G"), proof.new("P")
         implied = isinstance(theorem.conclusion, Implies)
         proof.say(*[f"intros {given}."] * implied, f"pose proof ({found}) as {name}.")
@@ -314,7 +322,34 @@ def witnessed(proof: Proof, theorem: Theorem) -> None:
     terms = ", ".join(_values(proof, wanted.over, values))
     turns = _evaluated(proof, wanted.body, values)
     proof.say(f"exists {terms}.", *(f"{turn}." for turn in turns))
+    proof.say(*_square_roots(wanted.body, values))
     proof.say(f"finish {proof.have(theorem.premises[0])}.")
+
+
+def _vanishes(claim: Proposition, values: Terms) -> bool:
+    """Whether the exponent of a complex exponential becomes zero."""
+    exponents = (
+        f.args[0] for p in _all_parts(claim) for t in p.terms for f in t.atoms(exp) if complex_(f)
+    )
+    return any(e.xreplace(dict(values)) == 0 for e in exponents if e != 0)
+
+
+def _square_roots(claim: Proposition, values: Terms) -> list[str]:
+    """Tactics that say what the roots of squares are, of complex symbols at rational numbers."""
+    powers = {p for part in _all_parts(claim) for t in part.terms for p in t.atoms(Pow)}
+    lines = set()
+    for power in powers:
+        base, exponent = (term(of).xreplace(dict(values)) for of in power.args)
+        root = sqrt(base)
+        if complex_(power.base) and abs(exponent) == S.Half and root.is_Rational and root > 0:
+            lines.add(f"rewrite (Craised_root ({base}) ({root})) by lra.")
+    return sorted(lines)
+
+
+def _all_parts(claim: Proposition) -> Iterator[Proposition]:
+    yield claim
+    for part in claim.parts:
+        yield from _all_parts(part)
 
 
 @shows

@@ -7,7 +7,11 @@ import re
 from functools import cache
 from pathlib import Path
 
-PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in ("Prelude", "Boxes", "Zeros"))
+LIBRARY = (
+    *("Prelude", "Polynomials", "Circle", "HalfPlane", "Device", "Loop"),
+    *("Control", "Boxes", "Zeros"),
+)
+PRELUDES = tuple(Path(__file__).with_name(f"{name}.v") for name in LIBRARY)
 """What chapters use; each uses those before it."""
 
 

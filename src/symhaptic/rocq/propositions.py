@@ -6,7 +6,7 @@ A relation here is true only where both sides have values, so ``0 < 1/x`` is pri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import sympy as sp
 from sympy import Expr, Symbol
@@ -26,7 +26,7 @@ from symhaptic.notation.proposition import (
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.rocq.complexes import complex_text
-from symhaptic.rocq.terms import Names, NotPrinted, complex_, real_text
+from symhaptic.rocq.terms import Names, NotPrinted, complex_, imaginary, is_root, real_text
 
 AND = " /\\ "
 SIGNS = {"=": "=", "!=": "<>", "<": "<", "<=": "<="}
@@ -38,6 +38,12 @@ _JOINED: dict[type[Proposition], tuple[str, str]] = {
 }
 DEFINED = {"whole": "whole", "increasing": "increasing", "limit": "tends"}
 """Predicates of real terms that the prelude defines."""
+REAL = {
+    **{"degree": 1, "device": 6, "late_device": 8, "swings": 4, "passive_wall": 5},
+    **{"stable_loop": 5, "stable_substituted": 5, "stable_principal": 5, "pole": 5},
+    "passive_device": 5,
+}
+"""Predicates whose first terms, so many beside a function, are real numbers."""
 
 
 def text(claim: Proposition, names: Names) -> str:
@@ -78,13 +84,13 @@ def _relation(claim: Relation, names: Names) -> str:
 
 def needed(*terms: Expr) -> list[Proposition]:
     """What has to hold so that terms have the values that Rocq gives them."""
+    terms = tuple(map(imaginary, terms))
     found = set(conditions(*terms))
     for expr in terms:
         for part in sp.preorder_traversal(expr):
-            base = part.base if part.is_Pow else None
-            if base is not None and part.exp.is_Rational and not part.exp.is_Integer:
-                if not (base.is_Rational and base >= 0):
-                    found.add(Relation(sp.S.Zero, "<=", base))
+            if is_root(part):
+                if not (part.base.is_Rational and part.base >= 0):
+                    found.add(Relation(sp.S.Zero, "<=", part.base))
             elif isinstance(part, sp.log):
                 found.add(Relation(sp.S.Zero, "<", part.args[0]))
     return list(found)
@@ -112,13 +118,15 @@ def _alone(expr: Expr, root: Expr) -> bool:
 
 
 def _roots(expr: Expr) -> list[Expr]:
-    parts = (p for p in sp.preorder_traversal(expr) if p.is_Pow and p.base.free_symbols)
-    return [p for p in parts if p.exp.is_Rational and not p.exp.is_Integer]
+    """Roots and logarithms of what has symbols: these are not real where it is negative."""
+    parts = sp.preorder_traversal(expr)
+    return [p for p in parts if (is_root(p) or isinstance(p, sp.log)) and p.args[0].free_symbols]
 
 
-def _beside(terms: Sequence[Expr], said: str, names: Names) -> str:
-    """What is said, beside what the terms divide by."""
-    found = sorted({_relation(c, names) for c in needed(*terms) if isinstance(c, Relation)})
+def _beside(terms: Sequence[Expr], said: str, names: Names, bound: Collection[Symbol] = ()) -> str:
+    """What is said, beside what the terms divide by; not what divides by a bound symbol."""
+    known = (c for c in needed(*terms) if isinstance(c, Relation) and c.free.isdisjoint(bound))
+    found = sorted({_relation(c, names) for c in known})
     return f"({AND.join([*found, said])})" if found or " " in said else said
 
 
@@ -134,9 +142,12 @@ def _predicate(claim: Predicate, names: Names) -> str:
             names.as_complex.add(claim.over[0])
             first = [f"(fun {v} : C => {complex_text(terms[0], names)})%C"]
             names.as_complex.discard(claim.over[0])
-        terms = terms[1:]
-    said = " ".join([name, *first, *(f"({complex_text(t, names)})%C" for t in terms)])
-    return _beside(terms, said, names)
+    rest, count = terms[len(first) :], REAL.get(name, 0)
+    if complex_(*rest[:count]):
+        raise NotPrinted(f"the predicate {name} of complex terms")
+    others = [f"({real_text(t, names)})" for t in rest[:count]]
+    others += [f"({complex_text(t, names)})%C" for t in rest[count:]]
+    return _beside(terms, " ".join([name, *first, *others]), names, claim.over)
 
 
 def _on_line(claim: Predicate, names: Names) -> str:

@@ -94,6 +94,8 @@ class Proof:
         self.step, self.known, self.names = step, known, names
         self.lines: list[str] = []
         self.scope: dict[Proposition, str] = {}
+        self.helpers: list[Step] = []
+        """Lemmas that it uses and that are no theorems of the chapter."""
         self._count = 0
 
     def new(self, letter: str) -> str:

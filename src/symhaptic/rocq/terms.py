@@ -17,6 +17,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
 from symhaptic.notation.terms import is_complex, symbols_in
+from symhaptic.proof.ball import sign
 
 
 class NotPrinted(ValueError):
@@ -100,7 +101,37 @@ def complex_(*terms: Expr) -> bool:
 
 @cache
 def _complex(term: Expr) -> bool:
-    return bool(term.has(sp.I)) or any(map(is_complex, symbols_in(term)))
+    return bool(imaginary(term).has(sp.I)) or any(map(is_complex, symbols_in(term)))
+
+
+@cache
+def imaginary(term: Expr) -> Expr:
+    """The same term, in which each root of a negative number is j times a real root.
+
+    Rocq's ``sqrt`` is 0 where its argument is negative.
+
+    >>> imaginary(1 + sp.sqrt(1 - sp.sqrt(2)))
+    1 + I*sqrt(-1 + sqrt(2))
+    """
+    roots = {p: sp.I**p.exp.p * (-p.base) ** p.exp for p in term.atoms(sp.Pow) if _of_negative(p)}
+    return imaginary(term.xreplace(roots)) if roots else term
+
+
+@cache
+def _of_negative(power: Expr) -> bool:
+    of_number = is_root(power) and power.exp.q == 2 and not symbols_in(power.base)
+    return of_number and not power.base.has(sp.I) and sign(power.base) == -1
+
+
+@cache
+def may_be_positive(of: Expr) -> bool:
+    """Whether a term has symbols or is a positive number."""
+    return bool(symbols_in(of)) or sign(of) == 1
+
+
+def is_root(part: Expr) -> bool:
+    """Whether an expression is a power whose exponent is a fraction."""
+    return bool(part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer)
 
 
 class Real(StrPrinter):  # type: ignore[misc]
@@ -136,6 +167,8 @@ class Real(StrPrinter):  # type: ignore[misc]
             raise NotPrinted(f"the unknown function {expr.func.__name__}")
         if expr.func not in _NAMES:
             raise NotPrinted(f"the function {expr.func.__name__}")
+        if isinstance(expr, sp.log) and not may_be_positive(expr.args[0]):
+            raise NotPrinted("the logarithm of a number that is not positive")
         return f"{_NAMES[expr.func]}({self._print(expr.args[0])})"
 
     _print_exp = _print_log = _print_Abs = _print_Function  # noqa: N815
@@ -173,6 +206,7 @@ _WRITTEN: dict[Any, str] = {}
 
 def printed_by(printer: type[Real], expr: Expr, names: Names) -> str:
     """A term, which is printed only once with the same names."""
+    expr = imaginary(expr)
     symbols = symbols_in(expr)
     said = frozenset((s, names.written(s), s in names.as_complex) for s in symbols)
     found = _WRITTEN.get(of := (printer, expr, said))

@@ -1,0 +1,240 @@
+(* What is said of walls, and what is known of it; and the tactics that apply the theorems of Circle.v,
+   HalfPlane.v, Device.v and Loop.v to terms as chapters write them. *)
+From Symhaptic Require Export Loop.
+Open Scope R_scope.
+
+(* What is not defined here yet; what is known of it stands in the axioms.  A function of z or s stands
+   for a transfer function, one of v for an energy. *)
+Parameter passive : (C -> C) -> C -> Prop.
+Parameter answers : (C -> C) -> C -> C -> C -> Prop.
+Parameter passive_wall : R -> R -> R -> R -> R -> Prop.
+Parameter passive_device : (C -> C) -> R -> R -> R -> R -> R -> Prop.
+
+(* A motion at constant speeds, piece by piece (time in periods, way), from rest at 0; the force that
+   a wall holds from k + late on is K x_k + B (x_k - x_(k-1))/T.  All of it but K, B and b is rational. *)
+Module Motion.
+Import QArith Qround.
+Open Scope Q_scope.
+Fixpoint after (motion : list (Q * Q)) (t : Q) : Q :=
+  match motion with
+  | nil => 0
+  | cons (time, way) rest =>
+      if Qle_bool time t then Qred (way + after rest (t - time)) else Qred (way * t / time)
+  end.
+Definition place motion t := if Qle_bool t 0 then 0 else after motion t.
+Fixpoint lasts (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, _) rest => Qred (time + lasts rest) end.
+Fixpoint forwards (motion : list (Q * Q)) : bool :=
+  match motion with nil => true | cons (time, _) rest => andb (negb (Qle_bool time 0)) (forwards rest) end.
+Fixpoint burnt (motion : list (Q * Q)) : Q :=
+  match motion with nil => 0 | cons (time, way) rest => Qred (way * way / time + burnt rest) end.
+(* The sum of f(k) times the way while the force of sample k is held, for k = 1 to n. *)
+Fixpoint taken motion (late : Q) (f : Q -> Q) (n : nat) : Q :=
+  match n with
+  | O => 0
+  | S m =>
+      let k := inject_Z (Z.of_nat n) in
+      Qred (f k * (place motion (k + 1 + late) - place motion (k + late)) + taken motion late f m)
+  end.
+Definition samples motion := Z.to_nat (Qceiling (lasts motion)).
+Definition by_spring motion late := taken motion late (place motion) (samples motion).
+Definition by_damper motion late :=
+  taken motion late (fun k => place motion k - place motion (k - 1)) (samples motion).
+Definition energy (K B b T : R) (late : Q) motion : R :=
+  (b / T * Q2R (burnt motion) + K * Q2R (by_spring motion late) + B / T * Q2R (by_damper motion late))%R.
+End Motion.
+
+(* What the predicate means: a motion that gains energy. *)
+Axiom rule_gains : forall (K B b T d : R) (late : QArith_base.Q) (motion : list _),
+  d = Q2R late -> 0 <= b -> 0 < T -> QArith_base.Qle_bool (QArith_base.inject_Z 0) late = true ->
+  Motion.forwards motion = true -> Motion.energy K B b T late motion < 0 ->
+  ~ passive_wall K B b T d.
+Ltac gained :=
+  first [reflexivity | unfold Motion.energy; rationals; numeric].
+
+(* -- polynomials as chapters write them ----------------------------------------------------- *)
+
+(* Exponents that are whole numbers d = INR n become natural numbers. *)
+Lemma Craised_natural : forall w n, w = RtoC (INR n) -> forall z, Craised z w = (z ^ n)%C.
+Proof. intros w n E z; rewrite E; apply Craised_number. Qed.
+Ltac copies k n := lazymatch k with 1%nat => n | S ?k => let m := copies k n in constr:((n + m)%nat) end.
+Ltac natural w :=
+  lazymatch w with
+  | (?a + ?b)%C => let m := natural a in let n := natural b in constr:((m + n)%nat)
+  | (RtoC (IZR (Zpos ?p)) * ?b)%C => let n := natural b in let k := eval compute in (Pos.to_nat p) in copies k n
+  | RtoC (INR ?n) => n
+  | RtoC (IZR Z0) => constr:(0%nat)
+  | RtoC (IZR (Zpos ?p)) => eval compute in (Pos.to_nat p)
+  | RtoC ?x => match goal with E : x = INR ?n |- _ => n end
+  end.
+Ltac counted :=
+  rewrite ?plus_INR; simpl INR; repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end;
+  Cpushed; ring.
+Ltac natural_powers :=
+  repeat match goal with |- context [Craised ?z ?w] =>
+    let n := natural w in rewrite (Craised_natural w n ltac:(counted))
+  end.
+Ltac exponentials := repeat match goal with X : exp ?x = _ |- context [exp ?x] => rewrite X end.
+Ltac summed := exponentials; Cpushed; cbn [Cpower]; first [reflexivity | ring | undivided; field; Cnz].
+Ltac as_powers :=
+  let z := fresh "z" in
+  intro z; cbv beta; natural_powers; cbn [powers]; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
+(* With each p of which it is known that its zeros lie inside. *)
+Ltac with_inside tac := opened; match goal with S : stable ?p |- _ => tac p S end.
+Ltac degrees := repeat (constructor; [simpl; lia |]); constructor.
+(* At 0 and at 1. *)
+Ltac at_zero := cbn [powers]; simpl; summed.
+Ltac at_one := cbn [powers]; rewrite ?Cpower_one; summed.
+(* exp(j k t) as a power. *)
+Lemma Cconj_turned : forall t : R, Cconj (Cexp (Ci * t)%C) = Cexp (Ci * RtoC (- t))%C.
+Proof. intro t; rewrite !turned, cos_neg, sin_neg; reflexivity. Qed.
+Ltac a_turn := first [reflexivity | rewrite ?Cconj_turned, ?Cexp_power]; f_equal; rewrite ?plus_INR; simpl INR;
+  repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; Cpushed; first [ring | field; Cnz].
+(* exp at quarter, half and whole turns. *)
+Lemma Cexp_half_turn : forall (x : R) z, z = (RtoC x + Ci * RtoC PI)%C -> Cexp z = RtoC (- exp x).
+Proof.
+  intros x z E; rewrite (Cexp_at z x PI), cos_PI, sin_PI by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_half_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC PI)%C -> Cexp z = RtoC (- exp x).
+Proof.
+  intros x z E; rewrite (Cexp_at z x (- PI)), cos_neg, sin_neg, cos_PI, sin_PI by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_turn : forall (x : R) z, z = (RtoC x + 2 * Ci * RtoC PI)%C -> Cexp z = RtoC (exp x).
+Proof.
+  intros x z E; rewrite (Cexp_at z x (2 * PI)), cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_turn_back : forall (x : R) z, z = (RtoC x - 2 * Ci * RtoC PI)%C -> Cexp z = RtoC (exp x).
+Proof.
+  intros x z E; rewrite (Cexp_at z x (- (2 * PI))), cos_neg, sin_neg, cos_2PI, sin_2PI by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_quarter_turn : forall (x : R) z, z = (RtoC x + Ci * RtoC (PI / 2))%C -> Cexp z = (RtoC (exp x) * Ci)%C.
+Proof.
+  intros x z E; rewrite (Cexp_at z x (PI / 2)), cos_PI2, sin_PI2 by exact E.
+  apply injective_projections; simpl; ring.
+Qed.
+Lemma Cexp_quarter_turn_back : forall (x : R) z, z = (RtoC x - Ci * RtoC (PI / 2))%C -> Cexp z = (- (RtoC (exp x) * Ci))%C.
+Proof.
+  intros x z E; rewrite (Cexp_at z x (- (PI / 2))), cos_neg, sin_neg, cos_PI2, sin_PI2
+    by (rewrite E; apply injective_projections; simpl; ring).
+  apply injective_projections; simpl; ring.
+Qed.
+Ltac turned_to x :=
+  first
+    [ rewrite (Cexp_half_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_half_turn_back x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_turn x) by (Cpushed; first [ring | field; Cnz]) | rewrite (Cexp_turn_back x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_quarter_turn x) by (Cpushed; first [ring | field; Cnz])
+    | rewrite (Cexp_quarter_turn_back x) by (Cpushed; first [ring | field; Cnz]) ];
+  rewrite ?exp_0; Cpushed; first [reflexivity | ring].
+Ltac turned_value := rewrite turned; known_values; Ccompared.
+Ltac summed_powers :=
+  rewrite ?Cpower_one; repeat rewrite Cpower_plus; cbn [Cpower];
+  first [summed | solve [Cpushed; ring [Ci_square]]].
+Ltac taken := opened; first [assumption | apply f_equal; assumption].
+Ltac apart_by :=
+  first [assumption |
+    match goal with A : ?x <> ?y |- _ <> RtoC 0 =>
+      let Q := fresh in intro Q; apply A, RtoC_inj; rewrite <- Q; summed
+    end].
+(* (-1)^n is its own inverse. *)
+Lemma sign_square : forall n, ((- RtoC 1) ^ n * (- RtoC 1) ^ n = RtoC 1)%C.
+Proof. intro n; rewrite <- Cpower_product; replace (- RtoC 1 * - RtoC 1)%C with (RtoC 1) by ring; apply Cpower_one. Qed.
+Lemma sign_apart : forall n, ((- RtoC 1) ^ n)%C <> RtoC 0.
+Proof. intros n E; assert (S := sign_square n); rewrite E in S; apply (f_equal fst) in S; simpl in S; lra. Qed.
+Lemma Cpower_opposite : forall z n, ((- z) ^ n = (- RtoC 1) ^ n * z ^ n)%C.
+Proof. intros z n; rewrite <- Cpower_product; f_equal; ring. Qed.
+Ltac opposed :=
+  let z := fresh "z" in
+  intro z; cbv beta; natural_powers; repeat rewrite Cpower_plus; repeat rewrite (Cpower_opposite z); cbn [Cpower]; Cpushed;
+  repeat match goal with S : ((- RtoC 1) ^ ?n * (- RtoC 1) ^ ?n)%C = RtoC 1 |- _ =>
+    let e := fresh "s" in generalize dependent ((- RtoC 1) ^ n)%C; intros e S
+  end;
+  match goal with
+  | S : (?s * ?s)%C = RtoC 1, T : (?t * ?t)%C = RtoC 1 |- _ => ring [S T]
+  | S : (?s * ?s)%C = RtoC 1 |- _ => ring [S]
+  | _ => ring
+  end.
+Ltac swung := cbn [powers swing]; rewrite ?plus_INR; simpl INR;
+  repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end.
+Ltac conjugates :=
+  repeat first [rewrite conj_plus | rewrite conj_mult | rewrite conj_power | rewrite Cconj_real]; rewrite ?conj_conj.
+Ltac minor_of H :=
+  refine (eq_ind _ (Rlt 0) H _ _); cbn [minor weight]; rewrite ?plus_INR; simpl INR;
+  repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; first [ring | field; nz].
+Ltac counted_real :=
+  rewrite ?plus_INR; simpl INR; repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; ring.
+
+(* -- what is known of devices and loops, as chapters say it ----------------------------------- *)
+
+Lemma right_of_axis : forall x y : R, 0 < x ->
+  exists p q : R, 0 < p /\ -PI/2 < q /\ q < PI/2 /\ x = p * cos q /\ y = p * sin q.
+Proof.
+  intros x y X; assert (P : 0 < 1 + Rsqr (y/x)) by (generalize (Rle_0_sqr (y/x)); lra).
+  assert (S := sqrt_lt_R0 _ P); destruct (atan_bound (y/x)).
+  exists (x * sqrt (1 + Rsqr (y/x))), (atan (y/x)); rewrite cos_atan, sin_atan.
+  repeat split; [apply Rmult_lt_0_compat; lra | lra | lra | field; lra | field; split; lra].
+Qed.
+Lemma linear_inside : forall x, -1 < x < 1 -> stable (fun z => - x + z)%C.
+Proof.
+  intros x X z E; replace z with (RtoC x) by (replace z with ((- x + z) + x)%C by ring; rewrite E; ring).
+  rewrite Cmod_R; apply Rabs_def1; lra.
+Qed.
+Ltac of_device_by F :=
+  intros; opened;
+  match goal with V : device _ _ _ _ _ _ |- _ => let K := fresh in assert (K := F _ _ _ _ _ _ V); finish K end.
+Ltac wholes_counted := opened; repeat match goal with W : whole ?x |- _ => destruct W as [? ?] end.
+Ltac characteristic_powers :=
+  let z := fresh "z" in intro z; unfold characteristic; natural_powers; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
+Ltac counted_delay :=
+  first
+    [ rewrite !INR_IZR_INZ; simpl; lra
+    | repeat match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; simpl; first [ring | field; nz] ].
+Ltac counted_back := match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E; assumption end.
+Ltac counted_turn x := match goal with E : _ = INR ?n |- context [INR ?n] => rewrite <- E end; turned_to x.
+Ltac same_kernel := cbv beta; first [same_field | by_squares].
+Lemma beside_known : forall P G Q : Prop, G -> (P <-> Q) -> (P <-> G /\ Q).
+Proof. tauto. Qed.
+Ltac peeled := repeat (apply beside_known; [opened; first [assumption | nz | Cnz | rooted] |]).
+(* A loop behind a whole delay, and behind a fraction of whole numbers p and q + 1. *)
+Ltac whole_loop :=
+  intros; wholes_counted;
+  match goal with V : device ?g ?h _ _ _ _, E : ?d = INR ?n |- ((stable_loop ?a ?b _ _ _) <-> _) /\ _ =>
+    destruct (loop_of_device a b g h n _ _ _ _ V) as [L M]; rewrite <- E in L, M;
+    split; [apply (iff_trans L) | apply (iff_trans M)]; apply stable_alike; characteristic_powers
+  end.
+Ltac loop_of_fraction :=
+  intros; wholes_counted;
+  match goal with V : device _ _ _ _ _ _, E : ?p = INR ?m, F : ?q = INR ?n, D : ?d * (?q + 1) = ?p |- _ =>
+    apply (iff_trans (loop_in_w _ _ _ _ d _ _ _ _ m (S n) V ltac:(lia) ltac:(rewrite S_INR, <- E, <- F; exact D)));
+    apply stable_alike; characteristic_powers
+  end.
+Ltac loop_read :=
+  intros; opened; let m := fresh "m" in let n := fresh "n" in let T := fresh in let P := fresh in let D := fresh in
+  match goal with V : device _ _ _ _ _ _, S : stable_substituted _ _ _ _ _ |- _ =>
+    destruct (loop_as_read _ _ _ _ _ _ _ _ _ V S) as (m & n & P & D & T)
+  end;
+  destruct n as [| n]; [lia |]; exists (INR m), (INR n);
+  split; [exists m; reflexivity |]; split; [exists n; reflexivity |]; split; [rewrite <- S_INR; exact D |];
+  revert T; apply stable_alike; characteristic_powers.
+Ltac late_loop :=
+  intros; opened; let n := fresh "n" in let E := fresh in
+  match goal with V : late_device ?g ?h ?u _ _ _ _ _, W : whole ?l |- stable_loop ?a ?b _ _ _ <-> _ =>
+    destruct W as [n E]; replace (u + l) with (INR n + u) by (rewrite <- E; ring);
+    apply (iff_trans (loop_of_late_device a b g h n u _ _ _ _ _ V)); apply stable_alike; as_powers
+  end.
+Ltac principal_half :=
+  intros; opened; let n := fresh "n" in let E := fresh in
+  let H := fresh in let x := fresh "x" in let y := fresh "y" in let X := fresh in let Y := fresh in let Z := fresh in
+  match goal with V : device ?g ?h ?n1 ?n0 ?a ?e, W : whole ?l |- stable_principal ?al ?be _ _ _ <-> _ =>
+    destruct W as [n E]; replace (l + 1/2) with (INR n + 1/2) by (rewrite <- E; reflexivity);
+    apply (iff_trans (half_a_period al be g h n n1 n0 a e V)); clear V; split; intros H x y; [intros [X Y] | intros X Y]
+  end;
+  [ split; [intro Z; apply (f_equal fst) in Z; simpl in Z; lra | intro Z; apply (H x y X Y); rewrite <- Z]
+  | intro Z; apply (proj2 (H x y (conj X Y))); rewrite <- Z ];
+  unfold characteristic; natural_powers; repeat rewrite Cpower_plus; cbn [Cpower]; summed.
+Ltac pole_held :=
+  intros; opened; match goal with P : pole _ _ _ _ _ _ |- _ => apply (held_by_a_pole _ _ _ _ _ _ P); assumption end.
+Ltac swung_as := let t := fresh "t" in let A := fresh in let B := fresh in split; intros [t [A B]]; exists t; split; lra.
