@@ -49,9 +49,9 @@ CASES = [
     (
         SCENE.plot,
         "matplotlib",
-        "symhaptic.Scene.plot needs matplotlib: pip install 'symhaptic[report]'",
+        "Scene.plot needs matplotlib: pip install 'symhaptic[report]'",
     ),
-    (SCENE.to_control, "control", "symhaptic.Scene.to_control needs control: pip install control"),
+    (SCENE.to_control, "control", "Scene.to_control needs control: pip install control"),
     *(
         (
             lambda name=name: lambdify("eq11", modules=name),

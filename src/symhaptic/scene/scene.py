@@ -483,7 +483,7 @@ class Scene:
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, "N/m"), number("B", B, "N*s/m")
-        axes = axes if axes is not None else new_axes("symhaptic.Scene.plot")
+        axes = axes if axes is not None else new_axes("Scene.plot")
         draw(axes, self.held_by(arm) if arm else self, wall)
         return axes
 

@@ -40,7 +40,7 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
 
 def control_system(scene: Scene) -> Any:
     """As a ``control.TransferFunction``; needs python-control."""
-    needed("symhaptic.Scene.to_control", "control")
+    needed("Scene.to_control", "control")
     import control
 
     return control.TransferFunction(*coefficients(scene), scene.sampling_period)
