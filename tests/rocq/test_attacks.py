@@ -61,7 +61,7 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
-from symhaptic.proof.theorems.roots import last_coefficient, zero_on_circle
+from symhaptic.proof.theorems.roots import jury, last_coefficient, zero_on_circle
 from symhaptic.proof.theorems.samples import after_a_blow
 from symhaptic.proof.theorems.tactics import one, over
 from symhaptic.rocq import assumptions, compiled
@@ -523,6 +523,17 @@ ATTACKS = {
     "a zero on the circle at 1": (
         lambda: zero_on_circle(z**2 - x, z, S.Zero, assume(Relation(1 - x, "=", S.Zero))),
         [("(-x + 1 = 0) -> ", ""), ("-x + z^2", "-2*x + z^2"), ("(~ (stable", "((stable")],
+    ),
+    "a quadratic by Jury's inequalities": (
+        lambda: jury(z**2 + x * z + y, z),
+        [("(0 < -y + 1)", "(0 < y + 1)"), ("x + y + 1", "x + y + 2"), ("x*z", "2*x*z")],
+    ),
+    "complex numbers that differ": (
+        lambda: combined(
+            Relation(z**2 - z, "!=", S.Zero),
+            [assume(Relation(z, "!=", S.One)), assume(Relation(z, "!=", S.Zero))],
+        ),
+        [("((z <> 1 :> C)%C) -> ", ""), ("((z <> 0 :> C)%C) -> ", ""), ("z^2 - z", "z^2 - 2*z")],
     ),
     "the last coefficient": (
         lambda: last_coefficient(assume(Predicate("stable", (z,), (z**3 - x * z + y,)))),

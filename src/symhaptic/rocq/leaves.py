@@ -165,10 +165,25 @@ def combined(proof: Proof, theorem: Theorem) -> None:
         if p.equation
     ]
     proof.say("- " + "; ".join([*dict.fromkeys(zeros), ring]) + ".")
-    if claim.sign != "=":
+    known = _differences(signed, names) if c and claim.sign == "!=" else []
+    if known:
+        proof.say("-", *(f"  {line}" for line in known), "  Capart.")
+    elif claim.sign != "=":
         proof.say(f"- {c}apart." if claim.sign == "!=" else f"- {c}signed.")
     if c and claim.sign in ("<", "<="):
         proof.say("- Cimaginary.")
+
+
+def _differences(products: Sequence[_Product], names: Names) -> list[str]:
+    """Tactics that say of two complex numbers known to differ that their difference is not zero."""
+    pairs = dict.fromkeys(f for p in products for f in p.factors if complex_(*f) and f[0] != 0)
+    sides = ([complex_text(t, names) for t in pair] for pair in pairs)
+    return [
+        f"try assert (({right} - ({left}))%C <> RtoC 0) by (let E := fresh in intro E; "
+        f"match goal with N : ?l <> ?r |- _ => apply N; transitivity (r - (r - l))%C; "
+        "[ring | rewrite E; ring] end)."
+        for left, right in sides
+    ]
 
 
 @shows

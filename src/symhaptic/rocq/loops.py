@@ -273,6 +273,7 @@ def pole_at(proof: Proof, theorem: Theorem) -> None:
     power, number = lists.number(sp.expand(share * loop[4])), lists.number(share)
     proof.say("opened; defined.")
     device = _Device(proof, *loop[2:4])
+    known_exponentials(proof, *device.values.values(), pole, symbols=True)
     given = f"(Cexp ({complex_text(exponent / share, names)}))%C"
     size, _ = polar(sp.exp(exponent, evaluate=False))
     exists = [*(device.names[s] for s in _NUMBERS), power, number, given]

@@ -121,9 +121,10 @@ class Lists:
         return lines
 
 
-def known_exponentials(proof: Proof, *terms: Expr) -> None:
-    """Real exponentials of numbers are told as powers of few of them, for ``summed``."""
-    found = {plain(f) for t in terms for f in t.atoms(sp.exp) if not f.free_symbols}
+def known_exponentials(proof: Proof, *terms: Expr, symbols: bool = False) -> None:
+    """Real exponentials, of numbers or of all, are told as powers of few, for ``summed``."""
+    atoms = {f for t in terms for f in t.atoms(sp.exp)}
+    found = {plain(f) for f in atoms if symbols or not f.free_symbols}
     for equation in powers_of_few(sorted(found, key=str), proof.names):
         proof.say(f"assert ({proof.new('X')} : {equation}.")
 
@@ -323,12 +324,15 @@ def first_minors(proof: Proof, theorem: Theorem) -> None:
 
 @shows
 def jury(proof: Proof, theorem: Theorem) -> None:
-    """Jury's inequalities for a cubic or a quartic."""
+    """Jury's inequalities up to the fourth degree; z times a quadratic is a cubic."""
     polynomial, variable = theorem.given
     found = {int(e): c for e, c in powers(polynomial, variable).terms}
     degree = max(found)
     a, b, c, d = (found.get(degree - k, sp.S.Zero) for k in range(1, 5))
-    if degree == 3:
+    if degree == 2:
+        wanted = [1 + a + b, 1 - a + b, 1 - b]
+        said = ["1 + {a} + {b}", "1 - {a} + {b}", "1 - {b}"]
+    elif degree == 3:
         wanted = [1 + a + b + c, 3 + a - b - 3 * c, 1 - a + b - c, 1 - b + a * c - c**2]
         said = ["1 + {a} + {b} + {c}", "3 + {a} - {b} - 3 * {c}", "1 - {a} + {b} - {c}",
                 "1 - {b} + {a} * {c} - {c} ^ 2"]  # fmt: skip
@@ -374,12 +378,23 @@ def _criterion(
     inequalities = claim.of[1].of
     known_exponentials(proof, claim.of[0].of[0])
     given = " ltac:(opened; assumption)" if name == "hurwitz_cubic" else ""
-    proof.say(
-        f"lazymatch goal with |- context [stable ?p] => assert (J := {name} p {' '.join(texts)}"
-        f"{given} ltac:(as_powers))"
-        f" | |- context [hurwitz ?p] => assert (J := {name} p {' '.join(texts)}"
-        f"{given} ltac:(as_powers)) end.",
-    )
+    if name == "jury_2":
+        positive = " /\\ ".join(f"0 < {one.format(**holds)}" for one in said)
+        proof.say(
+            "lazymatch goal with |- context [stable ?p] => "
+            f"assert (J : stable p <-> {positive}) by (",
+            "  apply (iff_trans (iff_sym (times_z p (fun z => z * p z)%C (fun z => eq_refl))));",
+            f"  apply (iff_trans (jury_3 (fun z => z * p z)%C {' '.join(texts)} 0",
+            "    ltac:(as_powers)));",
+            "  split; intros; opened; repeat split; lra) end.",
+        )
+    else:
+        proof.say(
+            f"lazymatch goal with |- context [stable ?p] => assert (J := {name} p {' '.join(texts)}"
+            f"{given} ltac:(as_powers))"
+            f" | |- context [hurwitz ?p] => assert (J := {name} p {' '.join(texts)}"
+            f"{given} ltac:(as_powers)) end.",
+        )
     # what stands in others is written last
     for one, text, inequality in reversed(list(zip(wanted, said, inequalities, strict=True))):
         shown = same(one, inequality.right, names)
