@@ -81,7 +81,6 @@ def test_a_value_has_no_open_symbols_and_is_real():
         ("0 = 1", (S(2), sp.Integer(2))),
         ("x < 0", (S(2), sp.Integer(2))),
     ],
-    ids=str,
 )
 def test_a_formula_is_no_name(name, chain, page):
     with pytest.raises(FalseStep):
@@ -122,7 +121,6 @@ def test_a_step_holds_by_itself_or_by_the_definitions_of_the_page(page):
         (cos(theta) * x / (cos(theta) * x + x**2), S.One, {theta: pi / 2}),
         ((d * x + x**2) / (d * x + 2 * x**2), S.One, {d: 0}),
     ],
-    ids=str,
 )
 def test_a_limit_says_under_which_conditions_it_was_shown(expr, value, at, page):
     """Elsewhere the lowest term of the divisor vanishes: the limit is 0, or one half."""
@@ -195,7 +193,6 @@ def test_what_follows_from_definitions_names_them(page):
         (r"x = 3 v T", Eq(S.Zero, S.Zero, evaluate=False)),
         (r"2 x = 6 v T", Eq(x, 2 * v * T)),
     ],
-    ids=str,
 )
 def test_no_print_is_a_misprint_because_something_else_is_right(printed, form, page):
     page.define("The way", x, 2 * v * T)

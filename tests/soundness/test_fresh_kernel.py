@@ -748,11 +748,11 @@ def proved(*question):
         return False
 
 
-@pytest.mark.parametrize(("left", "right"), PAIRS, ids=str)
+@pytest.mark.parametrize(("left", "right"), PAIRS)
 def test_what_is_not_the_same_is_not_proved(left, right):
     assert not proved(left, right)
 
 
-@pytest.mark.parametrize(("relation", "ends"), BOXES, ids=str)
+@pytest.mark.parametrize(("relation", "ends"), BOXES)
 def test_what_does_not_hold_on_a_box_is_not_enclosed(relation, ends):
     assert not proved(relation, {x: ends})
