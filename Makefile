@@ -40,8 +40,8 @@ mutants: .venv/ready
 SIDE_BY_SIDE := -n 2 --dist worksteal --durations 12
 
 # what is attacked once more with each condition of a rule left out, which one attack has to notice
-ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names terms_written_anew \
-	internal_names leaves leaves_right) $(wildcard tests/soundness/test_rules_*.py) \
+ATTACKS := $(patsubst %,tests/soundness/test_%.py,kernel captured_names inert_terms \
+	internal_names leaves leaves_right judge chapters) $(wildcard tests/soundness/test_rules_*.py) \
 	$(wildcard tests/soundness/test_axiom*.py)
 
 # how many random identities `prove` is held to; a tenth as many boxes are

@@ -17,18 +17,26 @@ KERNELS = "src/symhaptic/kernels"
 LIBRARIES = "haptic", "haptic_single"  # each is included by the file that has its loops
 
 
+RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")
+PAGES = ("CONTRIBUTING.md", "CHANGELOG.md")
+
+
 class WithData(build_py):
-    """The chapters and the records become part of the package; an editable install finds them."""
+    """Chapters, guides and records become part of the package; an editable install finds them."""
 
     def run(self):
         """Copy them beside the modules."""
         super().run()
         if not self.editable_mode:
             inside = Path(self.build_lib) / "symhaptic"
-            shutil.copytree(HERE / "derivations", inside / "derivations", dirs_exist_ok=True,
-                            ignore=shutil.ignore_patterns("__pycache__"))  # fmt: skip
-            for record in ("ledger.json", "rocq.json"):
-                shutil.copy(HERE / "reports" / record, inside / record)
+            for folder in ("derivations", "docs"):
+                shutil.copytree(HERE / folder, inside / folder, dirs_exist_ok=True,
+                                ignore=shutil.ignore_patterns("__pycache__"))  # fmt: skip
+            for page in PAGES:
+                shutil.copy(HERE / page, inside / page)
+            (inside / "reports").mkdir(exist_ok=True)
+            for record in RECORDS:
+                shutil.copy(HERE / "reports" / record, inside / "reports" / record)
 
 
 class Exact(build_ext):

@@ -62,17 +62,19 @@ def derive(page):
         because="this is Fig. 5; it falls with every delay",
     )
     low = (cos(angle) - d / (d + 1)) / sin(angle)
-    page.step("The damping of the tips is that of (11)", tip[1], low, name=r"\frac Bb")
+    page.step(
+        "The damping of the tips is that of (11)", tip[1], low, name=r"\frac Bb\Big|_{K_{\max}}"
+    )
     page.table(
         "Corner and tip of the seven curves (7) of Fig. 4; decimals cut off.",
         ["$d$", "corner $KT/b$", "corner $B/b$", "tip $KT/b$", "tip $B/b$"],
         [row(text, *corner, tips, low) for text in DELAYS],
     )
     far = {d: 1 / h - 1}
-    title, share = "For long delays the tips fall like $\\pi h/2$", r"\frac{KT}{bh}"
+    title, share = "For long delays the tips fall like $\\pi h/2$", r"\frac{K_{\max}T}{bh}"
     page.limit(title, tips.subs(far) / h, h, S.Zero, pi / 2, name=share)
     because = "with $h=1/(d+1)$; the corners run into $(0,\\tfrac12)$"
-    title, share = "Their damping tends to a constant", r"\frac Bb"
+    title, share = "Their damping tends to a constant", r"\frac Bb\Big|_{K_{\max}}"
     page.limit(title, low.subs(far), h, S.Zero, 2 / pi, name=share, because=because)
     fractions(page)
     page.figure(

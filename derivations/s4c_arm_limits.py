@@ -73,13 +73,13 @@ def largest(page):
         "The stiffness of the row that is left out is beyond (23)",
         hard * PERIOD**2,
         Rational(1, 150),
-        name=r"\frac{kT^2}m",
+        name=r"\frac{kT^2}m\Big|_{T=1\,\mathrm{ms}}",
     )
     page.step(
         "The damping of the row that is left out is beyond (23)",
         viscous * PERIOD,
         Rational(1, 20),
-        name=r"\frac{bT}m",
+        name=r"\frac{bT}m\Big|_{T=1\,\mathrm{ms}}",
     )
     return spring, up
 

@@ -94,7 +94,7 @@ def derive(page):
         theta,
         S.Zero,
         d + S.Half,
-        name=r"\beta/\alpha",
+        name=r"\beta(\theta)/\alpha(\theta)",
         because="damping over stiffness is the delay, half a period of hold included",
     )
     _settled(page)

@@ -63,8 +63,8 @@ def start(page):
     right = s_2 + (d + 1) * s_1 + d * (d + 1) * gamma / 2
     up = (d + nu) * s_2 + d * (d + 1) * s_1 / 2 + d * (d**2 - 1) * gamma / 6
     for way, moved, value, name in (
-        ("to the right", stiffness + gamma, right, r"\alpha+\gamma"),
-        ("up", damping + s_1 + d * gamma, up, r"\beta+s_1+d\gamma"),
+        ("to the right", stiffness + gamma, right, r"\alpha(\theta)+\gamma"),
+        ("up", damping + s_1 + d * gamma, up, r"\beta(\theta)+s_1+d\gamma"),
     ):
         title = f"From its start the boundary goes {way} in the second order"
         name = rf"\frac{{{name}}}{{\theta^2}}"
@@ -160,14 +160,13 @@ def nyquist(page):
     stiffness, damping = boundary.solved(on_circle(boundary.needed(arm)) * exp(-I * d * pi))
     end = N_1 * (1 + a + E) / (N_1 - N_0) ** 2 - (2 + a + d * (1 + a + E)) / (N_1 - N_0)
     page.say("At the other end, for whole $d$ and $n_1\\ne n_0$, a factor $(-1)^d$ is left:")
-    page.limit(
-        "At $\\theta\\to\\pi$ the damping is finite", damping, theta, pi, end, name=r"(-1)^d\beta"
-    )
+    title, name = "At $\\theta\\to\\pi$ the damping is finite", r"(-1)^d\beta(\theta)"
+    page.limit(title, damping, theta, pi, end, name=name)
     page.limit(
         "At $\\theta\\to\\pi$ the boundary ends on the line of a root at $-1$",
         stiffness + 2 * damping,
         theta,
         pi,
         (1 + a + E) / (N_1 - N_0),
-        name=r"(-1)^d(\alpha+2\beta)",
+        name=r"(-1)^d(\alpha(\theta)+2\beta(\theta))",
     )

@@ -58,7 +58,7 @@ def begin(page, stiffness, damping):
         theta,
         S.Zero,
         S.NegativeOne,
-        name=r"\alpha/\gamma",
+        name=r"\alpha(\theta)/\gamma",
     )
     page.limit(
         "The boundary starts from the damping $-(d+\\frac12)\\gamma$",
@@ -66,11 +66,11 @@ def begin(page, stiffness, damping):
         theta,
         S.Zero,
         -(d + half),
-        name=r"\beta/\gamma",
+        name=r"\beta(\theta)/\gamma",
     )
     right = (1 + x) / (4 * (1 - x)) + (d + 1) ** 2 / 2
     up = (d + half) * right - (d + 1) * (2 * d + 1) * (2 * d + 3) / 12
-    name = r"\frac{\alpha+\gamma}{\gamma\theta^2}"
+    name = r"\frac{\alpha(\theta)+\gamma}{\gamma\theta^2}"
     page.limit(
         "From its start the boundary goes to the right in the second order",
         (stiffness + 1) / theta**2,
@@ -104,7 +104,7 @@ def end(page):
         theta,
         pi,
         2 * (d + 1) * (1 + x) / (1 - x),
-        name=r"(-1)^d\,\frac{\alpha+2\beta}{\gamma}",
+        name=r"(-1)^d\,\frac{\alpha(\theta)+2\beta(\theta)}{\gamma}",
     )
     per_gamma = per_gamma.subs(x, -1)
     page.step(

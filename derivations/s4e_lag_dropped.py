@@ -100,7 +100,7 @@ def plane(page, kept, whole):
         "In the parameters of Table I, times $T/m$, (24) is linear",
         small,
         beta + delta - alpha * (HALF + d),
-        name=r"\tfrac Tm(b+B-Kt_e)",
+        name=r"\tfrac Tm(b+B-Kt_e)\big|_{\text{Table I}}",
         paper="25",
     )
     page.step(

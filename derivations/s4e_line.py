@@ -58,7 +58,7 @@ def derive(page):
         h,
         S.Zero,
         theta**2 * s_2,
-        name=r"\alpha/h^2",
+        name=r"\alpha(h)/h^2",
         because="with $s_2\\to1$, so that $\\theta^2$ below stands for $\\alpha$",
     ).subs(s_2, 1)
     flat, rise = 6 * (d + 1) ** 2 + 1, (d + 1) * (2 * d + 1) * (2 * d + 3)
@@ -120,7 +120,7 @@ def periods(page):
         h,
         S.Zero,
         Rational(1, 12),
-        name=r"\frac{1/2-\nu}{\delta}",
+        name=r"\frac{1/2-\nu(h)}{h\delta}",
     )
     page.limit(
         "The sum of the numerator tends to 1",
@@ -128,7 +128,7 @@ def periods(page):
         h,
         S.Zero,
         S.One,
-        name="n_1+n_0",
+        name="n_1(h)+n_0(h)",
         because="so $s_2\\to1$, as $s_1\\to0$. The gap is $\\frac1{720}\\delta\\gamma^2$ to lowest "
         "order, as shown with the ends of the boundary",
     )

@@ -54,7 +54,7 @@ def derive(page):
         theta,
         S.Zero,
         wide,
-        name=r"\frac{\alpha+\gamma}{\theta^2}",
+        name=r"\frac{\alpha(\theta)+\gamma}{\theta^2}",
     )
     page.step(
         "Where there is no gap the error starts from a finite number",

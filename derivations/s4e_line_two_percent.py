@@ -36,7 +36,7 @@ def derive(page):
         "At $\\alpha=0$ an error of $-2\\,\\%$ is reached at one damping",
         (error() + LEVEL).subs(alpha, 0) * gamma * (d + HALF),
         beta + delta + LEVEL * (d + HALF) * gamma,
-        name=r"(d+\tfrac12)\,\gamma\,(\varepsilon+0.02)",
+        name=r"(d+\tfrac12)\,\gamma\,(\varepsilon\big|_{\alpha=0}+0.02)",
         because="zero for $\\beta=-\\delta-0.02\\,(d+\\frac12)\\gamma$",
     )
     page.say(
@@ -53,7 +53,7 @@ def derive(page):
         because="$g\\,(n_1+n_0)$, for all arms up to (30)",
     )
     found = [
-        (rf"\delta\quad(d={delay},\ \gamma={name})", edge(spring, delay))
+        (rf"\delta\big|_{{d={delay},\ \gamma={name}}}", edge(spring, delay))
         for delay in (0, 1)
         for spring, name in ((S.Zero, "0"), (STIFF, "0.001"))
     ]

@@ -65,7 +65,7 @@ def derive(page):
         far,
         S.Zero,
         delta * phi * sin(phi),
-        name=r"\frac{\alpha}{u}",
+        name=r"\frac{1}{u}\alpha\big|_{\theta=\varphi u}",
         because="with $u=1/(d+1)$ and $\\theta=\\varphi u$: the mass is forgotten",
     )
     page.limit(

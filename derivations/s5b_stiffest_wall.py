@@ -5,7 +5,7 @@ tip the zeros of the loop show that no stable wall, wherever it lies, is stiffer
 makes every tangent of the upper boundary a bound of the stable walls.
 """
 
-from sympy import I, Rational, S, cos, exp, sin, symbols, tan
+from sympy import Function, I, Rational, S, cos, exp, sin, symbols, tan
 
 from symhaptic.book.lemmas.tangent import all_tangents, all_tips, tangents, tips
 from symhaptic.bounds.walls import DEVICE
@@ -91,7 +91,8 @@ def boundary_in_angles(page):
         "$f$. The explicit boundary is the real part of this equation:"
     )
     force = on_circle(PLANT / FORCE) * exp(I * (d + Rational(1, 2)) * theta)
-    turned, mirrored, over, beside = symbols(r"f \overline{f} C S")
+    turned, mirrored = (Function(name)(theta) for name in ("f", r"\overline{f}"))
+    over, beside = symbols("C S")
     page.define("The plant with its delay, turned by half a period", turned, force)
     page.define("Its mirror image in the real axis", mirrored, force.xreplace({I: -I}))
     page.step(

@@ -32,7 +32,7 @@ def derive(page):
         "The wall (11) needs all of the damping",
         whole.subs(alpha, 2 * delta * tan(pi / (4 * (d + 1)))),
         delta,
-        name=r"\text{damping needed by}\ \alpha=2\delta\tan\tfrac{\pi}{4(d+1)}",
+        name=r"\text{need of the wall (11)}",
     )
     page.lemma(
         "Behind every whole delay some stable wall is at least as stiff as all passive walls",

@@ -73,10 +73,10 @@ def derive(page):
         because="$\\beta>-1/\\nu$",
     )
     edge = page.step(
-        "The third side of the triangle is this line",
+        "The third side of the triangle, $\\alpha+2\\beta=(1-f)/\\nu$, lies here",
         ((1 - f) / SHARE).subs({f: LEFT, SHARE: force}),
         AT[gamma] * tanh(delta / 4),
-        name=r"\alpha+2\beta<\frac{1-f}\nu",
+        name=r"\frac{1-f}\nu",
     )
     page.say(
         "The corner at $\\beta=-1/\\nu$ has the largest stiffness, $\\alpha=(3-f)/\\nu$, which is "

@@ -62,12 +62,16 @@ def beside_the_boundary(rng, delays):
 
 
 def test_within_1e_12_of_the_boundary_the_count_is_the_certified_one():
-    """1000 loops with roots in balls of 256 bits; what stands on the circle is on neither side."""
+    """1000 loops with roots in balls of 256 bits; -1 says that floats do not tell."""
     rng = np.random.default_rng(4)
     delays = [0, 1, 2, 3, 5, 8, 0.5, 1.25, 3.9]
+    untold = 0
     for _ in range(1000):
         case = beside_the_boundary(rng, delays)
-        assert int(unstable_roots(*case)) == certified(*case), case
+        found = int(unstable_roots(*case))
+        untold += found == -1
+        assert found in (certified(*case), -1), case
+    assert untold < 10
 
 
 def test_the_certified_count_is_that_of_mpmath_at_60_digits():

@@ -16,8 +16,8 @@ SETTLED = {
     "s4d-gamma-invisible": ("s4d_figure7_undelayed", "proved"),
     "fig8": ("s4d_figure8_origin", "proved"),
     "s5c-shape": ("s5c_nyquist_region", "proved"),
-    "fig11": ("s5a_figure", "qualified"),
-    "fig13": ("s5c_robust_figure", "qualified"),
+    "fig11": ("s5a_figure", "proved"),
+    "fig13": ("s5c_robust_figure", "proved"),
     "s5c-robust-vanishes": ("s5c_robust", "proved"),
 }
 
@@ -51,14 +51,13 @@ def test_the_curve_of_fig_7_is_the_boundary():
             assert not oracle.stable(alpha + 1e-9, beta, gamma, delta, 0)
 
 
-@pytest.mark.parametrize("id", ["fig11", "fig13"])
-def test_what_is_drawn_for_half_a_period_is_not_what_18_says(id):
-    """In zeta, z = zeta^2, (18) is zeta^3 A + N ((alpha + beta) zeta^2 - beta)."""
-    verdict = chapter(SETTLED[id][0]).page.settled[id].verdict
-    assert verdict.condition == r"d\in\mathbb{N}_0"
-    alpha, beta, delta, gamma = 0.01, 0.005, 0.02, {"fig11": 1e-3, "fig13": 0.0}[id]
-    at = verdict.counterexample
-    assert (at["alpha"], at["beta"], at["d"]) == ("1/100", "1/200", "1/2")
+@pytest.mark.parametrize("gamma", [1e-3, 0.0])
+def test_half_a_period_late_a_wall_may_meet_5_and_be_unstable_by_18(gamma):
+    """So Figs. 11 and 13 claim nothing of (18) there.
+
+    In zeta, z = zeta^2, (18) is zeta^3 A + N ((alpha + beta) zeta^2 - beta).
+    """
+    alpha, beta, delta = 0.01, 0.005, 0.02
     a, e, n_1, n_0 = (float(oracle.named(gamma, delta)[s]) for s in ("a", "e", "n_1", "n_0"))
     wall = np.polymul([n_1, 0, n_0], [alpha + beta, 0, -beta])
     roots = np.roots(np.polyadd([1, 0, -a, 0, e, 0, 0, 0], wall))

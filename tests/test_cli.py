@@ -30,8 +30,8 @@ from symhaptic.notation import theta, x
 def derive(page):
     page.step("A step", sin(theta) ** 2, 1 - cos(theta) ** 2)
     page.step("Doubled", sin(2 * theta), 2 * sin(theta) * cos(theta), name=x)
-    page.state("my-own", "doubling", r"x = 2\\sin(\\theta)\\cos(\\theta)")
-    page.settle("my-own", Eq(x, sin(2 * theta)))
+    page.state("my-own", "doubling", r"x + 1 = (\\sin(\\theta) + \\cos(\\theta))^2")
+    page.settle("my-own", Eq(x + 1, 1 + sin(2 * theta)))
 '''
 
 
@@ -85,8 +85,7 @@ def test_json_and_junit_have_the_papers_words_our_reading_and_the_proposition():
     [found] = json.loads(symhaptic("verify", "s3a-mass-free", "--format", "json").stdout)[
         "statements"
     ]
-    keys = [key for key in found if key in ("quote", "says", "proposition", "verdict")]
-    assert keys == ["quote", "says", "proposition", "verdict"]
+    keys = "quote", "says", "proposition", "verdict"
     for key, what in zip(keys, WORDS.values(), strict=True):
         assert what in found[key]
     case = ElementTree.fromstring(symhaptic("verify", "s3a-mass-free", "--format", "junit").stdout)
@@ -192,7 +191,8 @@ def test_a_chapter_of_ones_own(tmp_path):
     path = chapter(tmp_path, GOOD)
     run = symhaptic("verify", "my-own", "--derivation", path)
     assert run.returncode == 0, run.stderr
-    assert "proved" in run.stdout
+    assert "verdict: proved" in run.stdout
+    assert r"by: x:=\sin 2\theta, defined in my.py" in run.stdout
 
 
 def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
@@ -201,7 +201,8 @@ def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
     silent = chapter(tmp_path, GOOD.partition("    page.state(")[0], "silent.py")
     run = symhaptic("verify", "--derivation", path, "--derivation", other)
     assert run.returncode == 0, run.stderr
-    assert [line.split()[0] for line in run.stdout.splitlines()] == ["my-own", "my-other", "2"]
+    heads = [line.split()[0] for line in run.stdout.splitlines()]
+    assert heads == ["my-own", "by", "my-other", "by", "2"]
     run = symhaptic("verify", "--derivation", silent)
     assert (run.returncode, run.stdout) == (0, "0 statements\n")
     committed = GOOD.replace("my-own", "eq6").replace('    page.state("eq6", "doubling",', "    (")
@@ -221,7 +222,7 @@ def test_what_is_read_is_not_written_over(tmp_path):
 
 
 def test_a_wrong_statement_of_ones_own_fails(tmp_path):
-    path = chapter(tmp_path, GOOD.replace("x = 2\\sin", "x = 3\\sin"))
+    path = chapter(tmp_path, GOOD.replace("x + 1 =", "x + 2 ="))
     run = symhaptic("verify", "my-own", "--derivation", path)
     assert run.returncode == 1
     assert "misprint" in run.stdout
@@ -239,7 +240,7 @@ BAD_CHAPTERS = {
     "no derive": ('"""A title."""\n', "no function derive"),
     "no docstring": ("def derive(page):\n    pass\n", "no docstring"),
     "syntax": ("def derive(page:\n", "SyntaxError"),
-    "unreadable LaTeX": (GOOD.replace("x = 2\\sin", "x = \\foo 2\\sin"), "not in the notation"),
+    "unreadable LaTeX": (GOOD.replace("x + 1 =", "\\foo x + 1 ="), "not in the notation"),
 }
 
 

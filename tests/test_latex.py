@@ -8,7 +8,7 @@ from sympy import Add, E, Integer, Mul, Pow, Rational, Symbol, cos, exp, pi, sin
 from symhaptic.book.site.chapter import statement_link
 from symhaptic.book.site.words import words
 from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import beside_formulas, place_of
+from symhaptic.book.tex.words import place_of, prose
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, omega, psi, theta, z
 from symhaptic.notation.latex import euler, latex
 from symhaptic.paper.reading import Unreadable, read
@@ -126,11 +126,13 @@ def test_no_two_ids_have_one_place():
 
 
 def test_a_note_has_words_beside_formulas():
-    assert beside_formulas(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
-    assert beside_formulas(r"x^2 of $x^2$ at 3 $ or \^o") == r"x\^{}2 of $x^2$ at 3 \$ or \^o"
-    assert beside_formulas("a { or \\emph{b}") == r"a \{ or \emph\{b\}"
-    assert beside_formulas(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
-    assert beside_formulas(r"\emph{5 %} and \{") == r"\emph{5 \%} and \{"
+    assert prose(r"5 % of $a_b$, 30\,\%") == r"5 \% of $a_b$, 30\,\%"
+    assert prose(r"x^2 of $x^2$ at 3 $") == r"x\^{}2 of $x^2$ at 3 \$"
+    assert prose("a { or \\emph{b}") == r"a \{ or \emph{b}"
+    assert prose(r"5 $x_{1$ of } $x_{1}$") == r"5 \$x\_\{1\$ of \} $x_{1}$"
+    assert prose(r"\emph{5 % {x}} -- \texttt{a_b-c} {") == (
+        r"\emph{5 \% \{x\}} -{}- \texttt{a\_b-\allowbreak{}c} \{"
+    )
     assert statement_link("a<b") == ":ref:`aless thanb <statement-a.3c.b>`"
 
 

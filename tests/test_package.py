@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+import symhaptic
+
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "symhaptic"
 
@@ -63,7 +65,11 @@ def test_no_blanket_except_and_no_simplify():
             if isinstance(node, ast.ExceptHandler):
                 assert node.type is not None, path
                 names = {n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)}
-                assert not names & {"BaseException"}, path
+                if (
+                    path.parent.name == "check"
+                ):  # what a function of somebody else's raises is reported
+                    names -= {"BaseException"}
+                assert not names & {"BaseException", "Exception"}, path
 
 
 @pytest.fixture(scope="module")
@@ -111,6 +117,36 @@ def test_the_wheel_works_outside_the_repository(unpacked, tmp_path):
     assert first.startswith(str(unpacked))
     verdicts = {r["id"]: r["verdict"] for r in json.loads(rest)["statements"]}
     assert verdicts == {"eq1": "definition", "eq5": "qualified"}
+
+
+@pytest.mark.ci
+def test_the_wheel_has_all_that_its_commands_read(source, unpacked):
+    """Templates, scripts and styles beside the modules, chapters, guides and records."""
+    inside = unpacked / "symhaptic"
+    for path in (p for p in source.rglob("*") if "build" not in p.relative_to(source).parts):
+        name = path.relative_to(source)
+        if name.parts[:2] == ("src", "symhaptic") and path.suffix not in (".c", ".h"):
+            assert (inside / name.relative_to("src/symhaptic")).exists(), name
+        if name.parts[0] in ("derivations", "docs") or name.match("reports/*.json"):
+            assert (inside / name).exists(), name
+    assert (inside / "CONTRIBUTING.md").is_file()
+
+
+@pytest.mark.slow
+def test_the_wheel_makes_the_site(unpacked, tmp_path):
+    environment = os.environ | {"PYTHONPATH": str(unpacked)}
+    code = "from symhaptic.__main__ import main; main()"
+    subprocess.run(
+        [sys.executable, "-c", code, "report", "--format", "html", "-o", "made"],
+        cwd=tmp_path, env=environment, check=True,
+    )  # fmt: skip
+    pages = {path.stem for path in (tmp_path / "made" / "site").glob("*.html")}
+    assert {"index", "explorer", "tutorial", "contributing", "s5b_stiffest_wall"} <= pages
+
+
+def test_the_version_stands_in_one_place():
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"version: {symhaptic.__version__}\n" in citation
 
 
 @pytest.mark.ci

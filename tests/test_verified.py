@@ -6,7 +6,7 @@ import pytest
 from chapters import chapter
 from typer.testing import CliRunner
 
-from symhaptic.book import ledger, reader
+from symhaptic.book import ledger
 from symhaptic.cli.main import app
 
 
@@ -14,12 +14,10 @@ from symhaptic.cli.main import app
 def told():
     """What the command says and its status, in processes that have the chapters of this one.
 
-    All else is as always: each sends its statements, which are judged and compared anew.  That
-    their theorems are derived anew, too, a slow test of ``test_cli.py`` sees, from nothing.
+    The rest is as always.  A slow test of ``test_cli.py`` runs the command from nothing.
     """
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(ledger, "run", lambda path: chapter(path.stem))
-        patch.setattr(reader, "untouched", lambda: True)
         return CliRunner().invoke(app, ["verify", "--strict", "--format", "json"])
 
 

@@ -1,18 +1,47 @@
-"""``symhaptic`` and ``python -m symhaptic``: the command line, which may be left while it loads."""
+"""``symhaptic`` and ``python -m symhaptic``: the command line, which can be ended at any moment."""
 
 from __future__ import annotations
 
+import signal
 import sys
+from typing import NoReturn
+
+_GRACE = 10
+"""Seconds in which a command that is asked to end removes its drafts; then it is killed."""
+
+
+def _end(number: int, _: object) -> NoReturn:
+    """Unwind as Python does on Ctrl-C, without waiting for what workers are computing."""
+    from multiprocessing import active_children
+
+    if hasattr(signal, "alarm"):
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+        signal.alarm(_GRACE)
+    for worker in active_children():
+        worker.terminate()
+    _received.append(number)
+    raise KeyboardInterrupt
+
+
+_received: list[int] = []
+"""The signals that asked the command to end."""
 
 
 def main() -> None:
-    """What the command line does; interrupted in its imports, one line."""
+    """What the command line does; interrupted, one line, and the exit status of its signal."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(number, _end)
     try:
         from symhaptic.cli.main import main as answered
+
+        answered()
     except KeyboardInterrupt:
         sys.stderr.write("symhaptic: interrupted\n")
         raise SystemExit(130) from None
-    answered()
+    finally:
+        if _received:
+            raise SystemExit(128 + _received[0]) from None
 
 
 if __name__ == "__main__":

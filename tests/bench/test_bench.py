@@ -16,7 +16,9 @@ from symhaptic.bench.error import suspects
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.functions import Effort, WrongExact, chosen, confirm, errors
 from symhaptic.bench.printed import expressions, function, swings
+from symhaptic.book.chapters import expected_bench
 from symhaptic.book.measured import record, tables
+from symhaptic.cli.computing import bench
 from symhaptic.export import request
 
 TINY = measuring.Size(
@@ -256,6 +258,17 @@ def test_bad_input_gives_one_line_and_writes_nothing(tmp_path):
         assert run.stderr.startswith("symhaptic: error: -o ")
         assert run.stderr.count("\n") == 1
     assert taken.read_text() == "x"
+
+
+def test_a_measurement_without_matplotlib_claims_no_plots(tmp_path, monkeypatch, capsys):
+    known = record.read(expected_bench())
+    monkeypatch.setattr(measuring, "measured", lambda *_: known)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    bench(quick=True, output=tmp_path)
+    told = capsys.readouterr()
+    assert told.out == f"wrote {tmp_path / 'bench.json'} and tables in {known['seconds']} s\n"
+    assert told.err == "no plots: they need matplotlib; pip install 'symhaptic[report]'\n"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["bench.json", "bench.md"]
 
 
 @pytest.mark.slow

@@ -48,6 +48,6 @@ def test_a_program_that_fails_is_named(tmp_path, monkeypatch):
     )
     monkeypatch.setattr(gallery, "programs", lambda: [folder / "walls.py"])
     (tmp_path / "source").mkdir()
-    drawing = gallery.begin(tmp_path / "source")
-    with pytest.raises(ReportError, match=r"^docs/gallery/walls\.py: ValueError: no such wall$"):
-        gallery.end(drawing)
+    told = r"^docs/gallery/walls\.py: ValueError: no such wall$"
+    with pytest.raises(ReportError, match=told), gallery.drawn(tmp_path / "source"):
+        pass

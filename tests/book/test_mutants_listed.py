@@ -8,7 +8,7 @@ from symhaptic.book.tex.mutants import TOGETHER, mutants_listed
 def test_many_changes_of_one_thing_stand_in_several_rows(tmp_path):
     changes = [f"{i} for 5" for i in range(2 * TOGETHER + 1)]
     survivors = [["eq1", "digit", change, "as its source has it"] for change in changes]
-    record = {"statements": {"eq1": {"digit": 3}}, "steps": {}, "survivors": survivors}
+    record = {"statements": {"eq1": {"digit": 3}}, "tables": {}, "survivors": survivors}
     path = tmp_path / "mutants.json"
     path.write_text(json.dumps({"chapters": {"s0": record}}))
     listed = mutants_listed(path)

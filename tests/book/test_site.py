@@ -143,7 +143,7 @@ def test_no_tex_is_left_in_the_words(some):
         ("a $b$ c", "a :math:`b` c"),
         ("5\\,\\% of *it*", "5\u202f% of \\*it\\*"),
         ("$x$, $y$s", ":math:`x`\\ , :math:`y`\\ s"),
-        ("(b) and (c) differ", "\\(b) and (c) differ"),
+        ("(b) and (c) differ", "\\ (b) and (c) differ"),
     ],
 )
 def test_words(text, made):
@@ -382,7 +382,7 @@ def test_the_guides_are_pages_with_their_code_and_links():
 
     found = guides()
     assert list(found) == list(ORDER)
-    assert "::\n\n   pip install symhaptic\n" in found["verify"]
+    assert "::\n\n   pip install ." in found["verify"]
     assert ".. code:: python\n\n   >>> " in found["limits"]
     assert not any(".md>`__" in text for text in found.values())
 

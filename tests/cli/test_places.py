@@ -3,10 +3,13 @@
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 from command import symhaptic
+
+from symhaptic.cli.main import unusable
 
 FULL = Path("/dev/full")
 
@@ -77,6 +80,7 @@ def test_what_is_not_traced_is_told_in_one_line(format):
 
 LEFT = """
 import sys
+import time
 
 
 class Left:
@@ -103,11 +107,10 @@ def test_left_while_it_loads_it_says_so_in_one_line(at):
 def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
     path = tmp_path / "my-λ.py"
     path.write_text(
-        '"""A title."""\nfrom sympy import Eq, cos, sin\n'
-        "from symhaptic.notation import theta, x\n\n"
-        "def derive(page):\n    page.step('A step', sin(theta) ** 2, 1 - cos(theta) ** 2)\n"
-        "    page.state('my-own', 'doubling', r'x = 2\\sin(\\theta)\\cos(\\theta)')\n"
-        "    page.settle('my-own', Eq(x, sin(2 * theta)))\n",
+        '"""A title."""\n'
+        "def derive(page):\n"
+        "    page.state('my-own', 'doubling', r'\\sin(2\\theta) = 2\\sin(\\theta)\\cos(\\theta)')\n"
+        "    page.settle('my-own')\n",
         encoding="utf-8",
     )
     run = subprocess.run(
@@ -118,3 +121,56 @@ def test_letters_that_a_terminal_has_not_are_written_out(tmp_path):
     )
     assert (run.returncode, run.stderr) == (0, b"")
     assert b"[my-\\u03bb.py]" in run.stdout
+
+
+LONG = 300 * "x"
+"""A name that no file system takes."""
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ["verify", "--list", "-o", LONG],
+        ["verify", "eq11", "-o", LONG],
+        ["verify", "eq11", f"-o{LONG}"],
+        ["verify", "eq11", "--rocq", LONG],
+        ["verify", "--derivation", LONG],
+        ["verify", "--source", LONG],
+        ["verify", f"--source={LONG}"],
+        ["export", "--target", "c", "-o", LONG],
+        ["check", "--formula", "eq11", "--python", "math:sin", "-o", LONG],
+        ["check", "--formula", "eq11", "--library", f"{LONG}:f"],
+        ["check", "--formula", "eq11", "--command", LONG],
+        ["trace", "--gamma", "1", "--delta", "1", "--delay", "1", "-o", LONG],
+        ["mutants", "-o", LONG],
+        ["mutants", "--check", "-o", LONG],
+        ["limits", LONG],
+        ["limits", LONG, "-o", LONG],
+        ["bench", "-o", LONG],
+        ["report", "-o", LONG],
+        ["report", "-o", LONG, "--check"],
+    ],
+)
+def test_a_name_that_is_too_long_is_one_line(asked, tmp_path):
+    run = symhaptic(*asked, cwd=tmp_path)
+    assert run.returncode == 2
+    [line] = run.stderr.splitlines()
+    assert line.startswith("symhaptic: error: ")
+    assert LONG in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_error_that_names_no_argument_is_no_bad_input():
+    wrong = OSError(2, "No such file or directory", "/data/of/the/package")
+    assert unusable(wrong, ["verify", "-o", "out.txt"]) is None
+
+
+def test_a_check_of_mutants_without_a_record_says_so_at_once(tmp_path):
+    begin = time.monotonic()
+    for record in ([], ["-o", "none.json"]):
+        run = symhaptic("mutants", "--check", *record, cwd=tmp_path)
+        assert run.returncode == 2
+        [line] = run.stderr.splitlines()
+        assert "--check: there is no record" in line
+        assert "write one with `symhaptic mutants -o " in line
+    assert time.monotonic() - begin < 20

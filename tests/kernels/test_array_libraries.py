@@ -232,7 +232,8 @@ def test_formulas_as_functions(module):
     """`lambdify` on arrays of the library that it names."""
     make = MAKE[module]
     columns, expected, tolerance = known("max_passive_stiffness")
-    found = lambdify("eq11", modules=module)(*(make(c) for c in columns))
+    arrays = [make(c) for c in columns]
+    found = lambdify("eq11", modules=module)(*arrays)
     hold(found, expected, tolerance)
     assert type(found[0]).__module__.split(".")[0] in (module, "jaxlib")
 

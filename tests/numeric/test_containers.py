@@ -102,6 +102,19 @@ def test_dask_stays_lazy_and_gives_the_same(function):
         assert np.array_equal(found.compute(scheduler="sync"), wanted)
 
 
+@each
+def test_chunks_are_unified_with_those_of_other_arrays(function):
+    """As Dask's own functions of elements do, whether the others have other chunks or none."""
+    array = library("dask.array")
+    rows, expected, _ = some(function)
+    pieces = [array.from_array(row, chunks=1 + i % 2) for i, row in enumerate(rows)]
+    for beside in (rows, pieces):
+        mixed = [array.from_array(rows[0], chunks=2), *beside[1:]]
+        for found, wanted in zip(listed(function(*mixed)), expected, strict=True):
+            assert isinstance(found, array.Array)
+            assert np.array_equal(found.compute(scheduler="sync"), wanted)
+
+
 def test_xarray_on_dask_stays_lazy():
     xarray, array = library("xarray"), library("dask.array")
     alpha = xarray.DataArray(array.linspace(0.1, 0.4, 8, chunks=4), dims="K")

@@ -112,6 +112,9 @@ def test_the_polynomial_there_and_the_root_of_every_wall():
         assert left < 1
 
 
+THIRD = r"The third side of the triangle, $\alpha+2\beta=(1-f)/\nu$, lies here"
+
+
 @guards("s5c_nyquist_region")
 def test_the_three_sides_of_the_triangle():
     rng = np.random.default_rng(85)
@@ -159,7 +162,7 @@ def test_the_three_sides_of_the_triangle():
                 )
                 assert number(side, delta=delta) == pytest.approx(high + 2 * beta, abs=1e-9)
 
-    only(agrees_with_the_third_side, shown(REGION, "The third side of the triangle is this line"))
+    only(agrees_with_the_third_side, shown(REGION, THIRD))
 
 
 @guards("s5c_nyquist_region")

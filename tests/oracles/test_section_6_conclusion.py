@@ -106,12 +106,13 @@ def cut(exact, cell, d):
 @guards("s6_marginal")
 def test_how_much_damper_and_spring_matter():
     growth, springs = (b.rows[1:] for b in page("s6_marginal").blocks if b.kind == "table")
-    for gamma, (_, *cells) in zip((0, SPRING), growth, strict=True):
-        for d, cell in enumerate(cells):
+    for d, (_, *cells) in enumerate(growth):
+        for gamma, cell in zip((0, SPRING), cells, strict=True):
             assert cut(100 * (most(gamma, DELTA, d) / most(gamma, 0, d) - 1), cell, d)
-    for delta, (_, *cells) in zip((0, DELTA), springs, strict=True):
-        for d, cell in enumerate(cells):
+    for d, (_, *cells) in enumerate(springs):
+        for delta, cell in zip((0, DELTA), cells, strict=True):
             assert cut(100 * (most(0, delta, d) / most(SPRING, delta, d) - 1), cell, d)
+    assert len(growth) == len(springs) == 8
     rng = np.random.default_rng(95)
     for gamma, delta in [(0, 0), (1e-3, 0), *rng.uniform(0, [1e-3, 0.02], size=(2, 2))]:
         found = most(gamma, delta, 0)

@@ -131,7 +131,7 @@ def test_the_late_device_is_that_of_two_exponentials(form):
         for part in LATES:
             m_2, m_1, m_0 = late(gamma, delta, part)
             sums = m_2 + m_1 + m_0, m_2 - m_1 + m_0
-            expected = m_2, m_0, *sums, m_1, 2 * (m_2 - m_0)
+            expected = m_2, m_0, *sums, m_1, 2 * (m_2 - m_0), sums[1]
             for expr, number in zip(parts, expected, strict=True):
                 agree(value(expr, epsilon=part, **at), number)
 
@@ -206,15 +206,17 @@ def margin(theta, alpha, beta, delta, delay, part):
 
 @guards("s9c_computed_need")
 def test_what_is_left_at_an_angle_is_a_sum_of_cosines():
-    ((found,),) = computed("s9c_computed_need", "computed-passivity-margin-at")
-
-    def agrees(expr):
-        for alpha, beta in WALLS:
-            for theta in ANGLES:
-                at = {"alpha": alpha, "beta": beta, "delta": 2, "theta": theta}
-                agree(value(expr, d=3, **at), 2 - need(theta, alpha, beta, 3))
-
-    only(agrees, found)
+    ((whole, mean, left, root),) = computed("s9c_computed_need", "computed-passivity-margin-at")
+    part = LATES[1]
+    for alpha, beta in WALLS:
+        for theta in ANGLES:
+            at = {"alpha": alpha, "beta": beta, "delta": 2, "theta": theta}
+            late = {"l": 3, "epsilon": part, **at}
+            needs = [need(theta, alpha, beta, delay) for delay in (3, 4)]
+            agree(value(whole, d=3, **at), 2 - needs[0])
+            agree(value(mean, **late), (1 - part) * needs[0] + part * needs[1])
+            agree(value(left, **late), margin(theta, alpha, beta, 2, 3, part))
+            agree(value(root, w=mpf("0.3"), **late), 0)  # of x^2 - w x - epsilon (1 - epsilon) s/4
 
 
 @guards("s9c_computed_need")

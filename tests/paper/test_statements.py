@@ -2,7 +2,7 @@
 
 import pytest
 
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import refused
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.quoted import Quoted
 from symhaptic.proof.units import UnitError, dimension_of
@@ -79,7 +79,7 @@ FORMULAS = {"eq13", "eq15", "eq17"}
 def test_every_statement_quotes_the_paper_and_reads_it_in_other_words():
     for id, statement in STATEMENTS.items():
         assert bool(statement.quote) == (id not in FORMULAS), id
-        assert matching(statement.quote), id
+        assert not any(map(refused, statement.quote.split("$")[1::2])), id
         assert statement.quote.count("$") % 2 == 0, id
         assert statement.quote != statement.says, id
         assert len(statement.quote) < 420, id  # short

@@ -184,7 +184,6 @@ def test_zeros_on_the_circle_or_outside_are_not_inside(polynomial):
         (z + 1) * (z - 1) - z**2 + sp.sin(1) ** 2 + sp.cos(1) ** 2,
         (z + sp.pi) * (z - sp.pi) - z**2 + sp.pi**2,
     ],
-    ids=str,
 )
 def test_the_zeros_of_nothing_are_everywhere(nothing):
     assert not zeros_inside(nothing, z)

@@ -22,8 +22,8 @@ FORMS = (
 POINTS = (("0.3", "1.7"), ("2.25", "-0.6"), ("0.01", "0.02"))
 
 
-@pytest.mark.parametrize("at", POINTS, ids=str)
-@pytest.mark.parametrize("form", FORMS, ids=str)
+@pytest.mark.parametrize("at", POINTS)
+@pytest.mark.parametrize("form", FORMS)
 def test_a_value_lies_in_its_ball(form, at):
     with mpmath.workdps(60):
         value = mpmath.mpc(sp.lambdify((x, y), form, "mpmath")(*map(mpmath.mpf, at)))
@@ -39,7 +39,7 @@ def test_a_value_lies_in_its_ball(form, at):
                 assert part.rad() < 1e-24
 
 
-@pytest.mark.parametrize("form", FORMS, ids=str)
+@pytest.mark.parametrize("form", FORMS)
 def test_a_ball_of_all_values_contains_that_of_one(form):
     with ctx.workprec(96):
         wide = program(form, [x, y])(acb(arb("1", "0.125")), acb(arb("0.5", "0.0625")))

@@ -1,191 +1,184 @@
-"""A verdict follows from its grounds, and grounds that do not support it are refused."""
+"""A verdict follows from what is settled, and what does not support it is refused."""
 
 import pytest
 import sympy as sp
 from flint import arb, ctx
-from symhaptic.proof.sign import assume, combined, number
 from sympy import Eq, I, Rational, S, cos, pi, sin, sqrt
 
+from symhaptic.notation.proposition import ForAll, Relation, proposition
 from symhaptic.paper.quoted import Quoted
 from symhaptic.paper.reading import read
 from symhaptic.proof.constants import Unmeasured
 from symhaptic.proof.settle import Settlement
+from symhaptic.proof.theorems.judge import Judged
+from symhaptic.proof.theorems.kernel import general
+from symhaptic.proof.theorems.leaves import identity
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all, positive
 from symhaptic.proof.verdict import Kind, Unfounded
 
-x, K, B, T, b, d, m, y = sp.symbols("x K B T b d m y")
-PASSING = {Kind.PROVED, Kind.DEFINITION, Kind.ENCLOSED, Kind.QUALIFIED}
+x, K, B, T, b = sp.symbols("x K B T b")
 PRINTED = read(r"K = \frac{b}{T}")
 RIGHT = (Eq(K, b / T),)
 
 
-def test_equal_form_is_proved():
-    assert Settlement(derived=RIGHT).decide(PRINTED).claimed == Kind.PROVED
+# -- without a theorem --------------------------------------------------------------------
 
 
-def test_definition_is_one_only_if_the_form_is_right():
-    assert Settlement(derived=RIGHT, definition=True).decide(PRINTED).claimed == Kind.DEFINITION
-    wrong = Settlement(derived=(Eq(K, 2 * b / T),), definition=True)
-    assert wrong.decide(PRINTED).claimed == Kind.MISPRINT
+def test_a_definition_is_the_form_that_is_given():
+    assert Settlement(derived=RIGHT).decide(PRINTED).kind == Kind.DEFINITION
+    wrong = Settlement(derived=(Eq(K, 2 * b / T),)).decide(PRINTED)
+    assert wrong.kind == Kind.UNDECIDED
+    assert not wrong
 
 
-def test_undecided_form_is_undecided():
+@pytest.mark.parametrize(
+    "printed",
+    [
+        r"K = b",  # N/m for Ns/m
+        r"K T = 2b",  # no name stands alone
+        r"K = K + 0",
+        r"K < b/T",  # a bound that needs a theorem
+    ],
+)
+def test_what_defines_nothing_is_no_definition(printed):
+    forms = read(printed)
+    assert Settlement(derived=forms).decide(forms).kind == Kind.UNDECIDED
+
+
+def test_a_form_that_is_not_known_to_be_equal_is_undecided():
     verdict = Settlement(derived=(Eq(K, sqrt(b**2) / T),)).decide(PRINTED)
-    assert verdict.claimed == Kind.UNDECIDED
+    assert verdict.kind == Kind.UNDECIDED
+
+
+def test_what_is_derived_has_as_many_parts_as_the_print():
+    with pytest.raises(Unfounded, match="1 components against 2"):
+        Settlement(derived=(*RIGHT, *RIGHT)).decide(PRINTED)
+
+
+def test_nothing_settles_nothing():
+    assert Settlement().decide(PRINTED).kind == Kind.UNDECIDED
+    assert Settlement().decide(()).kind == Kind.UNDECIDED
+    assert Settlement(derived=RIGHT).decide(()).kind == Kind.UNDECIDED
+
+
+def test_what_rests_on_data_outside_is_compared_where_it_is_derived():
+    assert Settlement(external="on a table").decide(PRINTED).kind == Kind.EXTERNAL
+    outside = Settlement(external="on a table", derived=RIGHT)
+    assert outside.decide(PRINTED).kind == Kind.EXTERNAL
+    wrong = outside.decide(read(r"K = \frac{2b}{T}"))
+    assert wrong.kind == Kind.UNDECIDED
+
+
+def test_a_slip_is_none_of_a_formula():
+    assert Settlement(slip="(12)").decide(()).kind == Kind.SLIP
+    with pytest.raises(Unfounded, match="a slip is a statement in words"):
+        Settlement(slip="(12)").decide(PRINTED)
+
+
+# -- by a theorem -------------------------------------------------------------------------
+
+
+def concluded(printed):
+    """What is printed, for all values."""
+    [form] = printed
+    claim = proposition(form)
+    return ForAll(tuple(sorted(claim.free, key=str)), claim)
+
+
+SQUARED = read("(x + 1)^2 = x^2 + 2x + 1")
+IDENTITY = general(identity((x + 1) ** 2, x**2 + 2 * x + 1), x)
+HALF = read("(x + 1)^2 = x^2 + x + 1")
+
+
+def test_a_theorem_settles_the_print_that_it_concludes_and_no_other():
+    settlement = Settlement(Judged(IDENTITY), concluded)
+    assert settlement.decide(SQUARED).kind == Kind.PROVED
+    assert settlement.accepts(SQUARED)
+    with pytest.raises(Unfounded, match="the theorem says"):
+        settlement.decide(HALF)
+    assert not settlement.accepts(HALF)
+
+
+def test_a_theorem_needs_a_claim():
+    with pytest.raises(Unfounded, match="no claim"):
+        Settlement(Judged(IDENTITY)).decide(SQUARED)
+
+
+def test_a_misprint_is_false_and_its_correction_a_theorem():
+    at_two = counterexample(concluded(HALF), {x: S(2)})  # 9 for 7
+    right = ("(x + 1)^2 = x^2 + 2x + 1",)
+    verdict = Settlement(Judged(IDENTITY, None, (at_two,), right), concluded).decide(HALF)
+    assert (verdict.kind, verdict.corrected) == (Kind.MISPRINT, right[0])
+    assert verdict.counterexample == {"x": "2"}
     assert not verdict
+    refuted = Judged(IDENTITY, None, (at_two,), right, misprint=False)
+    assert Settlement(refuted, concluded).decide(HALF).kind == Kind.REFUTED
 
 
-def test_definitions_in_force_are_put_in():
-    with_given = Settlement(derived=(Eq(K, x),), given={x: b / T})
-    assert with_given.decide(PRINTED).claimed == Kind.PROVED
-    assert Settlement(derived=(Eq(K, x),)).decide(PRINTED).claimed not in PASSING
+AT_TWO = counterexample(concluded(HALF), {x: S(2)})
+AT_ZERO = example({x: S.Zero}, [Relation(S.Zero, "<=", x)])  # 1 = 1: nothing differs
 
 
-def test_no_grounds_no_verdict():
-    assert Settlement().decide(PRINTED).claimed == Kind.UNDECIDED
-    assert Settlement().decide(()).claimed == Kind.UNDECIDED
+@pytest.mark.parametrize(
+    ("corrected", "unless", "told"),
+    [
+        ("(x + 1)^2 = x^2 + 3x + 1", (AT_TWO,), "the theorem says"),
+        ("(x + 1)^2 = x^2 + 2x + 1", (), "needs a counterexample"),
+        ("(x + 1)^2 = x^2 + 2x + 1", (AT_ZERO,), "needs a counterexample"),
+        ("(x + 1)^2 = x^2 + 2x + 1", (AT_TWO, AT_ZERO), "needs a counterexample"),
+    ],
+)
+def test_a_misprint_without_its_grounds_is_refused(corrected, unless, told):
+    with pytest.raises(Unfounded, match=told):
+        Settlement(Judged(IDENTITY, None, unless, (corrected,)), concluded).decide(HALF)
 
 
-def test_words_need_a_proof():
-    assert Settlement(proofs=("seen",)).decide(()).claimed == Kind.PROVED
-    assert Settlement(derived=RIGHT).decide(()).claimed == Kind.UNDECIDED
+def test_a_right_print_is_no_misprint():
+    judged = Judged(IDENTITY, None, (AT_TWO,), ("(x + 1)^2 = x^2 + 2x + 1",))
+    with pytest.raises(Unfounded, match="needs a counterexample"):
+        Settlement(judged, concluded).decide(SQUARED)
 
 
-def test_printed_formula_is_not_settled_by_words():
-    try:
-        verdict = Settlement(proofs=("a proof of something else",)).decide(PRINTED)
-    except Unfounded:
-        return
-    assert verdict.claimed not in PASSING
+def test_the_derived_form_is_what_the_theorem_is_about():
+    """It is what `formula(id).derived` hands out."""
+    settlement = Settlement(Judged(IDENTITY), concluded, HALF)
+    with pytest.raises(Unfounded, match="the derived form is another"):
+        settlement.decide(SQUARED)
+    assert Settlement(Judged(IDENTITY), concluded, SQUARED).decide(SQUARED).kind == Kind.PROVED
 
 
-def test_what_follows_from_data_outside_is_compared():
-    outside = Settlement(external="on a table elsewhere", derived=RIGHT)
-    assert outside.decide(PRINTED).claimed == Kind.EXTERNAL
-    assert outside.decide(read(r"K = \frac{2b}{T}")).claimed == Kind.MISPRINT
-    assert Settlement(external="on a table elsewhere").decide(PRINTED).claimed == Kind.EXTERNAL
+POSITIVE = read("K^2 + K > 0")
 
 
-# -- misprints ----------------------------------------------------------------------------
-
-DERIVED = (Eq(K, 2 * b / T),)
-
-
-def test_misprint_has_a_counterexample_and_a_correction():
-    grounds = Settlement(derived=DERIVED, corrected=(r"K = \frac{2b}{T}",))
-    verdict = grounds.decide(PRINTED)
-    assert verdict.claimed == Kind.MISPRINT
+def test_a_condition_is_that_of_the_theorem_and_does_not_save_a_wrong_print():
+    theorem = for_all((K,), [K > 0], positive(K**2 + K > 0, [K > 0, K > 0], K > 0))
+    unless = (counterexample(concluded(POSITIVE), {K: -S.Half}, but=K > 0),)
+    settlement = Settlement(Judged(theorem, example({K: 1}, [K > 0]), unless), concluded)
+    verdict = settlement.decide(POSITIVE)
+    assert (verdict.kind, verdict.condition) == (Kind.QUALIFIED, "K>0")
+    assert verdict.counterexample == {"K": "-1/2"}
     assert not verdict
-    at = {sp.Symbol(n): sp.sympify(v) for n, v in verdict.counterexample.items()}
-    assert PRINTED[0].subs(at) != DERIVED[0].subs(at)
-    assert verdict.corrected_latex == r"K = \frac{2b}{T}"
+    for wrong in ("K^2 + 2K > 0", "K^2 + K < 0", r"K^2 + K \ge 0"):
+        with pytest.raises(Unfounded):
+            settlement.decide(read(wrong))
 
 
-def test_what_is_no_slip_of_the_pen_is_refuted():
-    assert Settlement(derived=DERIVED, misprint=False).decide(PRINTED).claimed == Kind.REFUTED
-
-
-def test_wrong_correction_is_refused():
-    with pytest.raises(Unfounded, match="corrected"):
-        Settlement(derived=DERIVED, corrected=(r"K = \frac{3b}{T}",)).decide(PRINTED)
-
-
-def test_disagreeing_units_are_noted():
-    printed = read(r"K = b + \frac{b}{T}")
-    verdict = Settlement(derived=DERIVED).decide(printed)
-    assert "units disagree" in verdict.note
-
-
-def test_false_statement_in_words_needs_a_counterexample():
-    grounds = Settlement(proofs=("seen",), corrected=("K = B",))
-    with pytest.raises(Unfounded):
-        grounds.decide(())
-
-
-# -- conditions ---------------------------------------------------------------------------
-
-# |K| = K is right for K >= 0 only; at K = -1 it says 1 = -1.
-MAGNITUDE = Settlement(derived=(Eq(B, sp.Abs(K)),), provided="K>=0", unless={K: -S.One}, truth=(K,))
-ABSOLUTE = read("B = |K|")
-
-
-def test_condition_with_a_counterexample_qualifies():
-    verdict = MAGNITUDE.decide(ABSOLUTE)
-    assert verdict.claimed == Kind.QUALIFIED
-    assert not verdict
-    assert verdict.condition == "K>=0"
-    assert verdict.counterexample == {"K": "-1"}
-
-
-def test_condition_does_not_save_a_wrong_form():
-    assert MAGNITUDE.decide(read("B = |2K|")).claimed not in PASSING
-
-
-UNFOUNDED = {
-    "no counterexample": {"unless": None},
-    "nothing differs there": {"unless": {K: S.One}},
-    "no truth beside it": {"truth": None},
-    "truth that agrees": {"truth": (sp.Abs(K),)},
-    "truth that differs by nothing": {"truth": (-K * (sin(1) ** 2 + cos(1) ** 2),)},
-}
-
-
-@pytest.mark.parametrize("name", UNFOUNDED)
-def test_unfounded_counterexample_is_refused(name):
-    fields = {
-        "derived": MAGNITUDE.derived,
-        "provided": MAGNITUDE.provided,
-        "unless": MAGNITUDE.unless,
-        "truth": MAGNITUDE.truth,
-    } | UNFOUNDED[name]
-    with pytest.raises(Unfounded):
-        Settlement(**fields).decide(ABSOLUTE)
-
-
-def test_value_and_truth_of_different_kinds_show_nothing():
-    # the print gives the number 1, the "truth" is that 1 > 0: no contradiction
-    grounds = Settlement(derived=(Eq(y, x),), provided="c", unless={x: S.One}, truth=(x > 0,))
-    with pytest.raises(Unfounded):
-        grounds.decide((Eq(y, x),))
-
-
-def relation_settled(unless, truth):
-    printed = read("K > B")
-    return Settlement(derived=(K > B,), provided="c", unless=unless, truth=truth).decide(printed)
-
-
-def test_relation_and_truth_must_disagree():
-    at = {K: S.One, B: S.Zero}
-    with pytest.raises(Unfounded):
-        relation_settled(at, (K > 0,))
-    assert relation_settled(at, (K < 0,)).claimed == Kind.QUALIFIED
-
-
-def test_fact_may_contradict_a_relation():
-    # x^2 - x + 1/2 = (x - 1/2)^2 + 1/4
-    square = assume((x - Rational(1, 2)) ** 2, strict=False)
-    never = combined(x**2 - x + Rational(1, 2), [square], [Rational(1, 4)])
-    at = {K: S.One, B: S.Zero}
-    truth = (-(x**2) + x - Rational(1, 2) > 0, never)
-    assert relation_settled(at, truth).claimed == Kind.QUALIFIED
-    with pytest.raises(Unfounded):
-        relation_settled(at, (x > 0, never))
-    with pytest.raises(Unfounded):
-        relation_settled(at, number(pi))
-
-
-def test_counterexample_to_words_must_fail():
-    grounds = {"proofs": ("seen",), "provided": "c", "unless": {x: S.One}}
-    with pytest.raises(Unfounded):
-        Settlement(**grounds, truth=(Eq(x, 1, evaluate=False),)).decide(())
-    verdict = Settlement(**grounds, truth=(Eq(x, 2, evaluate=False),)).decide(())
-    assert verdict.claimed == Kind.QUALIFIED
+def test_a_definition_on_the_page_is_not_proved():
+    settlement = Settlement(Judged(IDENTITY), concluded, definitions=("x:=1",), defines=True)
+    verdict = settlement.decide(SQUARED)
+    assert (verdict.kind, verdict.definitions) == (Kind.DEFINITION, ("x:=1",))
 
 
 # -- constants ----------------------------------------------------------------------------
 
 
 def constant(value, how, digits):
-    return Settlement(values=(value,), quoted=(Quoted(how, digits),)).decide(())
+    return quoted((value,), (Quoted(how, digits),))
+
+
+def quoted(values, numbers, printed=SQUARED, **more):
+    settlement = Settlement(Judged(IDENTITY), concluded, values=values, quoted=numbers, **more)
+    return settlement.decide(printed)
 
 
 @pytest.mark.parametrize(
@@ -203,7 +196,7 @@ def constant(value, how, digits):
     ],
 )
 def test_quoted_number(value, how, digits, kind):
-    assert constant(value, how, digits).claimed == kind
+    assert constant(value, how, digits).kind == kind
 
 
 def test_decimals_and_radius_enclose_the_constant():
@@ -239,41 +232,33 @@ def test_number_that_is_hardly_known_is_no_constant():
 )
 def test_rounding_of_the_last_digit(how, digits, value, says):
     verdict = constant(value, how, digits)
-    assert verdict.claimed == Kind.ENCLOSED
+    assert verdict.kind == Kind.ENCLOSED
     assert verdict.note == f"{digits} is {says}"
 
 
 def test_exponent_marks_the_last_digit_that_counts():
-    assert constant(pi**2 * 1000, "about", "1e4").claimed == Kind.ENCLOSED  # 9869.6
-    assert constant(pi**2 * 1000, "about", "10e3").claimed == Kind.ENCLOSED
-    assert constant(pi**2 * 1000, "about", "10000").claimed == Kind.REFUTED
+    assert constant(pi**2 * 1000, "about", "1e4").kind == Kind.ENCLOSED  # 9869.6
+    assert constant(pi**2 * 1000, "about", "10e3").kind == Kind.ENCLOSED
+    assert constant(pi**2 * 1000, "about", "10000").kind == Kind.REFUTED
 
 
 def test_every_quoted_number_must_hold():
     two = (Quoted("above", "17.8"), Quoted("below", "0.0562"))
     ratio = Rational(1783, 100)
-    assert Settlement(values=(ratio, 1 / ratio), quoted=two).decide(()).claimed == Kind.ENCLOSED
+    assert quoted((ratio, 1 / ratio), two).kind == Kind.ENCLOSED
     wrong = (two[0], Quoted("below", "0.056"))
-    assert Settlement(values=(ratio, 1 / ratio), quoted=wrong).decide(()).claimed == Kind.REFUTED
+    assert quoted((ratio, 1 / ratio), wrong).kind == Kind.REFUTED
     with pytest.raises(Unfounded):
-        Settlement(values=(ratio,), quoted=two).decide(())
+        quoted((ratio,), two)
+    with pytest.raises(Unfounded):
+        quoted((pi,), ())
 
 
 def test_a_number_does_not_save_a_wrong_formula():
-    grounds = {"values": (pi,), "quoted": (Quoted("about", "3.14"),)}
-    assert Settlement(derived=RIGHT, **grounds).decide(PRINTED).claimed == Kind.ENCLOSED
-    wrong = Settlement(derived=(Eq(K, 2 * b / T),), **grounds)
-    assert wrong.decide(PRINTED).claimed == Kind.MISPRINT
+    with pytest.raises(Unfounded, match="the theorem says"):
+        quoted((pi,), (Quoted("about", "3.14"),), HALF)
 
 
-def test_constant_needs_the_printed_number():
-    with pytest.raises(Unfounded):
-        Settlement(values=(pi,)).decide(())
-
-
-def test_what_rests_on_words_is_argued():
-    """A statement in words is compared with nothing, and nobody reads a condition in LaTeX."""
-    verdict = Settlement(proofs=("seen",)).decide(())
-    assert (verdict.kind, verdict.claimed) == (Kind.ARGUED, Kind.PROVED)
-    assert not verdict
-    assert str(verdict).startswith("argued (proved)")
+def test_a_number_makes_no_result_of_a_definition():
+    verdict = quoted((pi,), (Quoted("about", "3.14"),), defines=True)
+    assert verdict.kind == Kind.DEFINITION

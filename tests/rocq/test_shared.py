@@ -178,3 +178,10 @@ def test_what_a_record_has_open_is_left_open_where_the_text_is_the_same(folder, 
     assert "whole" not in found.statements.values()
     (folder / "s3b_envelope.json").unlink()
     assert compiled.begun(one, folder, recorded=left | {"text": "other"}).outcome.open == {}
+
+
+def test_what_is_not_reached_in_time_is_left_open(tmp_path, monkeypatch):
+    monkeypatch.setattr(compiled, "TOGETHER", 4)
+    right = "Lemma a : 1 = 1.\nProof.\nreflexivity.\nQed.\n"
+    long = "Lemma b : 2 = 2.\nProof.\ndo 1000000000 idtac.\nreflexivity.\nQed.\n"
+    assert compiled.failing(tmp_path, right + long) == {"b": "coqc: not reached within 4 s"}

@@ -78,7 +78,7 @@ LOST = [
 """Terms that SymPy would write without a divisor, each with an x where it has no value, y = -1."""
 
 
-@pytest.mark.parametrize(("lost", "at"), LOST, ids=str)
+@pytest.mark.parametrize(("lost", "at"), LOST)
 def test_a_divisor_stays_whatever_sympy_would_make_of_it(lost: sp.Expr, at: int) -> None:
     claim = Relation(lost, "=", S.Zero)
     assert tree(lost).shown == lost
@@ -169,7 +169,6 @@ IMAGINARY = sp.im(sp.exp(I * x), evaluate=False)
         sp.atan(x + 2 * I) * sp.atan(x - 2 * I),
         I * sp.Abs(sp.log(x) + I) - I * sp.Abs(sp.log(x) - I),  # at x = -1: j (pi + 1) - j (pi - 1)
     ],
-    ids=str,
 )
 def test_what_is_not_real_everywhere_is_not_real_by_its_form(expr: sp.Expr) -> None:
     assert not real(expr)
@@ -177,7 +176,7 @@ def test_what_is_not_real_everywhere_is_not_real_by_its_form(expr: sp.Expr) -> N
         instance(known("square"), {axiom_x: expr})
 
 
-@pytest.mark.parametrize("side", [IMAGINARY, sp.Abs(sp.log(x) + I)], ids=str)
+@pytest.mark.parametrize("side", [IMAGINARY, sp.Abs(sp.log(x) + I)])
 def test_no_conjugate_where_j_stands_in_what_is_real(side: sp.Expr) -> None:
     # im exp(j x) = sin x, but im exp(-j x) = -sin x
     with pytest.raises(NotShown, match="conjugate"):

@@ -214,7 +214,11 @@ def test_an_identity_says_where_it_holds() -> None:
 
 
 def test_a_hypothesis_does_not_become_weaker_when_sympy_cancels() -> None:
-    """y/x = 1 says that x is not zero; with x for y it would become 1 = 1."""
+    """y/x = 1 says that x is not zero; with x for y it would become 1 = 1.
+
+    The symbols are this test's own: a term x/x that was read before stays as it was written.
+    """
+    x, y = sp.symbols("x_here y_here")
     nonzero = placed(assume(sp.Eq(y / x, 1)), {y: x})
     assert Relation(x, "!=", S.Zero) in nonzero.hypotheses
     assert Relation(S.Zero, "!=", S.Zero) in placed(nonzero, {x: S.Zero}).hypotheses

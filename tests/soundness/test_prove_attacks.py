@@ -162,7 +162,6 @@ def test_a_box_on_which_a_side_is_not_defined_shows_nothing(name):
         (kept(Lt, sp.Symbol("i", infinite=True), 2), {sp.Symbol("i", infinite=True): UNIT}),
         (x < 2, {sp.Symbol("A", commutative=False): UNIT, x: UNIT}),
     ],
-    ids=str,
 )
 def test_a_box_that_is_none_is_refused(relation, box):
     with pytest.raises(ValueError, match=r"^prove: "):
@@ -272,7 +271,6 @@ def test_what_is_nowhere_defined_is_neither_equal_nor_unequal(name):
         (Eq(x, 1), True),
         (x, x + Rational(1, 10**2000)),
     ],
-    ids=str,
 )
 def test_what_is_false_or_without_a_value_is_not_proved(left, right):
     assert not prove(left, right, steps=300_000)
@@ -397,7 +395,6 @@ def test_a_forged_certificate_is_not_confirmed(name):
         (below(sin(x) / x, 2), {x: (THIRD, 1)}),
         (below(sp.acos(x), 2), {x: (0, S.Half)}),
     ],
-    ids=str,
 )
 def test_where_both_sides_are_defined_the_same_is_enclosed(relation, box):
     verdict = prove(relation, box)
@@ -439,7 +436,6 @@ def test_what_takes_sympy_long_or_breaks_it_is_answered():
         (sp.atanh(2), "0.549306144334054845697622618461", "-1.57079632679489661923132169164"),
         (sp.asinh(2 * I), "1.31695789692481670862504634731", "1.57079632679489661923132169164"),
     ],
-    ids=str,
 )
 def test_on_a_cut_an_inverse_function_has_the_value_that_mpmath_gives_it(number, real, imaginary):
     found = sp.im(number, evaluate=False), re(number, evaluate=False)

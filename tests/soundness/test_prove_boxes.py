@@ -52,12 +52,12 @@ def test_what_is_not_defined_is_not_one_to_the_power_of_zero(of):
         enclose(sp.Pow(of.xreplace({x: sin(1) ** 2 + cos(1) ** 2 - 1}), 0, evaluate=False))
 
 
-@pytest.mark.parametrize(("relation", "ends"), UNDEFINED, ids=str)
+@pytest.mark.parametrize(("relation", "ends"), UNDEFINED)
 def test_sides_that_are_not_defined_do_not_cancel(relation, ends):
     assert not prove(sp.Gt(*(relation.gts, relation.lts), evaluate=False), {x: ends})
 
 
-@pytest.mark.parametrize(("relation", "ends"), UNDEFINED[:5], ids=str)
+@pytest.mark.parametrize(("relation", "ends"), UNDEFINED[:5])
 def test_where_they_are_defined_they_cancel(relation, ends):
     verdict = prove(relation, {x: (HALF, 1)})
     assert verdict.kind == Kind.ENCLOSED

@@ -253,7 +253,11 @@ def test_a_divisor_that_is_lost_is_no_proof() -> None:
 
 
 def test_a_power_is_kept_by_its_base_only() -> None:
-    """1/(x^2 + y) is not 1/x^2 where y is 0 unless x is not 0 there."""
+    """1/(x^2 + y) is not 1/x^2 where y is 0 unless x is not 0 there.
+
+    The symbols are this test's own: a term x/(x + 0) that was read before stays as it was written.
+    """
+    x, y = symbols("x_here y_here")
     claim = assume(Relation(1 / (x**2 + y), "=", x))
     assert proposition(Ne(x**2, 0)) not in placed(claim, {y: S.Zero}).hypotheses
     lost = placed(assume(Relation(x * (x + y) / (x + y * 1), "=", x)), {y: S.Zero})

@@ -1,6 +1,7 @@
 """Sweeps that are killed and go on: nothing is computed twice, and the bytes are the same."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,7 +13,10 @@ from threading import Thread
 import numpy as np
 import pytest
 
+import symhaptic
 from symhaptic import is_stable, sweep
+from symhaptic.sweeps.axes import plan_of
+from symhaptic.sweeps.marks import package
 
 zarr = pytest.importorskip("zarr", reason="no zarr here: no sweeps are kept")
 pytest.importorskip("xarray", reason="no xarray here: no sweeps")
@@ -235,6 +239,187 @@ def test_a_store_begun_with_other_kernels_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr("symhaptic.sweeps.plan.kernels_used", lambda: "other")
     with pytest.raises(ValueError, match=r"which differs in kernels$"):
         sweep("max_stable_stiffness", **axes)
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_a_store_of_other_code_is_refused(kind, tmp_path, monkeypatch):
+    """The version of a checkout stays the same while its code changes."""
+    axes = {"gamma": 0.0, "delta": DELTA, "delay": 1.0, "to": tmp_path / f"kept.{kind}"}
+    sweep("max_stable_stiffness", **axes)
+    monkeypatch.setattr("symhaptic.sweeps.plan.package", lambda: "0.1.0 (0123456789ab)")
+    with pytest.raises(ValueError, match=r"which differs in symhaptic$"):
+        sweep("max_stable_stiffness", **axes)
+
+
+def test_the_digest_of_the_package_changes_with_its_code(tmp_path, monkeypatch):
+    (tmp_path / "numeric").mkdir()
+    file = tmp_path / "numeric" / "plant.py"
+    monkeypatch.setattr(symhaptic, "__file__", str(tmp_path / "__init__.py"))
+    found = set()
+    for text in ("a = 1", "a = 2", "a = 1"):
+        file.write_text(text)
+        found.add(package.__wrapped__())
+    assert len(found) == 2
+    assert all(re.fullmatch(r"\d+\.\d+.* \([0-9a-f]{12}\)", one) for one in found)
+
+
+def test_a_worker_with_other_code_is_refused(monkeypatch):
+    plan, _ = plan_of("linear_limit", None, (), (), None, {"beta": DELTA, "delta": 0, "delay": 1})
+    piece = plan.piece((0,))
+    monkeypatch.setattr("symhaptic.sweeps.plan.package", lambda: "0.2.0 (0123456789ab)")
+    told = r"^workers: this one has symhaptic 0\.2\.0 \(0123456789ab\), and the sweep began with "
+    with pytest.raises(ValueError, match=told):
+        piece.compute()
+
+
+def kept(kind, place):
+    """A small sweep with numbers and NaN: its values, and how it is asked for again."""
+    axes = {"beta": np.array([0.1, np.nan, 0.4, 0.7]), "delta": 0.01, "delay": 1.0, "chunks": 2}
+    return sweep("linear_limit", to=place, **axes), axes
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_a_file_that_is_deleted_is_named_or_computed_again(kind, tmp_path):
+    place = tmp_path / f"kept.{kind}"
+    found, axes = kept(kind, place)
+    wanted = found.compute()
+    file = place / {"zarr": "alpha/c/1", "parquet": "block-00001.parquet"}[kind]
+    file.unlink()
+    for read in (found, *([sweep("linear_limit", to=place, **axes)] if kind == "zarr" else ())):
+        with pytest.raises(
+            ValueError, match=rf"^to: {file} is damaged or missing; delete "
+        ) as told:
+            read.compute()
+    mark = str(told.value).split("delete ")[1].split(",")[0]
+    if kind == "zarr":
+        Path(mark).unlink()
+    assert sweep("linear_limit", to=place, **axes).compute().identical(wanted)
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_no_flipped_bit_gives_other_values(kind, tmp_path):
+    """Of a block and of its mark; with a step of 1 instead of 29 the test takes a minute."""
+    place = tmp_path / f"kept.{kind}"
+    found, _ = kept(kind, place)
+    wanted = found.alpha.values
+    names = {"zarr": ["alpha/c/1", "blocks/done/c/1/0"], "parquet": ["block-00001.parquet"]}[kind]
+    for file in (place / name for name in names):
+        whole, refused = file.read_bytes(), 0
+        for i in range(0, 8 * len(whole), 29):
+            damaged = bytearray(whole)
+            damaged[i // 8] ^= 1 << i % 8
+            file.write_bytes(damaged)
+            try:
+                values = found.alpha.values
+            except ValueError as wrong:
+                refused += "is damaged or missing; delete " in str(wrong)
+            else:
+                assert np.array_equal(values, wanted, equal_nan=True), i
+        file.write_bytes(whole)
+        assert refused
+    assert np.array_equal(found.alpha.values, wanted, equal_nan=True)
+
+
+@pytest.mark.filterwarnings("ignore:Object at .* is not recognized")
+@pytest.mark.parametrize("name", ["zarr.json", "alpha/zarr.json", "blocks/done/zarr.json",
+                                  "beta/zarr.json", "beta/c/0"])  # fmt: skip
+def test_damage_of_what_describes_a_group_is_reported_in_one_line(name, tmp_path):
+    place = tmp_path / "kept.zarr"
+    found, axes = kept("zarr", place)
+    wanted, whole, refused = found.alpha.values, (place / name).read_bytes(), 0
+    for i in range(3, 8 * len(whole), 401 if len(whole) > 100 else 29):
+        damaged = bytearray(whole)
+        damaged[i // 8] ^= 1 << i % 8
+        (place / name).write_bytes(damaged)
+        try:
+            values = sweep("linear_limit", to=place, **axes).alpha.values
+        except ValueError as wrong:
+            refused += bool(re.match(r"to: .+(damaged|holds)[^\n]+$", str(wrong)))
+        else:
+            assert np.array_equal(values, wanted, equal_nan=True), i
+    assert refused
+
+
+def test_another_reader_of_zarr_notices_a_flipped_bit(tmp_path):
+    kept("zarr", tmp_path / "kept.zarr")
+    file = tmp_path / "kept.zarr" / "alpha/c/1"
+    damaged = bytearray(file.read_bytes())
+    damaged[len(damaged) // 2] ^= 1
+    file.write_bytes(damaged)
+    with pytest.raises(ValueError, match="checksum"):
+        zarr.open_group(tmp_path / "kept.zarr", mode="r")["alpha"][...]
+
+
+TWICE = """
+import sys, time
+import numpy as np
+from symhaptic import sweep
+
+def slow(alpha):
+    time.sleep(0.2)
+    return 2*alpha
+
+print("ready", flush=True)
+sys.stdin.readline()
+sweep(slow, alpha=np.arange(6.0), chunks=1, to=sys.argv[1], workers=1)
+"""
+
+
+@pytest.mark.parametrize("kind", ["zarr", "parquet"])
+def test_of_two_that_start_at_once_one_is_refused_in_one_line(kind, tmp_path):
+    place = tmp_path / f"kept.{kind}"
+    both = [
+        subprocess.Popen([sys.executable, "-c", TWICE, place], text=True, bufsize=1,
+                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        for _ in range(2)
+    ]  # fmt: skip
+    for process in both:
+        assert process.stdout.readline() == "ready\n"
+    for process in both:
+        process.stdin.write("\n")
+        process.stdin.flush()
+    said = [process.communicate(timeout=60)[1] for process in both]
+    assert sorted(process.returncode for process in both) == [0, 1]
+    told = f"ValueError: to: another process is writing to {str(place)!r}; wait until it has ended"
+    assert max(said).splitlines()[-1].startswith(told)
+    assert min(said) == ""
+    assert os.listdir(tmp_path) == [place.name]
+
+
+@pytest.mark.parametrize(("kind", "draft"), [
+    ("zarr", "alpha/c/1.0123.partial"), ("parquet", "_draft-0123"),
+])  # fmt: skip
+def test_the_next_run_removes_drafts_of_one_that_was_killed(kind, draft, tmp_path):
+    place = tmp_path / f"kept.{kind}"
+    _, axes = kept(kind, place)
+    before = tree(place)
+    (place / draft).write_text("half")
+    file = {"zarr": "blocks/done/c/1/0", "parquet": "block-00001.parquet"}[kind]
+    (place / file).unlink()
+    sweep("linear_limit", to=place, **axes)
+    assert tree(place) == before
+
+
+@pytest.mark.parametrize("guard", ['if __name__ == "__main__":', "if True:"])
+def test_a_killed_worker_process_is_reported_in_one_line(guard, tmp_path):
+    program = f"""
+import os, signal
+from symhaptic import sweep
+
+def deadly(alpha):
+    if alpha.size > 1:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return alpha
+
+{guard}
+    sweep(deadly, alpha=[0.0, 1.0], on="processes", workers=1)
+"""
+    (tmp_path / "program.py").write_text(program)
+    command = [sys.executable, tmp_path / "program.py"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    last = done.stderr.splitlines()[-1]
+    told = "BrokenExecutor: a worker process was killed or could not start; where memory is short"
+    assert told in last
 
 
 @pytest.mark.ci

@@ -84,8 +84,7 @@ def source(path: Path) -> str:
 
 def expected_ledger() -> Path:
     """The committed ledger that `symhaptic verify` compares with."""
-    inside = PACKAGE / "ledger.json"
-    return inside if inside.exists() else beside("reports") / "ledger.json"
+    return beside("reports") / "ledger.json"
 
 
 def expected_mutants() -> Path:
@@ -95,8 +94,7 @@ def expected_mutants() -> Path:
 
 def expected_rocq() -> Path:
     """The committed record of what Rocq has checked."""
-    inside = PACKAGE / "rocq.json"
-    return inside if inside.exists() else beside("reports") / "rocq.json"
+    return beside("reports") / "rocq.json"
 
 
 def expected_bench() -> Path:

@@ -97,6 +97,8 @@ def surprises(entries: Iterable[Entry], known: dict[str, str], whole: bool = Tru
 
 _SAID = {
     "statement": "print",
+    "proposition": "proposition",
+    "definitions": "definitions",
     "condition": "condition",
     "corrected": "correction",
     "counterexample": "counterexample",
@@ -105,7 +107,7 @@ _SAID = {
 
 
 def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
-    """Statements whose print, condition, correction or counterexample is not the committed one.
+    """Statements of which what is said is not what is committed.
 
     A misprint that becomes another one has the same verdict.
     """
@@ -114,9 +116,9 @@ def reworded(entries: Iterable[Entry], path: Path) -> list[str]:
         id, said = entry.statement.id, entry.as_json()
         known = committed.get(id, {})
         lines += [
-            f"{id}: the {called} is {said[name]}, but the ledger says {known[name]}"
+            f"{id}: the {called} is {said[name]}, but the ledger says {known.get(name, 'nothing')}"
             for name, called in _SAID.items()
-            if name in known and known[name] != said[name]
+            if id in committed and (name not in known or known[name] != said[name])
         ]
     return lines
 

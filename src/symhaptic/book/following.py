@@ -206,16 +206,37 @@ def settled(
     """
     claimed = of_print(printed, definitions)
     try:
-        return Judged(claimed.theorem(), example=claimed.example()), claimed
+        found = Judged(claimed.theorem(), example=claimed.example())
     except NotShown as wrong:
         if not derived:
             raise
-        right, case = of_print(derived, definitions), claimed.counterexample(at)
+        right = of_print(derived, definitions)
+        _check_correction(claimed, right)
+        case = claimed.counterexample(at)
         if case is None:
             raise NotShown(f"{wrong}; and no point is found at which the print fails") from None
         shown = tuple(f"{latex(r.left)} = {latex(r.right)}" for r in right.printed)
         found = Judged(right.theorem(), right.example(), (case,), shown, instead=right.claim)
-        return found, claimed
+    else:
+        if at is not None:
+            raise Undefinable("a counterexample stands against what follows from the definitions")
+    return found, claimed
+
+
+def _check_correction(claimed: Print, right: Print) -> None:
+    """Refuse a correction of something else, and of a print that has a name of no known meaning."""
+    ours, theirs = len(right.printed), len(claimed.printed)
+    if ours != theirs:
+        raise Undefinable(f"{ours} equations are derived, and {theirs} printed; derive as many")
+    for printed, last, other in zip(
+        claimed.printed, claimed.stages[-1], right.printed, strict=True
+    ):
+        if not any(itertools.starmap(_same, itertools.product(printed.terms, other.terms))):
+            sides = f"{other.left} = {other.right}", f"{printed.left} = {printed.right}"
+            raise Undefinable("{} is derived, and keeps no side of the print {}".format(*sides))
+        for one, side in (last.terms, last.terms[::-1]):
+            if isinstance(one, Symbol) and one not in side.free_symbols:
+                raise NotShown(f"the page does not define {one}; define it or give a theorem")
 
 
 def _same(one: Expr, other: Expr) -> bool:

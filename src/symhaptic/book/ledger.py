@@ -135,7 +135,7 @@ def ledger(settled: Iterable[Entry], source: Source | None = None) -> list[Entry
     found = {entry.statement.id: entry for entry in entries}
     listed = STATEMENTS if source is None else of_source(source)
     entries = [found.get(id) or Entry(s, UNSETTLED, None, 0.0) for id, s in listed.items()]
-    return entries + [entry for entry in found.values() if entry.own]
+    return entries + [replace(e, own=True) for id, e in found.items() if id not in STATEMENTS]
 
 
 def by_source(entries: Iterable[Entry]) -> str:

@@ -79,7 +79,7 @@ def names(chosen: list[dict[str, str]], as_json: bool) -> str:
     lines = [
         f"{r['id']:{widths[0]}}  {r['location']:{widths[1]}}  {r['says']}".rstrip() for r in chosen
     ]
-    return "\n".join(lines) + "\n"
+    return shown("\n".join(lines)) + "\n"
 
 
 def text(
@@ -123,7 +123,12 @@ def text(
         unsettled = any(e.derivation is None for e in open_)
         failing = " (an error, with --strict)" if strict and unsettled else ""
         lines.append(f"{len(open_)} undecided, which is not a pass{failing}")
-    return "\n".join(lines) + "\n"
+    return shown("\n".join(lines)) + "\n"
+
+
+def shown(text: str) -> str:
+    """A text without control characters, which a terminal would obey."""
+    return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", "\ufffd", text)
 
 
 def told(entry: Entry) -> list[tuple[str, str]]:

@@ -21,11 +21,11 @@ from symhaptic.notation.latex import latex
 from symhaptic.notation.proposition import Proposition
 from symhaptic.notation.terms import NoTerm
 from symhaptic.paper import Statement
-from symhaptic.paper.reading import Printed, read
+from symhaptic.paper.reading import Printed, Unreadable, read
 from symhaptic.proof.enclosed import Source
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
-from symhaptic.proof.theorems.judge import Case, Judged, of_print
+from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print
 from symhaptic.proof.theorems.kernel import NotShown, Theorem, conjoined
 from symhaptic.proof.verdict import Kind, Verdict
 
@@ -48,6 +48,7 @@ class Page(Steps):
         """
         for line in printed:
             read(line)
+        in_latex(id, *printed)
         if id in STATEMENTS:
             raise FalseStep(f"the id {id!r} is taken by the paper")
         if not is_id(id):
@@ -86,17 +87,19 @@ class Page(Steps):
         a point at which it fails.  With ``definition`` the print introduces a name.
         """
         statement = self._statement(id)
-        in_latex(id, shows)
+        in_latex(id, *(corrected or ()))
+        if instead is not None:
+            _told(id, corrected or (), instead)
         theorems = [g for g in grounds if isinstance(g, Theorem)]
         forms = tuple(p for g in grounds if not isinstance(g, Theorem) for p in parts(g))
         if definition:
             for form in forms:
                 if isinstance(form, Eq) and isinstance(form.lhs, (Symbol, AppliedUndef)):
-                    self._defined(form.lhs, form.rhs)
+                    self._defined(form.lhs, form.rhs, once=False)
             return self._record(statement, Settlement(derived=forms, note=note))
         if not theorems:
             point = dict(unless) if isinstance(unless, Mapping) else None
-            return self._follows(statement, forms, point, corrected, note)
+            return self._follows(statement, forms, point, corrected, value, note)
         judged = Judged(
             theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
             example=example,
@@ -125,12 +128,15 @@ class Page(Steps):
         derived: Sequence[Expr],
         point: dict[Expr, Expr] | None,
         corrected: Sequence[str] | None,
+        value: Source | Sequence[Source] | None,
         note: str | None,
     ) -> Verdict:
         """Settle equations by the definitions on the page."""
         definitions = tuple(self.definitions)
         if not statement.printed or statement.id in CLAIMED or statement.id in self.claimed:
             return self._record(statement, Settlement(note=note))
+        if statement.quoted and value is None:
+            raise FalseStep(f"{statement.id}: the text quotes a number, too; give value=")
         right = tuple(p for line in corrected or () for p in read(line)) or derived
         try:
             judged, claimed = following.settled(statement.printed, right, definitions, point)
@@ -145,7 +151,13 @@ class Page(Steps):
 
         used = tuple(f"{latex(name)}:={latex(meaning)}" for name, meaning in claimed.used)
         settlement = Settlement(
-            judged, claim, note=note, definitions=used, defines=claimed.is_definition
+            judged,
+            claim,
+            values=self._quoted(value),
+            quoted=statement.quoted,
+            note=note,
+            definitions=used,
+            defines=claimed.is_definition,
         )
         return self._record(statement, settlement)
 
@@ -175,9 +187,9 @@ class Page(Steps):
         What is wrong stands in the quotation.  A slip is no theorem, and is not counted as one.
         """
         statement = self._statement(id)
-        if wrong not in statement.quote:
+        if not wrong.strip() or wrong not in statement.quote:
             raise FalseStep(f"{id}: {wrong!r} does not stand in the quotation of the statement")
-        in_latex(id, right, shows)
+        in_latex(id, right)
         return self._record(statement, Settlement(slip=right, shows=shows))
 
     def leave_open(self, id: str, note: str) -> Verdict:
@@ -186,6 +198,19 @@ class Page(Steps):
         An undecided statement never passes.
         """
         statement = self._statement(id)
-        in_latex(id, note)
         claim = self.claimed.get(id) or CLAIMED.get(id)
         return self._record(statement, Settlement(left_open=True, note=note, claim=claim))
+
+
+def _told(id: str, corrected: Sequence[str], instead: Proposition) -> None:
+    """Refuse relations that are shown for what holds instead, and are no part of it.
+
+    Words are shown as they are.
+    """
+    for line in corrected:
+        try:
+            forms = read(line)
+        except Unreadable:
+            continue
+        if not all(concludes(instead, form) for form in forms):
+            raise FalseStep(f"{id}: what holds instead does not conclude {line}")

@@ -8,9 +8,7 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
-import signal
 import sys
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
@@ -21,6 +19,7 @@ from typing import NoReturn, TypeAlias, TypeVar
 from symhaptic.book import SELDOM
 from symhaptic.book.chapters import BadChapter, folder
 from symhaptic.book.ledger import Entry, of_derivation
+from symhaptic.book.processes import end_with_parent
 
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
@@ -115,15 +114,6 @@ def _pool(size: int, how: str) -> ProcessPoolExecutor:
 
 def _begin() -> None:
     """Prepare a worker: it ends with its parent, and what a chapter prints goes to stderr."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    end_with_parent()
     gc.set_threshold(SELDOM)
     os.dup2(2, 1)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)

@@ -140,7 +140,11 @@ _MARK = re.compile(r"\\chapter\{(\w+)\}")
 def referred(text: str, shown: Callable[[int], str]) -> str:
     r"""Prose in which ``\chapter{name}`` has become what is shown of that chapter's number.
 
+    The name of an unknown chapter stays as it is typed.
+
     >>> referred(r"see \chapter{s2a_device}", lambda number: f"chapter {number}")
     'see chapter 1'
     """
-    return _MARK.sub(lambda mark: shown(numbers()[mark[1]]), text)
+    return _MARK.sub(
+        lambda mark: shown(numbers()[mark[1]]) if mark[1] in numbers() else mark[0], text
+    )

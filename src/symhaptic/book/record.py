@@ -14,7 +14,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.core.function import AppliedUndef
 
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import refused
 from symhaptic.notation.terms import NoTerm
 from symhaptic.notation.written import chains, written
 from symhaptic.paper import Statement
@@ -36,10 +36,10 @@ class FalseStep(ValueError):
 
 
 def in_latex(where: str, *texts: Any) -> None:
-    """Raises where a text is no LaTeX that can be printed in a formula."""
+    """Raise :class:`FalseStep` where a text is no LaTeX that can be printed in a formula."""
     for text in texts:
-        if isinstance(text, str) and not matching(text):
-            raise FalseStep(f"{where}: {text!r} has braces that do not match")
+        if isinstance(text, str) and (why := refused(text)):
+            raise FalseStep(f"{where}: {text!r} {why}")
 
 
 def line_at_work() -> int:
@@ -142,7 +142,8 @@ class Record:
     def _record(
         self, statement: Statement, settlement: Settlement, verdict: Verdict | None = None
     ) -> Verdict:
-        verdict = verdict or settlement.decide(statement.printed)
+        if verdict is None:
+            verdict = settlement.decide(statement.printed)
         self._once("settled", statement.id)
         now = time.perf_counter()
         seconds, self._since = now - self._since, now

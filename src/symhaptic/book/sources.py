@@ -15,14 +15,15 @@ import sympy as sp
 
 from symhaptic import paper, rules
 from symhaptic.notation import SYMBOLS
-from symhaptic.notation.latex import matching
+from symhaptic.notation.latex import refused
 from symhaptic.notation.proposition import Proposition, Relation, proposition
 from symhaptic.notation.written import written
-from symhaptic.paper.propositions import CLAIMED, Claim
-from symhaptic.paper.reading import Printed, Unreadable, signs_of
+from symhaptic.paper.propositions import CLAIMED as REGISTERED
+from symhaptic.paper.propositions import Claim
+from symhaptic.paper.reading import Printed, Unreadable, read, sides_of, signs_of
 from symhaptic.paper.statement import Source, Statement
 from symhaptic.proof.theorems.judge import of_print, taken_apart
-from symhaptic.rules import claims as _claims  # noqa: F401  registered in CLAIMED
+from symhaptic.rules import claims as _claims  # noqa: F401  registered there
 
 PAPER = Source(
     "",
@@ -37,6 +38,9 @@ SOURCES = [*SHIPPED]
 STATEMENTS: dict[str, Statement] = {**paper.STATEMENTS, **rules.STATEMENTS}
 """Of all sources, in their order."""
 
+CLAIMED: dict[str, Claim] = dict(REGISTERED)
+"""What the sources claim of their statements; what a chapter registers later is not in it."""
+
 
 def source_of(id: str) -> Source | None:
     """The source of a statement; None of one that a chapter states itself."""
@@ -49,7 +53,8 @@ def source_of(id: str) -> Source | None:
 def add(source: Source, statements: Iterable[Statement]) -> Source:
     """Add a source with its statements, whose ids begin with its key and a colon.
 
-    What it claims of them is in ``CLAIMED``.  Raises ``ValueError`` with one line on what is wrong.
+    Its claims are those that ``source.py`` has registered.  Raises ``ValueError`` with one line on
+    what is wrong.
     """
     for side in zip(*source.notation, strict=True):
         if twice := [word for word in side if side.count(word) > 1]:
@@ -74,23 +79,28 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
                 f"the id {statement.id!r} is to begin with '{source.key}:' and to stand once"
             )
         found[statement.id] = own = replace(statement, notation=source.notation)
+        own.printed  # noqa: B018  raises if the print cannot be read
         if wrong := _reads_otherwise(own):
             raise ValueError(f"{statement.id}: {wrong}")
         for line in (*statement.latex, statement.domain):
-            if not matching(line):
-                raise ValueError(f"{statement.id}: {line!r} has braces that do not match")
+            if why := refused(line):
+                raise ValueError(f"{statement.id}: {line!r} {why}")
         own.given  # noqa: B018  raises if the domain cannot be read
-    for id in CLAIMED.keys() - STATEMENTS.keys() - found.keys():
+    for id in REGISTERED.keys() - STATEMENTS.keys() - found.keys():
         if id.startswith(f"{source.key}:"):
             raise ValueError(f"something is claimed of {id!r}, which it does not state")
-    for id in found.keys() & CLAIMED.keys():
-        CLAIMED[id] = partial(_of_source, found[id], CLAIMED[id])
+    claimed = {
+        id: partial(_of_source, found[id], REGISTERED[id])
+        for id in found.keys() & REGISTERED.keys()
+    }
+    for id, claim in claimed.items():
         try:
-            CLAIMED[id](found[id].printed)
+            claim(found[id].printed)
         except ValueError as wrong_claim:
             raise ValueError(f"{id}: {wrong_claim}") from None
     SOURCES.append(source)
     STATEMENTS.update(found)
+    CLAIMED.update(claimed)
     return source
 
 
@@ -129,10 +139,31 @@ def _reads_otherwise(statement: Statement) -> str | None:
     except Unreadable:
         if signs_of(statement.latex) != signs_of(statement.reading):
             return "reading: has other relation signs than the print"
-        return None
-    if statement.quoted or plain == statement.printed:
+        return _other_sides(statement)
+    left_out = [relation for relation in plain if relation not in statement.printed]
+    known = all(relation in plain for relation in statement.printed)
+    quotes = signs_of(statement.latex).count(r"\approx")
+    if known and len(left_out) <= min(quotes, len(statement.quoted)):
         return None
     return "reading: says something else than the print does"
+
+
+def _other_sides(statement: Statement) -> str | None:
+    """What is wrong with the sides of a reading: what can be read of the print stands in it, and
+    what cannot is no number."""
+    printed, reading = (
+        [side for line in lines for side in sides_of(line)]
+        for lines in (statement.latex, statement.reading or ())
+    )
+    for print_, ours in zip(printed, reading, strict=True):
+        found = read(ours, statement.notation)
+        try:
+            same = read(print_, statement.notation) == found
+        except Unreadable:
+            same = all(form.free_symbols for form in found)
+        if not same:
+            return f"reading: {ours} is not what {print_} says"
+    return None
 
 
 def _not_text(statement: Statement) -> str | None:

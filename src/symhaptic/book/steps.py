@@ -8,6 +8,7 @@ symbols has to be equal to that expression.
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -17,15 +18,18 @@ from sympy import Expr
 from sympy.core.function import AppliedUndef
 
 from symhaptic.book.record import Block, Evidence, FalseStep, Record
+from symhaptic.notation import FUNCTIONS
 from symhaptic.notation.latex import is_sum, latex
+from symhaptic.notation.terms import is_complex
 from symhaptic.notation.written import chains, written
-from symhaptic.paper.reading import Unreadable, read
-from symhaptic.proof.decide import Comparison
+from symhaptic.paper.reading import Unreadable, names_something, read, undressed
+from symhaptic.proof.decide import Comparison, compare
 from symhaptic.proof.enclosed import Source, enclosed
-from symhaptic.proof.names import carrying
+from symhaptic.proof.names import alike, carrying
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.roots import Algebraic, begins_with, decimals, is_minimal, real_roots
 from symhaptic.proof.shape import Form, parts
+from symhaptic.proof.theorems.definedness import real
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.units import UnitError, dimension_of, of_another_unit, shown
 
@@ -41,6 +45,10 @@ class Steps(Record):
 
     def define(self, title: str, name: Expr | str, meaning: Expr, because: str = "") -> Expr:
         """``name`` stands for ``meaning`` from here on; its units must agree."""
+        formula = self._read_name(title, name)
+        size = isinstance(formula, sp.Abs) and isinstance(meaning, sp.Abs)
+        if formula is not None and not (formula.atoms(AppliedUndef) or size):
+            raise FalseStep(f"{title}: {name} is no name; a symbol or an unknown function is")
         try:
             unit = shown(dimension_of(meaning))
         except UnitError as wrong:
@@ -57,11 +65,23 @@ class Steps(Record):
         self._tends("limit", expr, variable, at, value)
         return Evidence("exact series")
 
-    def _defined(self, name: Expr | str | None, meaning: Expr) -> None:
-        if isinstance(name, Expr):
-            if told := carrying(name, meaning):
-                raise FalseStep(f"{name}: {told}")
-            self.definitions.append((name, meaning))
+    def _defined(self, name: Expr | str | None, meaning: Expr, once: bool = True) -> None:
+        """Keep what a name stands for: not itself, and one thing.
+
+        A statement that is a definition may say what the name means in one of several cases.
+        """
+        if not isinstance(name, (sp.Symbol, AppliedUndef)):
+            return
+        if told := carrying(name, meaning) or alike(name, meaning):
+            raise FalseStep(f"{name}: {told}")
+        if once and name in self._meant(meaning).atoms(type(name)):
+            raise FalseStep(f"{name} is defined by itself")
+        for other, before in self.definitions:
+            if once and other == name and not compare(*map(self._meant, (before, meaning))).equal:
+                raise FalseStep(f"{name} stands for more than one thing on the page: {before}")
+        if meaning.has(sp.I) and not _may_stand_for(name, meaning):
+            raise FalseStep(f"{name} is real; {meaning} is not, by its form")
+        self.definitions.append((name, meaning))
 
     # -- steps --------------------------------------------------------------------------
 
@@ -81,6 +101,11 @@ class Steps(Record):
         """
         if len(chain) < 2:
             raise FalseStep(f"{title}: a step needs two sides")
+        for side in parts(chain):
+            if not isinstance(side, Expr):
+                raise FalseStep(f"{title}: {side} is no expression; a lemma shows a relation")
+        if told := alike(*parts(chain)):
+            raise FalseStep(f"step {title!r}: {told}")
         how: str | Comparison = ""
         for left, right in itertools.pairwise(chain):
             how = self._proved(title, left, right)
@@ -103,8 +128,10 @@ class Steps(Record):
         """The formula that a name is; None for a symbol, an unknown function, or other LaTeX."""
         if isinstance(name, str):
             try:
-                forms = read(name)
+                forms = read(undressed(name))
             except Unreadable:
+                if not names_something(name):
+                    raise FalseStep(f"{title}: {name} is no name") from None
                 return None
             if len(forms) != 1 or not isinstance(forms[0], Expr):
                 raise FalseStep(f"{title}: {name} is no name")
@@ -115,6 +142,10 @@ class Steps(Record):
         self, title: str, theorem: Theorem, because: str = "", boxed: bool = False
     ) -> Theorem:
         """A theorem of the kernel: its hypotheses, and what they imply."""
+        if type(theorem) is not Theorem:
+            raise FalseStep(f"{title}: {theorem!r} is no theorem")
+        if told := alike(*theorem.conclusion.free.union(*(p.free for p in theorem.hypotheses))):
+            raise FalseStep(f"step {title!r}: {told}")
         self._equation(
             title,
             (),
@@ -151,6 +182,8 @@ class Steps(Record):
 
         A number is given by what shows it, and a name that is a number has these decimals, too.
         """
+        if places < 1:
+            raise FalseStep(f"{title}: {places} decimals; at least one is shown")
         rows = []
         for pair in values:
             if not (isinstance(pair, tuple) and len(pair) == 2):
@@ -189,6 +222,9 @@ class Steps(Record):
         The conditions under which this was shown are written below it.
         """
         theorem = self._tends(title, expr, variable, at, value)
+        if told := alike(expr, variable, at, value):
+            raise FalseStep(f"step {title!r}: {told}")
+        self._is_name(title, name, expr)
         inner = name if isinstance(name, str) else latex(expr if name is None else name)
         inner = rf"\bigl({inner}\bigr)" if name is None and is_sum(inner) else inner
         left = rf"\lim_{{{latex(variable)}\to {latex(at)}}} {inner}"
@@ -254,6 +290,22 @@ class Steps(Record):
         ``panels`` are rows and columns, ``height`` is in widths of the text; ``draw`` gets the
         array of axes where there are several panels.
         """
+        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]*", name):
+            raise FalseStep(
+                f"figure {name!r}: a file is named so; use letters and digits of ASCII, '-', '_' "
+                "and '.'"
+            )
         self.blocks.append(
             Block("figure", title=name, text=caption, draw=draw, panels=panels, height=height)
         )
+
+
+def _may_stand_for(name: Expr, meaning: Expr) -> bool:
+    """Whether what is real stands for what is real by its form.
+
+    A function of the paper has real coefficients: it is real where its argument is.
+    """
+    if isinstance(name, sp.Symbol):
+        return is_complex(name) or real(meaning)
+    at_real = {s: sp.Dummy() for s in meaning.free_symbols if is_complex(s)}
+    return name.func.__name__ not in FUNCTIONS or real(meaning.xreplace(at_real))

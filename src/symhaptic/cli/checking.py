@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import math
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from time import perf_counter
@@ -137,7 +134,7 @@ def check(
         numbers = len(order), len(checked.results), timeout, memory
         theirs = Theirs(kind, name, *numbers)
         _not_read(output, theirs.files())
-        with ended(), theirs:
+        with theirs:
             _not_read(output, theirs.files())
             found = compared(
                 checked,
@@ -159,20 +156,6 @@ def check(
 def _not_read(output: Path | None, files: set[Path]) -> None:
     if output is not None and output.resolve() in files:
         refuse(f"-o {output}: this file is read here; give another one")
-
-
-@contextmanager
-def ended() -> Iterator[None]:
-    """End by way of all that has to be ended, too, when this process is asked to end."""
-
-    def end(number: int, _: object) -> None:
-        raise SystemExit(128 + number)
-
-    before = signal.signal(signal.SIGTERM, end)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 def _order(checked: Checked, arguments: str | None) -> list[int]:

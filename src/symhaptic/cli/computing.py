@@ -37,7 +37,7 @@ def bench(
         "reports/bench"
     ),
 ) -> None:
-    """Measure speed against error; write bench.json, tables and plots."""
+    """Measure speed against error; write bench.json, tables and, with Matplotlib, plots."""
     import os
 
     folder_allowed(output)
@@ -52,10 +52,13 @@ def bench(
             measuring.QUICK if quick else measuring.FULL, lambda done, name: told(done, Path(name))
         )
     try:
-        written.write(found, output)
+        drawn = written.write(found, output)
     except OSError as wrong:
         no_folder(output, wrong.strerror)
-    typer.echo(f"wrote {output / 'bench.json'}, tables and plots in {found['seconds']} s")
+    what = ", tables and plots" if drawn else " and tables"
+    typer.echo(f"wrote {output / 'bench.json'}{what} in {found['seconds']} s")
+    if not drawn:
+        typer.echo("no plots: they need matplotlib; pip install 'symhaptic[report]'", err=True)
 
 
 @app.command()

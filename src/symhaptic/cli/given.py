@@ -44,7 +44,9 @@ def chapters_in(folder: Path) -> list[Path]:
 def told_bad(wrong: BadChapter, own: list[Path]) -> None:
     """One line on what is wrong with a chapter."""
     given = "--derivation " if wrong.path in own else ""
-    typer.echo(f"symhaptic: error: {given}{wrong}", err=True)
+    from symhaptic.book.listing import shown
+
+    typer.echo(shown(f"symhaptic: error: {given}{wrong}"), err=True)
 
 
 def own_chapters(paths: list[Path] | None) -> list[Path]:

@@ -10,6 +10,8 @@ import warnings
 from difflib import get_close_matches
 from functools import cache
 from io import TextIOWrapper
+from itertools import pairwise
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -99,6 +101,24 @@ def once(command: Any, given: list[str]) -> None:
             refuse(f"{option.opts[0]}: is given more than once; one value is allowed")
 
 
+def unusable(wrong: OSError, given: list[str]) -> str | None:
+    """Say which of the arguments names a file or folder that the system refuses, and why.
+
+    Python asks whether a file exists without an error, but for names that are too long and folders
+    that may not be looked into.
+    """
+    if not isinstance(wrong.filename, str):
+        return None
+    named = Path(wrong.filename)
+    for option, word in pairwise(["", *given]):
+        pairs = [(option, word), (word[:2], word[2:]), tuple(word.split("=", 1))]
+        for lead, value in (pair for pair in pairs if len(pair) == 2):
+            if value and Path(value) in (named, *named.parents):
+                shown = f"{lead} {value}" if lead.startswith("-") else value
+                return f"{shown}: cannot be used ({wrong.strerror}); give another name"
+    return None
+
+
 def main() -> None:
     """Entry point: one line for a bad input, exit status 2, no traceback."""
     warnings.showwarning = _warned
@@ -115,13 +135,17 @@ def main() -> None:
         said = said.replace("Value error, ", "")
         if (errors := getattr(wrong.__cause__, "errors", None)) is not None:
             said = said.replace("Input should", f"{errors()[0]['input']!r} should")
-        said = clearer(said)
-        typer.echo(f"symhaptic: error: {' '.join(said.split())}", err=True)
+        said = " ".join(clearer(said).split())
+        said = re.sub(r"[\x00-\x1f\x7f-\x9f]", "\ufffd", said)  # a terminal would obey them
+        typer.echo(f"symhaptic: error: {said}", err=True)
         raise SystemExit(2) from None
     except (typer.Abort, KeyboardInterrupt):
         typer.echo("symhaptic: interrupted", err=True)
         raise SystemExit(_INTERRUPTED) from None
     except OSError as wrong:
+        if said := unusable(wrong, sys.argv[1:]):
+            typer.echo(f"symhaptic: error: {said}", err=True)
+            raise SystemExit(2) from None
         if wrong.errno not in _FULL or wrong.filename is not None:
             raise
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what is left is not tried again at the end

@@ -42,6 +42,10 @@ def mutants(
     output = output or (None if own else Path("reports/mutants.json"))
     if check and output is None:
         refuse("--check: the record is needed; -o FILE names it")
+    if check and output is not None and not output.is_file():
+        refuse(
+            f"--check: there is no record {output}; write one with `symhaptic mutants -o {output}`"
+        )
     writable(output)
     if output is not None and not trials.ours(output):
         refuse(

@@ -91,6 +91,8 @@ def report(
     if listing:
         typer.echo("\n".join(path.stem for path in paths))
         return
+    if format is not ReportFormat.html and not tex.can():
+        refuse(tex.NEEDS)
     can = tex.has_tex()
     if format is ReportFormat.pdf and not can and not check:
         refuse(f"--format pdf: {tex.NO_TEX}")

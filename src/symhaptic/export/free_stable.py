@@ -73,7 +73,7 @@ def free_stable(precision: Precision = DOUBLE) -> Routine:
     loop = alpha, slope, far, d, n1, loss, together, apart, 0, 0, a_off
     point = y, rest, y, last / do.nonzero(rest), sp.S.Zero  # the last rounding of 4 - y counts
     turns = do("turns", sp.Function("PhaseTurns")(*point, *loop))
-    end = at_the_end(do, far, last, a_off)
+    end, _ = at_the_end(do, far, last, a_off)
     pull = do("weaker", sp.Abs(apart * far) - at_minus_one)
     weak = And(alpha > 0, pull < 0, sp.Not(end), sp.Not(faint(do, precision, sp.S.Zero)))
     return do.routine("FreeStable", "1 where a loop without a spring is stable, else 0",

@@ -64,16 +64,23 @@ def summed(do: Steps, name: str, *terms: Expr) -> tuple[Expr, Expr]:
 
 
 def flat(
-    do: Steps, terms: tuple[Expr, Expr, Expr], size: Expr, unit: Expr, more: Expr = sp.S.Zero
+    do: Steps,
+    terms: tuple[Expr, ...],
+    least: Expr,
+    size: Expr,
+    unit: Expr,
+    more: Expr = sp.S.Zero,
 ) -> Boolean:
-    """Whether c + b y + a y^2 may have two roots next to y = 0, and may have none.
+    """Whether c + b y + a y^2 (+ k y^3) may have two roots next to y = 0, and may have none.
 
     A product of up to four numbers of the device is off by 4 units at most; ``more`` of b is lost
-    besides.  Where c and a differ in sign there is one root.
+    besides.  Where c and a differ in sign there is one root.  The size of c is at least ``least``:
+    where it exceeds what the other terms take from it, y <= 4, there is none.
     """
-    c, b, a = terms
+    c, b, a, *k = terms
     room, product = do("room", 4 * unit * size + more), do("product", 4 * c * a)
-    return And(sp.Abs(b) <= room, product >= 0, product <= room * room)
+    takes = 4 * room + sum(64 * sp.Abs(x) for x in k)
+    return And(sp.Abs(b) <= room, product >= 0, product <= room * room, least <= 2 * takes)
 
 
 def _about(do: Steps, e: Expr, v: _Wall) -> tuple[_Quadratic, _Quadratic, _Quadratic, Expr, Expr]:
@@ -405,11 +412,15 @@ def faint(do: Steps, precision: Precision, spring: Expr = gamma) -> sp.Basic:
 
 def at_the_end(
     do: Steps, far: Expr, unit: Expr, a_off: Expr, apart_off: Expr = sp.S.Zero
-) -> Boolean:
-    """Whether the wall may be as strong as the device at z = -1, where a root may be then."""
+) -> tuple[Boolean, Expr]:
+    """Whether the wall may be as strong as the device at z = -1, where a root may be then.
+
+    And the least size of A(-1)^2 - (M W)(-1)^2, where it is not.
+    """
     pull = do("pull", sp.Abs(apart * far))
     off = do("end_off", 2 * unit * (at_minus_one + pull) + apart_off * sp.Abs(far) + a_off)
-    return sp.Abs(at_minus_one - pull) <= off
+    apart_by = do("end_apart", sp.Abs(at_minus_one - pull) - off)
+    return apart_by <= 0, do("end_least", apart_by * (at_minus_one + pull))
 
 
 def whole_roots(precision: Precision = DOUBLE) -> Routine:
@@ -422,11 +433,12 @@ def whole_roots(precision: Precision = DOUBLE) -> Routine:
     near, own, far, center, beyond = _about(do, e, v)
     a_off = do("a_off", turned_off(precision, at_minus_one))
     last = unit(precision)
+    end_unsure, least = at_the_end(do, v.far, last, a_off)
     unsure = [
         weak,
-        at_the_end(do, v.far, last, a_off),
-        flat(do, (near.c, near.b, near.a), near.most, last),
-        flat(do, (far.c, far.b, far.a), far.most, last, 2 * a_off),
+        end_unsure,
+        flat(do, (near.c, near.b, near.a), sp.Abs(near.c), near.most, last),
+        flat(do, (far.c, far.b, far.a), least, far.most, last, 2 * a_off),
     ]
     root, disc = _root(do, (near, own, far))
     ys, offs = _solved(do, near, root), _solved(do, own, root)

@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "1245e1dab2daff62"
+STAMP = "68399589d1573d1f"
 """Of the sources in C, as the module that is compiled of them has it."""

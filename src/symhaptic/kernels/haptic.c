@@ -704,18 +704,20 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
     const double near0 = apart_one*even;
     const double near1 = -at_one*(2.0 - loss) - force*(together*together) - linear*push + lost;
-    const double near2 = -force*linear - loss - push*square + 1.0;
+    const double near2 = -force*linear - loss - push*square + 1.0, near3 = -force*square;
     const double most = at_one*(2.0 - loss) + lost + push*(size + fabs(even2)) +
         (together*together)*fabs(force);
     const double blurred = n1_off*(n1_off + 2.0*fabs(across)), pull = fabs(apart*wall_far);
     const double end_off = a_off + apart_off*fabs(wall_far) + 1.7763568394002505e-15*at_minus_one +
         1.7763568394002505e-15*pull;
+    const double end_apart = fabs(at_minus_one - pull) - end_off;
+    const double end_least = end_apart*(at_minus_one + pull);
     const double room = (alpha*alpha)*blurred + 3.552713678800501e-15*most;
     const double product = 4.0*near0*near2, pushed_ = apart*wall_far, even3 = apart*(m0 + m2);
     const double linear2 = size - even3, push2 = wall_far*wall_far;
     const double far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const double far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear2*push2 + lost;
-    const double far2 = force*linear2 - loss - push2*square + 1.0;
+    const double far2 = force*linear2 - loss - push2*square + 1.0, far3 = force*square;
     const double most2 = (apart*apart)*fabs(force) + at_minus_one*(2.0 - loss) + lost + push2*
         (size + fabs(even3));
     const double even4 = apart_off*(m2 + fabs(m0));
@@ -724,16 +726,15 @@ static inline double fractional_roots(double alpha, double beta, double d, doubl
     const double product2 = 4.0*far0*far2;
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
-        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
-        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
-        end_off >= fabs(at_minus_one - pull)) {
+        (end_least <= 8.0*room2 + 128.0*fabs(far3) && product2 >= 0.0 && product2 <= room2*room2 &&
+        room2 >= fabs(far1)) || (fabs(near0) <= 8.0*room + 128.0*fabs(near3) && product >= 0.0 &&
+        product <= room*room && room >= fabs(near1)) || end_apart <= 0.0) {
         return -1.0;
     }
-    const double near3 = -force*square, far3 = force*square, middle = 2.0*at_one/(2.0 - loss);
-    const double rest = 2.0*at_minus_one/(2.0 - loss), sine = 0.25*middle*rest;
-    const double tilt = 0.25*rest - 0.25*middle, real = 0.25*rest*together - 0.25*apart*middle;
-    const double one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
-    const double wave = 0.25*alpha*rest - 0.25*middle*wall_far;
+    const double middle = 2.0*at_one/(2.0 - loss), rest = 2.0*at_minus_one/(2.0 - loss);
+    const double sine = 0.25*middle*rest, tilt = 0.25*rest - 0.25*middle;
+    const double real = 0.25*rest*together - 0.25*apart*middle, one = real*real + sine*size;
+    const double two = size*tilt - real*(m0 + m2), wave = 0.25*alpha*rest - 0.25*middle*wall_far;
     const double wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
     const double own1 = lost*tilt - force*one - two*wall;
     const double own2 = -force*two - loss - square*wall + 1.0, own3 = -force*square;
@@ -913,6 +914,8 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
     const double pull2 = fabs(apart*wall_far);
     const double end_off = a_off + 1.7763568394002505e-15*at_minus_one + 1.7763568394002505e-15*
         pull2;
+    const double end_apart = fabs(at_minus_one - pull2) - end_off;
+    const double end_least = end_apart*(at_minus_one + pull2);
     const double room = 3.552713678800501e-15*near1_size, product = 4.0*near0*square;
     const double room2 = 2.0*a_off + 3.552713678800501e-15*far1_size, product2 = 4.0*far0*square;
     const double square2 = near1*near1, product3 = 4.0*near0*square;
@@ -933,9 +936,9 @@ static inline double whole_roots(double alpha, double beta, double d, double n1,
         roots3.high > 0.0 ? 1.0 : 0.0));
     if ((((stiffest > 0.0 && stiffest < 3.8725919148493183e-121) || loss +
         strength < 3.8725919148493183e-121) && strength > 0.0) ||
-        (product >= 0.0 && product <= room*room && room >= fabs(near1)) ||
-        (product2 >= 0.0 && product2 <= room2*room2 && room2 >= fabs(far1)) ||
-        end_off >= fabs(at_minus_one - pull2) || odd != odd2) {
+        (end_least <= 8.0*room2 && product2 >= 0.0 && product2 <= room2*room2 &&
+        room2 >= fabs(far1)) || (fabs(near0) <= 8.0*room && product >= 0.0 && product <= room*
+        room && room >= fabs(near1)) || end_apart <= 0.0 || odd != odd2) {
         return -1.0;
     }
     const double side = slope >= 0.0 ? 1.0 : -1.0;

@@ -1338,6 +1338,7 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         near0 = apart_one*even
         near1 = lost - at_one*(2.0 - loss) - force*(together*together) - linear*push
         near2 = 1.0 - force*linear - loss - push*square
+        near3 = -force*square
         most_ = (
             at_one*(2.0 - loss) + lost + push*(size + xp.abs(even2)) + (together*together)*
             xp.abs(force)
@@ -1345,6 +1346,8 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         blurred = n1_off*(n1_off + 2.0*xp.abs(across))
         pull = xp.abs(apart*wall_far)
         end_off = a_off + apart_off*xp.abs(wall_far) + number4*at_minus_one + number4*pull
+        end_apart = xp.abs(at_minus_one - pull) - end_off
+        end_least = end_apart*(at_minus_one + pull)
         room = (alpha*alpha)*blurred + number5*most_
         product = 4.0*near0*near2
         pushed_ = apart*wall_far
@@ -1354,6 +1357,7 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_)
         far1 = (apart*apart)*force - at_minus_one*(2.0 - loss) - linear*push + lost
         far2 = force*linear - loss - push*square + 1.0
+        far3 = force*square
         most_ = (
             (apart*apart)*xp.abs(force) + at_minus_one*(2.0 - loss) + lost + push*
             (size + xp.abs(even2))
@@ -1366,10 +1370,8 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
         product2 = 4.0*far0*far2
 
         def no(a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
-            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
-            wall_far):
-            near3 = -force*square
-            far3 = force*square
+            far3, force, loss, lost, m0, m2, n1_off, near0, near1, near2, near3, size, slope,
+            square, together, wall_far):
             middle = 2.0*at_one/(2.0 - loss)
             rest = 2.0*at_minus_one/(2.0 - loss)
             sine = 0.25*middle*rest
@@ -1413,12 +1415,14 @@ def fractional_roots(xp, alpha, beta, d, m2, m0, gamma, at_minus_one, loss, toge
 
         return select(xp, ((((stiffest > 0.0) & (stiffest < number6)) |
             (loss + strength < number6)) & (strength > 0.0)) |
-            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
-            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
-            (end_off >= xp.abs(at_minus_one - pull)), lambda at_minus_one: -1.0, (at_minus_one,),
-            no, (a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
-            force, loss, lost, m0, m2, n1_off, near0, near1, near2, size, slope, square, together,
-            wall_far))
+            ((end_least <= 8.0*room2 + 128.0*xp.abs(far3)) & (product2 >= 0.0) &
+            (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
+            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1)) &
+            (xp.abs(near0) <= 8.0*room + 128.0*xp.abs(near3))) | (end_apart <= 0.0),
+            lambda end_apart: -1.0, (end_apart,), no,
+            (a_off, across, alpha, apart, apart_off, at_minus_one, at_one, d, far0, far1, far2,
+            far3, force, loss, lost, m0, m2, n1_off, near0, near1, near2, near3, size, slope,
+            square, together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (across, alpha, apart, at_minus_one, beta, d, gamma, loss, m0, m2, together))
@@ -1640,6 +1644,8 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
         a_off = number*square_root(xp, at_minus_one*gamma)
         pull = xp.abs(apart*wall_far)
         end_off = a_off + number2*at_minus_one + number2*pull
+        end_apart = xp.abs(at_minus_one - pull) - end_off
+        end_least = end_apart*(at_minus_one + pull)
         room = number3*near1_size
         product = 4.0*near0*square
         room2 = 2.0*a_off + number3*far1_size
@@ -1722,12 +1728,12 @@ def whole_roots(xp, alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together,
 
         return select(xp, ((((stiffest > 0.0) & (stiffest < number4)) |
             (loss + strength < number4)) & (strength > 0.0)) |
-            ((product >= 0.0) & (product <= room*room) & (room >= xp.abs(near1))) |
-            ((product2 >= 0.0) & (product2 <= room2*room2) & (room2 >= xp.abs(far1))) |
-            (end_off >= xp.abs(at_minus_one - pull)) | (odd != odd2), lambda at_minus_one: -1.0,
-            (at_minus_one,), no, (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high,
-            high3, loss, low, low3, n1, near0, near1, own0, own1, own2, root, slope, square,
-            together, wall_far))
+            ((end_least <= 8.0*room2) & (product2 >= 0.0) & (product2 <= room2*room2) &
+            (room2 >= xp.abs(far1))) | ((product >= 0.0) & (product <= room*room) &
+            (room >= xp.abs(near1)) & (xp.abs(near0) <= 8.0*room)) | (end_apart <= 0.0) |
+            (odd != odd2), lambda end_apart: -1.0, (end_apart,), no,
+            (a_off, alpha, apart, beyond, center, d, disc4, far0, far1, high, high3, loss, low,
+            low3, n1, near0, near1, own0, own1, own2, root, slope, square, together, wall_far))
 
     return select(xp, (alpha == 0.0) & (beta == 0.0), lambda alpha: 0.0, (alpha,), no,
         (alpha, apart, at_minus_one, beta, d, gamma, loss, n0, n1, together))

@@ -699,17 +699,19 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
     const float even2 = together*(m0 + m2), linear = size - even2, push = alpha*alpha;
     const float near0 = apart_one*even;
     const float near1 = -at_one*(2.0f - loss) - force*(together*together) - linear*push + lost;
-    const float near2 = -force*linear - loss - push*square + 1.0f;
+    const float near2 = -force*linear - loss - push*square + 1.0f, near3 = -force*square;
     const float most = at_one*(2.0f - loss) + lost + push*(size + fabsf(even2)) +
         (together*together)*fabsf(force);
     const float blurred = n1_off*(n1_off + 2.0f*fabsf(across)), pull = fabsf(apart*wall_far);
     const float end_off = a_off + apart_off*fabsf(wall_far) + 9.536743e-07f*at_minus_one +
         9.536743e-07f*pull;
+    const float end_apart = fabsf(at_minus_one - pull) - end_off;
+    const float end_least = end_apart*(at_minus_one + pull);
     const float room = (alpha*alpha)*blurred + 1.9073486e-06f*most, product = 4.0f*near0*near2;
     const float pushed_ = apart*wall_far, even3 = apart*(m0 + m2), linear2 = size - even3;
     const float push2 = wall_far*wall_far, far0 = (at_minus_one - pushed_)*(at_minus_one + pushed_);
     const float far1 = (apart*apart)*force - at_minus_one*(2.0f - loss) - linear2*push2 + lost;
-    const float far2 = force*linear2 - loss - push2*square + 1.0f;
+    const float far2 = force*linear2 - loss - push2*square + 1.0f, far3 = force*square;
     const float most2 = (apart*apart)*fabsf(force) + at_minus_one*(2.0f - loss) + lost + push2*
         (size + fabsf(even3));
     const float even4 = apart_off*(m2 + fabsf(m0));
@@ -717,16 +719,16 @@ static inline float fractional_roots(float alpha, float beta, float d, float m2,
         1.9073486e-06f*most2 + (wall_far*wall_far)*(blurred + even4);
     const float product2 = 4.0f*far0*far2;
     if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
-        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
-        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
-        end_off >= fabsf(at_minus_one - pull)) {
+        strength > 0.0f) || (end_least <= 8.0f*room2 + 128.0f*fabsf(far3) && product2 >= 0.0f &&
+        product2 <= room2*room2 && room2 >= fabsf(far1)) ||
+        (fabsf(near0) <= 8.0f*room + 128.0f*fabsf(near3) && product >= 0.0f && product <= room*
+        room && room >= fabsf(near1)) || end_apart <= 0.0f) {
         return -1.0f;
     }
-    const float near3 = -force*square, far3 = force*square, middle = 2.0f*at_one/(2.0f - loss);
-    const float rest = 2.0f*at_minus_one/(2.0f - loss), sine = 0.25f*middle*rest;
-    const float tilt = 0.25f*rest - 0.25f*middle, real = 0.25f*rest*together - 0.25f*apart*middle;
-    const float one = real*real + sine*size, two = size*tilt - real*(m0 + m2);
-    const float wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
+    const float middle = 2.0f*at_one/(2.0f - loss), rest = 2.0f*at_minus_one/(2.0f - loss);
+    const float sine = 0.25f*middle*rest, tilt = 0.25f*rest - 0.25f*middle;
+    const float real = 0.25f*rest*together - 0.25f*apart*middle, one = real*real + sine*size;
+    const float two = size*tilt - real*(m0 + m2), wave = 0.25f*alpha*rest - 0.25f*middle*wall_far;
     const float wall = sine*(slope*slope) + wave*wave, own0 = lost*sine - one*wall;
     const float own1 = lost*tilt - force*one - two*wall;
     const float own2 = -force*two - loss - square*wall + 1.0f, own3 = -force*square;
@@ -903,9 +905,10 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
     const float own1 = lost*tilt - force*m0 - m1*wall, own2 = e - force*m1;
     const float a_off = 4.5474735e-13f*sqrtf(at_minus_one*gamma), pull2 = fabsf(apart*wall_far);
     const float end_off = a_off + 9.536743e-07f*at_minus_one + 9.536743e-07f*pull2;
-    const float room = 1.9073486e-06f*near1_size, product = 4.0f*near0*square;
-    const float room2 = 2.0f*a_off + 1.9073486e-06f*far1_size, product2 = 4.0f*far0*square;
-    const float square2 = near1*near1, product3 = 4.0f*near0*square;
+    const float end_apart = fabsf(at_minus_one - pull2) - end_off;
+    const float end_least = end_apart*(at_minus_one + pull2), room = 1.9073486e-06f*near1_size;
+    const float product = 4.0f*near0*square, room2 = 2.0f*a_off + 1.9073486e-06f*far1_size;
+    const float product2 = 4.0f*far0*square, square2 = near1*near1, product3 = 4.0f*near0*square;
     const float size = square2 + fabsf(product3), square3 = own1*own1, product4 = 4.0f*own0*own2;
     const float size2 = square3 + fabsf(product4), square4 = far1*far1, product5 = 4.0f*far0*square;
     const float size3 = square4 + fabsf(product5);
@@ -922,9 +925,9 @@ static inline float whole_roots(float alpha, float beta, float d, float n1, floa
         (disc4 >= 0.0f && fminf(roots3.high, roots.low) < 4.0f && roots.low > 0.0f &&
         roots3.high > 0.0f ? 1.0f : 0.0f));
     if ((((stiffest > 0.0f && stiffest < 9.094947e-13f) || loss + strength < 9.094947e-13f) &&
-        strength > 0.0f) || (product >= 0.0f && product <= room*room && room >= fabsf(near1)) ||
-        (product2 >= 0.0f && product2 <= room2*room2 && room2 >= fabsf(far1)) ||
-        end_off >= fabsf(at_minus_one - pull2) || odd != odd2) {
+        strength > 0.0f) || (end_least <= 8.0f*room2 && product2 >= 0.0f && product2 <= room2*
+        room2 && room2 >= fabsf(far1)) || (fabsf(near0) <= 8.0f*room && product >= 0.0f &&
+        product <= room*room && room >= fabsf(near1)) || end_apart <= 0.0f || odd != odd2) {
         return -1.0f;
     }
     const float side = slope >= 0.0f ? 1.0f : -1.0f;

@@ -42,14 +42,70 @@ def latex(expr: Expr, inline: bool = False) -> str:
     return _Writer(inline).write(sp.sympify(expr, strict=True))
 
 
-def matching(text: str) -> bool:
-    """Whether each brace of LaTeX that opens is closed."""
+_COMMANDS = frozenset(
+    """
+    alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi
+    varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda
+    Xi Pi Sigma Upsilon Phi Psi Omega ell hbar imath jmath Re Im infty partial nabla emptyset prime
+    sin cos tan cot sec csc sinh cosh tanh coth arcsin arccos arctan exp ln log lim liminf limsup
+    max min sup inf arg det gcd deg dim ker mod bmod pmod sum prod int iint oint
+    frac tfrac dfrac binom sqrt overline underline overbrace underbrace hat widehat bar dot ddot
+    tilde widetilde vec mathrm mathbf mathit mathbb mathcal mathsf operatorname text mathrel
+    mathbin mathop left right big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr Biggl Biggr
+    langle rangle lceil rceil lfloor rfloor lvert rvert lVert rVert vert Vert
+    le leq ge geq ne neq ll gg lesssim gtrsim approx sim simeq equiv cong propto in notin ni subset
+    subseteq supset supseteq not neg lnot wedge land vee lor forall exists vdash models mid
+    parallel perp to gets mapsto rightarrow leftarrow Rightarrow Leftarrow leftrightarrow
+    Leftrightarrow implies iff cdot times div pm mp ast star circ bullet oplus otimes cap cup
+    setminus ldots cdots dots vdots ddots quad qquad displaystyle textstyle limits nolimits
+    allowbreak br changed
+    """.split()  # noqa: SIM905
+)
+"""Commands that a typed formula may have: none reads a file, defines anything or leaves math."""
+
+_ENVIRONMENT = re.compile(
+    r"\\begin\{([bpvV]?matrix|cases|aligned|gathered)\}((?:(?!\\begin|\\end).)*)\\end\{\1\}",
+    re.DOTALL,
+)
+_REFUSED = re.compile(r"\\(?P<name>[A-Za-z]+)|(?P<sign>\\\\|[$%#`&]|\^\^)|\\.", re.DOTALL)
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]|\n\s*\n")
+
+
+def refused(tex: str) -> str | None:
+    r"""Return why a typed text is not printed as a formula, or None.
+
+    TeX would run a text such as ``\input{file}``, and a dollar sign would end the formula.
+
+    >>> refused(r"\frac{K}{2} < \text{50\%}"), refused("x_{1"), refused(r"x\input{a}")
+    (None, 'has braces that do not match', 'has \\input, which is no command of a formula')
+    """
     depth = 0
-    for brace in re.findall(r"(?<!\\)[{}]", text):
-        depth += 1 if brace == "{" else -1
+    for brace in re.findall(r"\\.|[{}]", tex):
+        depth += {"{": 1, "}": -1}.get(brace, 0)
         if depth < 0:
-            return False
-    return depth == 0
+            break
+    if depth:
+        return "has braces that do not match"
+    inner, found = tex, 1
+    while found:
+        inner, found = _ENVIRONMENT.subn(lambda rows: re.sub(r"\\\\|&", " ", rows[2]), inner)
+    for sign in _REFUSED.finditer(inner):
+        if sign["name"] and sign["name"] not in _COMMANDS:
+            return f"has {sign[0]}, which is no command of a formula"
+        if sign["sign"]:
+            return f"has {sign[0]!r}, which is no sign of a formula"
+    if _CONTROL.search(tex) or tex.endswith("\\"):
+        return "has a blank line, a control character or a backslash at its end"
+    return None
+
+
+def _inert(tex: str) -> str:
+    r"""LaTeX of a name, whose signs become question marks where TeX would run it.
+
+    >>> latex(sp.Symbol(r"\input{a}")), latex(sp.Symbol("k_w"))
+    ('\\text{?input?a?}', 'k_{w}')
+    """
+    return tex if refused(tex) is None else rf"\text{{{re.sub(r'[^A-Za-z0-9 ]', '?', tex)}}}"
 
 
 class _Writer:
@@ -69,7 +125,7 @@ class _Writer:
             return r",\quad ".join(self.write(e) for e in expr)
         if expr.is_Symbol:
             name = expr.name.rstrip("'")
-            plain = SYMBOLS[name].latex if name in SYMBOLS else sp.latex(sp.Symbol(name))
+            plain = SYMBOLS[name].latex if name in SYMBOLS else _inert(sp.latex(sp.Symbol(name)))
             return f"{plain}{expr.name[len(name) :]}"
         if expr.is_Rational:
             if expr.q == 1:
@@ -96,10 +152,10 @@ class _Writer:
         if isinstance(expr, sp.re):
             return rf"\Re\{{{self.write(expr.args[0])}\}}"
         if isinstance(expr, sp.core.function.AppliedUndef):
-            name = expr.func.__name__
+            name = _inert(expr.func.__name__)
             inner = ",".join(self.write(a) for a in expr.args)
             return f"{name}({inner})"
-        return str(sp.latex(expr))
+        return _inert(str(sp.latex(expr)))
 
     # -- sums -------------------------------------------------------------------------
 

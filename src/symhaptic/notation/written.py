@@ -3,7 +3,7 @@ r"""Propositions as LaTeX: chains of relations, bounds beside the symbol that th
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sympy import Expr, Symbol
 
@@ -22,6 +22,7 @@ from symhaptic.notation.proposition import (
     Relation,
     conjuncts,
 )
+from symhaptic.notation.terms import Term, tree
 
 _SIGNS = {"=": "=", "!=": r"\ne", "<": "<", "<=": r"\le"}
 _TURNED = {"=": "=", "!=": r"\ne", "<": ">", "<=": r"\ge"}
@@ -48,6 +49,44 @@ def written(claim: Proposition) -> str:
     >>> written(And((proposition(K > 0), proposition(K < T))))
     '0<K<T'
     """
+    return _written(_told_apart(claim))
+
+
+def _told_apart(claim: Proposition) -> Proposition:
+    r"""The same with a prime for symbols that would be printed as others that stand in it.
+
+    >>> from sympy import Dummy
+    >>> from symhaptic.notation import x
+    >>> own = Dummy("x")
+    >>> print(written(ForAll((x,), Exists((own,), Relation(x, "<", own)))))
+    \forall\,x:\ \exists\,x':\ x<x'
+    """
+    symbols = dict.fromkeys(sorted(claim.free, key=lambda s: (s.is_Dummy, s.name)))
+    stack = [claim]
+    while stack:
+        part = stack.pop()
+        symbols |= dict.fromkeys(part.bound)
+        stack += part.parts[::-1]
+    taken: set[str] = set()
+    names: dict[Symbol, Symbol] = {}
+    for symbol in symbols:
+        name = symbol.name
+        while latex(new := Symbol(name)).strip() in taken:
+            name += "'"
+        taken.add(latex(new).strip())
+        if name != symbol.name:
+            names[symbol] = new
+    return _renamed(claim, {s: tree(new) for s, new in names.items()}) if names else claim
+
+
+def _renamed(claim: Proposition, names: Mapping[Symbol, Term]) -> Proposition:
+    """A proposition with other names, bound or not."""
+    bound = tuple(names[s].head if s in names else s for s in claim.bound)
+    terms = tuple(t.inst(names).shown for t in claim.trees)
+    return claim.made(bound, terms, tuple(_renamed(p, names) for p in claim.parts))
+
+
+def _written(claim: Proposition) -> str:
     if isinstance(claim, Relation):
         left, right = latex(claim.left, inline=True), latex(claim.right, inline=True)
         if not claim.left.free_symbols and claim.right.free_symbols:
@@ -94,7 +133,7 @@ def _denied(claim: Proposition) -> str:
     if isinstance(claim, Predicate) and claim.name == "whole":
         return rf"{latex(claim.of[0], inline=True)}\notin\mathbb{{N}}_0"
     if isinstance(claim, And) and len(chains(conjuncts(claim))) > 1:
-        return rf"\text{{not}}\ ({written(claim)})"
+        return rf"\text{{not}}\ ({_written(claim)})"
     return rf"\text{{not}}\ {_bracketed(claim)}"
 
 
@@ -110,13 +149,13 @@ def _cases(claims: Sequence[Proposition]) -> str:
     T\ge1
     """
     if len(claims) == 1:
-        return written(claims[0])
-    parts = [rf"({written(p)})" if len(conjuncts(p)) > 1 else _bracketed(p) for p in claims]
+        return _written(claims[0])
+    parts = [rf"({_written(p)})" if len(conjuncts(p)) > 1 else _bracketed(p) for p in claims]
     return r"\ \text{or}\ ".join(parts) or r"\text{false}"
 
 
 def _bracketed(claim: Proposition) -> str:
-    text = written(claim)
+    text = _written(claim)
     alone = isinstance(claim, (Relation, Predicate, Not)) or (
         isinstance(claim, And) and all(isinstance(p, (Relation, Predicate)) for p in claim.parts)
     )
@@ -184,7 +223,7 @@ def _quantified(claim: ForAll | Exists) -> str:
         head += rf"\ \text{{with}}\ {listed(own)}" if own else ""
     joined = r"\Rightarrow" if isinstance(claim, ForAll) else r"\text{and}"
     lead = rf"{listed(rest)}\ {joined}\ " if rest else ""
-    return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else written(body)}"
+    return rf"{sign}\,{head}:\ {lead}{_bracketed(body) if rest else _written(body)}"
 
 
 def _bounds(given: Proposition, symbol: Symbol) -> bool:

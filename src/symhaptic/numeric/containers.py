@@ -178,7 +178,7 @@ def _by_dimension(
 
 
 def _lazily(work: Callable[..., Any], numbers: Mapping[str, Any], kinds: Mapping[str, type]) -> Any:
-    """Dask's arrays block by block, when they are asked for."""
+    """Compute Dask's arrays block by block on demand; other chunks or none are unified."""
     import dask.array
 
     for name, value in numbers.items():
@@ -188,7 +188,11 @@ def _lazily(work: Callable[..., Any], numbers: Mapping[str, Any], kinds: Mapping
             _refuse(name, value, "beside arrays of Dask's only these and plain ones are")
     signature = ",".join(["()"] * len(numbers)) + "->" + ",".join(["()"] * len(kinds))
     return dask.array.apply_gufunc(
-        work, signature, *numbers.values(), output_dtypes=list(kinds.values())
+        work,
+        signature,
+        *numbers.values(),
+        output_dtypes=list(kinds.values()),
+        allow_rechunk=True,  # an elementwise function accepts any chunks
     )
 
 

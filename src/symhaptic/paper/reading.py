@@ -7,6 +7,7 @@ than a slash, so that ``\pi/T(d+1)`` is :math:`\pi/(T(d+1))` and ``b^2/4m`` is
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable
 from typing import NoReturn, TypeAlias
@@ -40,11 +41,14 @@ _RELATIONS: dict[str, type] = {
     **dict.fromkeys((r"\geq", r"\ge"), sp.GreaterThan),
 }
 _SIGN = re.compile(
-    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)\b"
+    r":=|[=<>]|\\(?:leq?|geq?|neq?|approx|sim|simeq|equiv|cong|propto|ll|gg|lesssim|gtrsim|in|not)"
+    r"(?![A-Za-z])"
 )
 """What relates two sides, whether it can be read or not."""
 _FUNCTIONS = {r"\sin": sp.sin, r"\cos": sp.cos, r"\tan": sp.tan, r"\exp": sp.exp}
 _CLOSING = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}
+_BESIDE = {*_CLOSING, r"\frac", r"\tfrac", r"\sqrt"}
+"""What behind the letters of an angle may be in the function before them, or a factor beside it."""
 _TIMES = {"(": "t", "[": "k"}
 """In which brackets values at another time are written, as x(t + T) and x[k + 1]."""
 _TAKEN = {
@@ -59,6 +63,21 @@ _TAKEN = {
     *_RELATIONS,
 }
 """Commands that are no names."""
+_GREEK = frozenset(
+    re.findall(
+        r"\\\S+",
+        r"\alpha \beta \gamma \delta \epsilon \varepsilon \zeta \eta \theta \vartheta \iota \kappa "
+        r"\lambda \mu \nu \xi \rho \varrho \sigma \varsigma \tau \upsilon \phi \varphi \chi \psi "
+        r"\omega \Gamma \Delta \Theta \Lambda \Xi \Pi \Sigma \Upsilon \Phi \Psi \Omega \ell \hbar "
+        r"\hat{\omega}",
+    )
+)
+"""Commands that print a letter, of which a name may be made."""
+_EULER = r"\eulersnumber"
+"""The token of an upright e, which no source calls otherwise."""
+_SIGNALS = {"x", "v", "F", "F_E"}
+_INSTANTS = {"t", "t_d", "T", "T_s", "k", "d", "l", "tau"}
+"""What has a value at each time, and what times are made of: x(kT) is a value, and no product."""
 _UNITS = {"s": "second", "N/m": "newton_per_metre"}
 _SYMBOLS = {entry.latex: name for name, entry in SYMBOLS.items()}
 
@@ -91,10 +110,19 @@ def signs_of(lines: Iterable[str]) -> list[str]:
     r"""The relation signs of some LaTeX, in their order.
 
     >>> signs_of([r"x \ne y", r"0 \leq x < 1"])
-    ['\\\\neq', '\\\\leq', '<']
+    ['\\neq', '\\leq', '<']
     """
     other = {r"\le": r"\leq", r"\ge": r"\geq", r"\ne": r"\neq", ":=": "="}
     return [other.get(sign, sign) for line in lines for sign in _SIGN.findall(line)]
+
+
+def sides_of(line: str) -> list[str]:
+    r"""What stands between the relation signs of some LaTeX.
+
+    >>> sides_of(r"x \ne y = 1")
+    ['x ', ' y ', ' 1']
+    """
+    return _SIGN.split(line)
 
 
 def _called(latex: str) -> str:
@@ -102,15 +130,75 @@ def _called(latex: str) -> str:
     name = _Reader(latex)
     token = name.take()
     spelled = token + name.subscript()
-    if (
-        name.peek()
-        or token in _TAKEN
-        or not re.fullmatch(r"[A-Za-z]|\\(?:hat\W+)?[A-Za-z]+\}?", token)
-    ):
+    letter = re.fullmatch("[A-Za-z]", token) or token in _GREEK
+    if name.peek() or not letter or not _RELATIONS.keys().isdisjoint(name.tokens):
         raise Unreadable(
-            f"{latex!r} is no name: a letter or a command with or without a subscript is"
+            f"{latex!r} is no name: a Latin or Greek letter with or without a subscript is"
         )
     return spelled
+
+
+def _differential(tokens: list[str]) -> str:
+    """The name behind a d that may be a differential, as in m dv, and stands in no function."""
+    for d, by in itertools.pairwise(tokens):
+        if d in _FUNCTIONS:
+            break
+        if d == "d" and re.fullmatch(r"\\?[A-Za-z]+", by) and by not in _TAKEN:
+            return by
+    return ""
+
+
+_DRESS = re.compile(
+    r"\\(?:math(?:rm|bf|it|sf|normal)|boldsymbol|text(?:rm|bf|it)?|operatorname\*?|mbox|bigg?[lr]?|"
+    r"Bigg?[lr]?|displaystyle|textstyle|qquad|quad)(?![A-Za-z])|\\[ :]"
+)
+"""Commands that change how a formula looks, and not what it says."""
+_FRACTION = re.compile(r"\\[dt]?frac\s*(\{.*?\}|\\[A-Za-z]+|\w)\s*(\\[A-Za-z]+|\w)")
+_FORMULAS = re.compile(
+    r"\\(?:[dt]?frac|sqrt|cdot|times|pi|ln|log|lg|exp|max|min|gcd|deg|sgn|det|"
+    r"(?:arc|a)?(?:sin|cos|tan|cot|sec|csc)h?|infty|left|right|sum|prod)(?![A-Za-z])|(?<![A-Za-z\\])[ej](?![A-Za-z])"
+)
+"""Commands and letters that stand in formulas of numbers."""
+
+
+def undressed(name: str) -> str:
+    r"""A name without what does not change what it says: fonts, spaces and needless braces.
+
+    >>> undressed(r"{1 + \mathbf{1}}"), undressed(r"\tfrac12K")
+    ('(1 + (1))', '\\frac{1}{2}K')
+    """
+    plain = _FRACTION.sub(
+        lambda found: r"\frac" + "".join(g if g[0] == "{" else f"{{{g}}}" for g in found.groups()),
+        _DRESS.sub("", name),
+    )
+    out, open_, before = "", list[str](), ""
+    for token in re.findall(r"\\[A-Za-z]+\*?|\\.|.", plain, re.DOTALL):
+        if token == "{":
+            kept = before in ("_", "^", r"\sqrt", r"\frac", r"\tfrac", r"\hat", r"\dfrac") or (
+                before == "}" and out.endswith("}")
+            )
+            open_.append("}" if kept else ")")
+            token = "{" if kept else "("
+        elif token == "}" and open_:
+            token = open_.pop()
+        out += token
+        before = token if not token.isspace() else before
+    return out
+
+
+def names_something(name: str) -> bool:
+    r"""Whether LaTeX that is no formula can be a name: it has a letter, and relates nothing.
+
+    Relations in a subscript or a superscript say where something is taken.
+
+    >>> names_something(r"x\big|_{t=0}"), names_something(r"\ln 1"), names_something("q = 0!")
+    (True, False, False)
+    """
+    outside = name
+    for _ in range(6):  # innermost braces first
+        outside = re.sub(r"[_^]\s*\{[^{}]*\}", "", outside)
+        outside = re.sub(r"(?<![_^])\{([^{}]*)\}", r" \1 ", outside)
+    return not _SIGN.search(outside) and bool(re.search("[A-Za-z]", _FORMULAS.sub("", name)))
 
 
 class _Reader:
@@ -118,7 +206,7 @@ class _Reader:
         self.latex = latex
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
-        squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", " e ", latex)
+        squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", rf" \{_EULER} ", latex)
         squeezed = re.sub(r"\\hat\s*\{\s*=\s*\}", r"\\hat{=}", squeezed)
         squeezed = _MARKED.sub(r" \1 ", _SMALL.sub(r"_\1 ", squeezed))
         rest = _TOKEN.sub("", squeezed).replace("~", "").split()
@@ -149,10 +237,15 @@ class _Reader:
     # -- grammar --------------------------------------------------------------------
 
     def line(self) -> Printed:
-        sides, relations = [self.sum()], []
+        sides, relations, starts = [self.sum()], [], [0]
         while self.peek() in _RELATIONS:
             relations.append(_RELATIONS[self.take()])
+            starts.append(self.at)
             sides.append(self.sum())
+        ends = [*starts[1:], self.at]
+        by = [_differential(self.tokens[i:j]) for i, j in zip(starts, ends, strict=True)]
+        if sum(map(bool, by)) > 1:
+            raise Unreadable(f"differentials, or a d on both sides, in {self.latex!r}")
         if self.peek():
             raise Unreadable(f"{self.peek()!r} left over in {self.latex!r}")
         if not relations:
@@ -182,17 +275,16 @@ class _Reader:
     def term(self) -> Expr:
         begin, value = self.at, self.chain()
         while self.peek() in (r"\cdot", r"\times", "/"):
-            divides = self.take() == "/"
-            if divides:
-                self.no_derivative(self.tokens[begin : self.at])
+            divides, end = self.take() == "/", self.at
             factor = self.chain()
+            if divides:
+                self.no_derivative(self.tokens[begin:end], self.tokens[end : self.at])
             value = value / factor if divides else value * factor
         return value
 
-    def no_derivative(self, above: list[str]) -> None:
-        """Refuse dx/dt, in which d is no delay; here begins what stands below."""
-        d, by = self.tokens[self.at : self.at + 1], "".join(self.tokens[self.at + 1 : self.at + 2])
-        if "d" in above and d == ["d"] and re.fullmatch(r"\\?[A-Za-z]+", by) and by not in _TAKEN:
+    def no_derivative(self, above: list[str], below: list[str]) -> None:
+        """Refuse m dx/dt, in which d is no delay."""
+        if "d" in above and (by := _differential(below)):
             raise Unreadable(f"a derivative by {by!r}, or a d in both, in {self.latex!r}")
 
     def chain(self) -> Expr:
@@ -207,6 +299,13 @@ class _Reader:
         if self.peek()[0].isdigit():
             raise Unreadable(f"a number right of a factor in {self.latex!r}")
         start, opening = self.at, self.peek()
+        if opening in (r"\frac", r"\tfrac") and self.tokens[start - 1][0].isdigit():
+            self.mixed()
+        if opening in ("(", "[") and self.signal(start - 1):
+            inside = self.group()
+            if inside.free_symbols and {s.name for s in inside.free_symbols} <= _INSTANTS:
+                raise Unreadable(f"a value at a time, or a product, in {self.latex!r}")
+            self.at = start
         if opening in ("(", "["):
             self.take()
             sign = self.take()
@@ -219,12 +318,26 @@ class _Reader:
             self.at = start
         return self.power()
 
+    def mixed(self) -> None:
+        """Refuse a number before a fraction of numbers, which may be added to it."""
+        rest = self.tokens[self.at + 1 : self.at + 7]
+        if len(rest) == 6 and rest[1][0].isdigit() and rest[4][0].isdigit():
+            raise Unreadable(f"a mixed number or a product in {self.latex!r}")
+
+    def signal(self, at: int) -> bool:
+        """Whether the token is the name of what changes in time."""
+        name = self.tokens[at]
+        if at > 1 and self.tokens[at - 1] == "_":
+            name = f"{self.tokens[at - 2]}_{name}"
+        return self.own.get(name, self.names.get(name)) in _SIGNALS
+
     def argument(self) -> Expr:
         """What a function applies to: a bracket, or factors up to the next function."""
         bracket = self.peek() == "("
         value = self.group() if bracket else self.power()
         while self.starts_factor() and self.peek() not in _FUNCTIONS:
-            if bracket or self.at in self.spaced:
+            beside = bool(value.free_symbols) and self.peek() in _BESIDE
+            if bracket or beside or self.at in self.spaced:
                 self.unclear()
             value = value * self.factor()
         if not bracket and self.peek() in (r"\cdot", r"\times", "/"):
@@ -290,11 +403,9 @@ class _Reader:
         if token[0].isdigit():
             return sp.Rational(token.replace(r"\,", ""))
         if token in (r"\frac", r"\tfrac"):
-            begin, above = self.at + 1, self.group("{")
-            self.take("{")
-            self.no_derivative(self.tokens[begin : begin + 1])
-            below = self.sum()
-            self.take("}")
+            begin, above = self.at, self.group("{")
+            end, below = self.at, self.group("{")
+            self.no_derivative(self.tokens[begin:end], self.tokens[end : self.at])
             return above / below
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")
@@ -315,7 +426,7 @@ class _Reader:
                 raise Unreadable(f"{token}^{{-1}}, an inverse or 1/{token}, in {self.latex!r}")
             return _FUNCTIONS[token](self.argument()) ** power
         if token.startswith(r"\text"):
-            unit = token[token.index("{") + 1 : -1].strip()
+            unit = token.partition("{")[2][:-1].strip()
             if unit in _UNITS:
                 return sp.Symbol(_UNITS[unit])
             raise Unreadable(f"words {unit!r} in {self.latex!r}")
@@ -353,7 +464,7 @@ class _Reader:
             return sp.Symbol(self.own[spelled])
         if spelled == "j":
             return sp.I
-        if spelled == "e":
+        if spelled in ("e", _EULER):
             return _E
         if spelled in FUNCTIONS and self.peek() == "(":
             return sp.Function(spelled)(self.group())

@@ -65,7 +65,10 @@ class Statement:
 
     @property
     def given(self) -> tuple[Proposition, ...]:
-        """The parts of the domain as propositions; raises :class:`Unreadable` for words."""
+        """The parts of the domain as propositions.
+
+        Raises :class:`~symhaptic.paper.reading.Unreadable` for words.
+        """
         parts = (part.strip() for part in re.split(r",(?:\\quad|\\[ ,;])?", self.domain))
         return tuple(p for part in parts if part for p in _supposed(part, self.notation))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 
@@ -10,6 +11,8 @@ from sympy import Expr
 from sympy.core.function import Application, AppliedUndef
 from sympy.core.relational import Relational
 
+from symhaptic.notation import SYMBOLS
+from symhaptic.notation.latex import latex
 from symhaptic.proof.rewriting import Unsupported
 
 Names = Mapping[sp.Symbol, sp.Symbol]
@@ -107,6 +110,38 @@ def _carrying(form: Expr) -> Expr | None:
             return symbol
     unknown = (f.func for f in form.atoms(AppliedUndef))
     return next((f for f in unknown if f._kwargs.keys() - {"commutative"}), None)
+
+
+_TAKEN = {entry.latex for entry in SYMBOLS.values()} | {r"\pi", "e", "j", r"\mathrm{e}"}
+_NO_NAME = re.compile(
+    r"^[^A-Za-z\\]|[=<>+*/]|\\(?:n?eq?|leq?|geq?|not|in|approx|sim|equiv|cdot|times|frac|sqrt|sum|int)"
+    r"(?![A-Za-z])"
+)
+"""LaTeX that is read as something else than a name."""
+
+
+def alike(*forms: Expr) -> str | None:
+    """Which name in some forms is printed as another one or as a formula, if one is.
+
+    >>> x = sp.Symbol("x")
+    >>> alike(x + sp.Dummy("x"))
+    'two symbols are printed as x'
+    >>> alike(sp.Symbol("pi") ** 2), alike(x**2)
+    ("the name 'pi' is printed as \\\\pi", None)
+    """
+    forms, known = tuple(map(sp.sympify, forms)), dict[str, Expr]()
+    for symbol in {s for form in forms for s in form.free_symbols}:
+        printed = latex(symbol).strip()
+        own = symbol.name not in SYMBOLS
+        if own and (printed in _TAKEN or _NO_NAME.search(printed)):
+            return f"the name {symbol.name!r} is printed as {printed}"
+        if known.setdefault(printed, symbol) != symbol:
+            return f"two symbols are printed as {printed}"
+    for function in {f.func.__name__ for form in forms for f in form.atoms(AppliedUndef)}:
+        command = function.removeprefix("\\")
+        if _NO_NAME.search(function) or hasattr(sp.functions, command):
+            return f"the name {function!r} is printed as a formula"
+    return None
 
 
 def admissible(symbol: Expr, value: Expr) -> bool:

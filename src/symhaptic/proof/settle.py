@@ -6,11 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb
-from sympy import Expr, Symbol
+from sympy import Eq, Expr, Rational, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
-from symhaptic.notation.terms import NoTerm
+from symhaptic.notation.proposition import Proposition
+from symhaptic.notation.terms import NoTerm, Term
 from symhaptic.notation.written import written
 from symhaptic.paper.propositions import Claim
 from symhaptic.paper.quoted import Quoted
@@ -64,7 +65,11 @@ class Settlement:
             if self.defines and verdict.kind is Kind.PROVED:
                 verdict = replace(verdict, kind=Kind.DEFINITION)
             verdict = replace(verdict, definitions=self.definitions)
-            return self._constants(verdict) if self.values else verdict
+            if self.values:
+                return self._constants(verdict)
+            if unsaid := [q.digits for q in self.quoted if not _stands_in(verdict.claim, q)]:
+                raise Unfounded(f"{unsaid[0]} is printed, and neither measured nor in the claim")
+            return verdict
         if told := carrying(*self.derived):
             raise Unfounded(told)
         if self.slip is not None:
@@ -149,7 +154,7 @@ class Settlement:
             kind = Kind.UNDECIDED
         elif False in each:
             kind = Kind.REFUTED
-        elif kind in PASSES:
+        elif kind is Kind.PROVED:
             kind = Kind.ENCLOSED
         return replace(
             verdict,
@@ -159,6 +164,15 @@ class Settlement:
             radius=radius,
             note="; ".join(filter(None, [*notes, verdict.note])),
         )
+
+
+def _stands_in(claim: Proposition | None, quoted: Quoted) -> bool:
+    """Whether a quoted number is one of those in a claim."""
+    if claim is None:
+        return False
+    number = Term(Rational(quoted.digits))
+    own = any(part is number for tree in claim.trees for part in tree.walk())
+    return own or any(_stands_in(part, quoted) for part in claim.parts)
 
 
 def units_disagree(printed: Sequence[Expr]) -> str | None:
@@ -172,8 +186,15 @@ def units_disagree(printed: Sequence[Expr]) -> str | None:
 
 
 def _defines(form: Expr) -> bool:
-    """Whether a relation says what a name stands for, and not by that name; or an expression."""
+    """Whether a relation says what a name stands for, and not by that name; or an expression.
+
+    What is no equation is a range of the name, between numbers.
+    """
     if not isinstance(form, Relational):
         return True
-    sides = form.args, form.args[::-1]
-    return any(isinstance(s, (Symbol, AppliedUndef)) and not o.has(s) for s, o in sides)
+    return any(
+        isinstance(name, (Symbol, AppliedUndef))
+        and not other.has(name)
+        and (isinstance(form, Eq) or other.is_number)
+        for name, other in (form.args, form.args[::-1])
+    )

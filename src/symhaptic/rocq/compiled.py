@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
+from symhaptic.book import processes
 from symhaptic.book.chapters import Chapter, run
 from symhaptic.rocq.assumptions import axioms, resting, told
 from symhaptic.rocq.chapter import OPEN, File, printed
@@ -28,6 +29,8 @@ from symhaptic.rocq.shared import FOLDER, Seen
 INSTALL = "coqc is not found; on Debian: apt install coq libcoq-interval"
 SECONDS = 60
 """So long may one lemma take."""
+TOGETHER = 600
+"""So long may those of a chapter take that are read one by one; the rest is left open."""
 _ROOM = {"OCAMLRUNPARAM": "s=32M,o=1000"}
 """Memory that is collected seldom: terms are large, and Rocq ends soon; some 1.4 GB at most."""
 
@@ -80,9 +83,7 @@ def version() -> str:
 def _compiled(folder: Path, name: str, seconds: int = SECONDS) -> subprocess.CompletedProcess[str]:
     limit = f"Default Timeout={seconds}"
     command = [coqc(), "-q", "-noglob", "-set", limit, "-Q", ".", "Symhaptic", f"{name}.v"]
-    return subprocess.run(
-        command, cwd=folder, env=_ROOM | os.environ, capture_output=True, text=True, check=False
-    )
+    return processes.run(command, cwd=folder, env=_ROOM | os.environ)
 
 
 def written(path: Path, folder: Path) -> Outcome:
@@ -239,6 +240,7 @@ def failing(folder: Path, text: str) -> dict[str, str]:
     """The lemmas that Rocq does not accept, each with what it says, read in one go.
 
     Behind each lemma stands an axiom that says the same: it is taken where the lemma was not.
+    Those that are not reached in time are not accepted.
     """
     names = [found[2] for found in _LEMMA.finditer(text)]
 
@@ -246,22 +248,30 @@ def failing(folder: Path, text: str) -> dict[str, str]:
         axiom = found[1].replace("Lemma", "Axiom", 1)
         return f"{found[0]}Abort All.\n{axiom}\n"
 
-    done = subprocess.run(
-        ["coqtop", "-q", "-Q", ".", "Symhaptic"],
-        input=f"Set Default Timeout {SECONDS}.\n{_LEMMA.sub(doubled, text)}",
-        cwd=folder,
-        env=_ROOM | os.environ,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        check=False,
-    )
-    found, said = dict[str, str](), ""
-    for line in done.stdout.splitlines():
-        declared = re.search(r"([\w']+) is declared", line)
+    try:
+        told = subprocess.run(
+            ["coqtop", "-q", "-Q", ".", "Symhaptic"],
+            input=f"Set Default Timeout {SECONDS}.\n{_LEMMA.sub(doubled, text)}".encode(),
+            cwd=folder,
+            env=_ROOM | os.environ,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=TOGETHER,
+            check=False,
+        ).stdout
+    except subprocess.TimeoutExpired as late:
+        told = late.stdout or b""
+    found = dict.fromkeys(names, f"coqc: not reached within {TOGETHER} s")
+    said = ""
+    for line in told.decode(errors="replace").splitlines():
+        declared, accepted = (
+            re.search(rf"([\w']+) {end}", line) for end in ("is declared", "already exists")
+        )
         if declared and declared[1] in names:
             found[declared[1]] = _error(said)
-        said = "" if declared or "already exists" in line else f"{said}{line}\n"
+        if accepted:
+            found.pop(accepted[1], None)
+        said = "" if declared or accepted else f"{said}{line}\n"
     return found
 
 

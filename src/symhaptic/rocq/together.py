@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -57,7 +58,8 @@ def asked(
     found: dict[str, Outcome] = {}
     named = {one.outcome.chapter: one for one in taken}
     alike = groups({name: one.file.statements for name, one in named.items()}, known)
-    with ThreadPoolExecutor(workers) as pool:
+    with ThreadPoolExecutor(workers) as pool, ExitStack() as stack:
+        stack.callback(pool.shutdown, wait=False, cancel_futures=True)
         running = [
             pool.submit(_asked, [named[name] for name in names], folder, known) for names in alike
         ]

@@ -24,6 +24,7 @@ from symhaptic.forms.stable import form as stable_form
 from symhaptic.forms.values import value
 from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.notation import d
+from symhaptic.notation.extras import needed
 from symhaptic.notation.suggest import suggested
 from symhaptic.numeric import slopes
 from symhaptic.numeric.containers import kept
@@ -102,6 +103,9 @@ def lambdify(
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
+    if modules not in ("numpy", "mpmath"):
+        extra = "arrays" if modules in ("jax", "torch") else None
+        needed(f"symhaptic.lambdify(modules={modules!r})", modules, extra=extra)
     if form == "stable" and id in AS_DERIVED and scene is None and not derivatives:
         form = "derived"
     if form != "stable":

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.notation.extras import needed
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.passivity import passivity_boundary
 from symhaptic.numeric.stability import is_stable
@@ -73,8 +74,9 @@ def draw(axes: Axes, scene: Scene, wall: tuple[float, float] | None = None) -> N
     axes.legend(**BELOW, ncols=2, fontsize=9)
 
 
-def new_axes() -> Axes:
+def new_axes(caller: str) -> Axes:
     """Axes of a new figure, of the size of the pictures in the guides."""
+    needed(caller, "matplotlib", extra="report")
     from matplotlib import pyplot
 
     axes: Axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")[1]

@@ -215,7 +215,7 @@ class SafeWalls:
         """
         from symhaptic.scene.picture import draw_safe, new_axes
 
-        axes = axes if axes is not None else new_axes()
+        axes = axes if axes is not None else new_axes("SafeWalls.plot")
         draw_safe(axes, self)
         return axes
 

@@ -483,7 +483,7 @@ class Scene:
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, "N/m"), number("B", B, "N*s/m")
-        axes = axes if axes is not None else new_axes()
+        axes = axes if axes is not None else new_axes("Scene.plot")
         draw(axes, self.held_by(arm) if arm else self, wall)
         return axes
 
@@ -532,6 +532,8 @@ class Scene:
 
         The limit is :meth:`max_stable_stiffness`, or the largest stable stiffness of walls with
         the virtual damping ``B`` (Ns/m) where that is given; the error is ``|K_model/K - 1|``.
+        Both K are tips of stability boundaries.  Without delay a tip is proved to be the largest
+        stable stiffness; with one, it is proved that no stable wall is stiffer.
         Models are, the smallest first: the linear limit (25) (only with ``B``, as it grows with
         it), the loop without spring and damper, without spring, without damper, and all of it.
 

@@ -10,6 +10,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from symhaptic.kernels import haptic
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import decimal
 
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
 
 def control_system(scene: Scene) -> Any:
     """As a ``control.TransferFunction``; needs python-control."""
+    needed("Scene.to_control", "control")
     import control
 
     return control.TransferFunction(*coefficients(scene), scene.sampling_period)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.scene.arms import together
 from symhaptic.scene.dimensionless import units
@@ -34,6 +35,9 @@ Range = tuple[float, float]
 STIFF, DAMPED = (0.0, 0.001), (0.0, 0.02)
 """gamma and delta of the paper's (23)."""
 
+_NEEDED = ("dask", "matplotlib", "xarray")
+"""What draws a chart, beside the package."""
+
 _ALL = 7
 """Arms along each of stiffness and damping."""
 
@@ -54,6 +58,7 @@ def robust_limits(
 
     >>> figure = robust_limits(points=20)
     """
+    needed("symhaptic.sweeps.charts.robust_limits", *_NEEDED, extra="sweep")
     scene = _together(scene)
     names = ("alpha", "beta", "gamma", "delta") if scene is None else _SI
     late: dict[str, Any] = {} if delay is None else {"delay": delay}
@@ -105,6 +110,7 @@ def stiffest(
 
     >>> figure = stiffest(points=20)
     """
+    needed("symhaptic.sweeps.charts.stiffest", *_NEEDED, extra="sweep")
     scene = _together(scene)
     fixed: dict[str, Any] = {}
     if scene is None:
@@ -141,6 +147,7 @@ def delay_margin(
 
     >>> figure = delay_margin(points=12)
     """
+    needed("symhaptic.sweeps.charts.delay_margin", *_NEEDED, extra="sweep")
     scene = _together(scene)
     names = ("alpha", "beta") if scene is None else ("K", "B")
     fixed: dict[str, Any] = {"gamma": 0.0, "delta": 0.01} if scene is None else {}
@@ -184,6 +191,7 @@ def model_costs(
 
     >>> figure = model_costs(delays=[0, 1])
     """
+    needed("symhaptic.sweeps.charts.model_costs", *_NEEDED, extra="sweep")
     from matplotlib.ticker import LogFormatter
 
     scene = _together(scene)

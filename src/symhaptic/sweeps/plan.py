@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from symhaptic.numeric.arguments import real
 from symhaptic.numeric.compiled import kernels_used
+from symhaptic.sweeps.marks import package
 from symhaptic.sweeps.quantities import Work
 
 POINTS = 2**22
@@ -81,7 +82,8 @@ class Piece:
     shape: tuple[int, ...]
     """Points along all dimensions, those that stay first."""
     variables: tuple[Variable, ...]
-    kernels: str
+    made: Mapping[str, str]
+    """What began the sweep, as :func:`maker` says it."""
 
     @property
     def region(self) -> tuple[slice, ...]:
@@ -90,10 +92,14 @@ class Piece:
 
     def compute(self) -> list[NDArray[Any]]:
         """The block of every variable."""
-        if self.kernels != kernels_used():
+        if self.made != maker():
+            own, first = (
+                ", ".join(f"{name} {one[name]}" for name in one if self.made[name] != maker()[name])
+                for one in (maker(), self.made)
+            )
             raise ValueError(
-                f"workers: {kernels_used()} kernels are not allowed; the sweep began with "
-                f"{self.kernels} ones, and the bits of both differ"
+                f"workers: this one has {own}, and the sweep began with {first}; give all workers "
+                "the same, or the bits of their blocks may differ"
             )
         kept = len(self.begin)
         over = tuple(range(kept, len(self.shape)))
@@ -102,15 +108,20 @@ class Piece:
             here = {n: a[_cut(a, tile)] for n, a in self.inputs.items()}
             values = self.work(**here)
             size = tuple(s.stop - s.start for s in tile)
-            first = all(s.start == 0 for s in tile[kept:])
+            begins = all(s.start == 0 for s in tile[kept:])
             for into, variable in zip(found, self.variables, strict=True):
                 value = np.broadcast_to(_kept(variable, values[variable.source]), size)
-                into[tile[:kept]] = _reduced(variable, value, over, into[tile[:kept]], first)
+                into[tile[:kept]] = _reduced(variable, value, over, into[tile[:kept]], begins)
         total = math.prod(self.shape[kept:])
         return [
             into / total if v.word == "mean" else into.astype(v.dtype, copy=False)
             for into, v in zip(found, self.variables, strict=True)
         ]
+
+
+def maker() -> dict[str, str]:
+    """What the bits of a result depend on besides its arguments."""
+    return {"symhaptic": package(), "kernels": kernels_used(), "numpy": np.__version__}
 
 
 def _kept(variable: Variable, value: Any) -> NDArray[Any]:
@@ -193,12 +204,10 @@ class Plan:
     @property
     def attributes(self) -> dict[str, str]:
         """What is said of the whole."""
-        from symhaptic import __version__
-
         words = {name: str(value) for name, value in self.work.words.items()}
         if self.work.arm is not None:
             words["arm"] = str(self.work.arm)
-        made = f"symhaptic {__version__}, {kernels_used()} kernels"
+        made = f"symhaptic {package()}, {kernels_used()} kernels"
         return {"title": self.work.says, "source": made, **words}
 
     @property
@@ -235,15 +244,12 @@ class Plan:
             inputs[name] = part.transpose(order).reshape(
                 tuple(shape[dims.index(d)] if d in own else 1 for d in dims)
             )
-        return Piece(index, begin, self.work, inputs, shape, self.variables, kernels_used())
+        return Piece(index, begin, self.work, inputs, shape, self.variables, maker())
 
     def description(self) -> str:
         """What two sweeps have in common whose blocks may stand beside each other."""
-        from symhaptic import __version__
-
         said = {
-            "symhaptic": __version__,
-            "kernels": kernels_used(),
+            **maker(),
             "quantity": self.work.says,
             "function": self.work.body,
             "words": {n: str(v) for n, v in self.work.words.items()},

@@ -6,7 +6,6 @@ Without units as in the paper, :math:`\alpha=KT^2/m`, :math:`\beta=BT/m`, :math:
 
 from __future__ import annotations
 
-import hashlib
 import inspect
 import math
 from collections.abc import Callable, Mapping
@@ -22,6 +21,7 @@ from symhaptic.notation.suggest import suggested
 from symhaptic.scene.arms import UNITS, Arm, added
 from symhaptic.scene.dimensionless import per_unit, units
 from symhaptic.scene.scene import Scene
+from symhaptic.sweeps.marks import mark
 
 
 class Meaning(NamedTuple):
@@ -209,12 +209,8 @@ class Work:
 
     @property
     def body(self) -> str:
-        """What a function of the user's own does, as far as its own code tells; else nothing."""
-        code = None if self.results else getattr(self.function, "__code__", None)
-        if code is None:
-            return ""
-        plain = [c for c in code.co_consts if isinstance(c, int | float | complex | str | bytes)]
-        return hashlib.sha256(repr((code.co_code, code.co_names, plain)).encode()).hexdigest()
+        """The mark of a function of the user's own."""
+        return "" if self.results else mark(self.function)
 
     def _plain(self, arrays: Mapping[str, Any]) -> tuple[Any, ...]:
         found = self.function(**arrays, **self.words)

@@ -1,7 +1,8 @@
 """Where finished blocks are kept, so that a sweep goes on where it was killed.
 
 A block counts as done when a mark says so that is written after it.  What a killed process had
-begun is computed again, and the end has the same bytes as without the kill.
+begun is computed again, and the end has the same bytes as without the kill.  Checksums are compared
+when a block is read.
 """
 
 from __future__ import annotations
@@ -9,16 +10,19 @@ from __future__ import annotations
 import json
 import math
 import os
-import shutil
-import tempfile
+import sys
+import zlib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
+from uuid import uuid4
 
 import numpy as np
 
+from symhaptic.book.processes import folder
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
@@ -31,6 +35,9 @@ if TYPE_CHECKING:
 PLAN = "symhaptic_sweep"
 """The attribute that says which sweep it is."""
 
+_DRAFT = "_draft-"
+"""Beginning of the name of a file of Parquet that is being written; its readers pass over it."""
+
 _TAKEN = ("blocks", "zarr.json")
 """Names of its own in a group."""
 
@@ -40,6 +47,9 @@ class Store(Protocol):
 
     def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
         """Make it ready, or see that it is the same sweep that it was begun for."""
+
+    def alone(self) -> AbstractContextManager[None]:
+        """Refuse a second writer on this machine, and remove drafts of one that was killed."""
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """The blocks that are not done."""
@@ -55,8 +65,10 @@ def store(to: str | Path) -> Store:
     """Zarr or Parquet, by the end of the name."""
     place = str(to).rstrip("/")
     if place.endswith(".zarr"):
+        needed("symhaptic.sweep to a Zarr store", "zarr", extra="sweep")
         return Zarr(place)
     if place.endswith(".parquet") and "://" not in place:
+        needed("symhaptic.sweep to Parquet files", "pyarrow", extra="sweep")
         return Parquet(place)
     raise ValueError(
         f"to: {place!r} is not allowed; a name that ends in .zarr is, or one of a folder that "
@@ -89,27 +101,76 @@ def _damaged(place: str, where: str) -> ValueError:
     )
 
 
+_WRONG = (KeyError, TypeError, ValueError, RuntimeError)
+"""What Zarr, and what it decompresses with, raise for files that are damaged."""
+
+
+@contextmanager
+def _readable(place: str) -> Iterator[None]:
+    """Report damage of what describes a group."""
+    try:
+        yield
+    except _WRONG as wrong:
+        raise ValueError(
+            f"to: a zarr.json, a label or a mark in {place!r} is damaged ({wrong}); give another "
+            "place, or remove this one"
+        ) from None
+
+
+def _bad_block(files: str, mark: str) -> ValueError:
+    return ValueError(
+        f"to: {files} is damaged or missing; delete {mark}, and the same call computes this block "
+        "again"
+    )
+
+
+@contextmanager
+def _alone(place: str, file: str, drafts: str) -> Iterator[None]:
+    """Lock a file as long as this process writes; the system unlocks it if that is killed."""
+    with open(Path(place) / file, "r+b") as held:
+        if sys.platform != "win32":
+            import fcntl
+
+            try:
+                fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise ValueError(
+                    f"to: another process is writing to {place!r}; wait until it has ended, or "
+                    "give another place"
+                ) from None
+        for draft in Path(place).rglob(drafts):
+            draft.unlink(missing_ok=True)
+        yield
+
+
 @contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """Where it is made before it has its name, in a folder of its own that does not stay."""
+    stack = ExitStack()
     try:
-        place.parent.mkdir(parents=True, exist_ok=True)
-        draft = Path(tempfile.mkdtemp(prefix=f".{place.name}-", dir=place.parent))
+        draft = stack.enter_context(folder(f".{place.name}-", place.parent))
     except (OSError, ValueError) as wrong:
         reason = wrong.strerror if isinstance(wrong, OSError) else wrong
         raise ValueError(
             f"to: {str(place)!r} is not allowed; it cannot be made there ({reason}); a name in a "
             "folder that can be written is"
         ) from None
-    try:
+    with stack:
         yield draft / "new"
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
+
+
+def _named(draft: Path, place: str) -> None:
+    """Give a store its name, unless another process has made it there first."""
+    try:
+        os.rename(draft, place)
+    except OSError:
+        if not os.path.lexists(place):
+            raise
 
 
 @dataclass(frozen=True)
 class Zarr:
-    """A Zarr group: one chunk a block, and a mark in ``blocks/done`` for each that is done."""
+    """A Zarr group: one chunk a block, and in ``blocks/done`` checksums of each that is done."""
 
     place: str
 
@@ -126,7 +187,7 @@ class Zarr:
             except FileNotFoundError:
                 if local:
                     _begun(self.place, None, plan, self._ABOUT)
-            except (TypeError, ValueError):
+            except _WRONG:
                 raise _damaged(self.place, self._ABOUT) from None
             else:
                 said = found.attrs.get(PLAN)
@@ -138,20 +199,27 @@ class Zarr:
             return self._made(self.place, plan, empty)
         with _beside(Path(self.place)) as place:
             self._made(str(place), plan, empty)
-            os.rename(place, self.place)
-        return None
+            _named(place, self.place)
+        return self.begin(plan, empty)
 
     @staticmethod
     def _made(place: str, plan: Plan, empty: xarray.Dataset) -> None:
         """A group without values, in which no block is done."""
         import zarr
+        from zarr.codecs import Crc32cCodec, ZstdCodec
 
-        chunks = {v: {"chunks": plan.lengths} for v in map(str, empty.data_vars) if plan.lengths}
-        empty.to_zarr(place, compute=False, encoding=chunks, consolidated=False, zarr_format=3)
+        kept: dict[str, dict[str, Any]] = {
+            str(name): {"compressors": (ZstdCodec(level=0), Crc32cCodec())}
+            for name in empty.variables
+        }
+        for name in map(str, empty.data_vars):
+            kept[name] |= {"chunks": plan.lengths} if plan.lengths else {}
+        empty.to_zarr(place, compute=False, encoding=kept, consolidated=False, zarr_format=3)
         group = zarr.open_group(place, mode="r+")
+        count = len(plan.variables)
         group.create_array(
-            "blocks/done", shape=plan.grid, chunks=(1,) * len(plan.grid), dtype="uint8",
-            fill_value=0,
+            "blocks/done", shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
+            dtype="uint64", fill_value=0, compressors=None,
         )  # fmt: skip
         group.attrs[PLAN] = plan.description()
 
@@ -176,7 +244,10 @@ class Zarr:
         """Refuse a sweep of other labels."""
         import xarray
 
-        found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+        with _readable(self.place):
+            found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
+            for coord in found.values():
+                coord.load()
         for name in sorted({*map(str, found), *map(str, empty.coords)}):
             if name not in found or name not in empty.coords or not (
                 found[name].equals(empty.coords[name])
@@ -188,31 +259,58 @@ class Zarr:
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
-        done = np.asarray(self._group()["blocks/done"][...])
-        return (index for index in plan.indices() if not done[index])
+        with _readable(self.place):
+            done = np.asarray(self._group()["blocks/done"][...])
+        return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
         """The block first, then its mark."""
         group = self._group()
         done = group["blocks/done"]
-        if np.asarray(done[piece.index]):
+        if np.any(done[piece.index]):
             return
-        for variable, values in zip(piece.variables, piece.compute(), strict=True):
+        found = piece.compute()
+        for variable, values in zip(piece.variables, found, strict=True):
             group[variable.name][piece.region] = values
-        done[piece.index] = 1
+        done[piece.index] = [*map(_checksum, found)]
 
     def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
         """The group as arrays of Dask."""
-        import xarray
+        return lazily(plan, empty, self._read)
 
-        found: xarray.Dataset = xarray.open_zarr(self.place, consolidated=False)
-        del found.attrs[PLAN]
+    def _read(self, piece: Piece) -> list[NDArray[Any]]:
+        with _readable(self.place):
+            group = self._group("r")
+        found, place = [], "/".join(("c", *map(str, piece.index)))
+        mark = f"{self.place}/blocks/done/{place}/0"
+        for i, variable in enumerate(piece.variables):
+            try:
+                values = np.asarray(group[variable.name][piece.region])
+                same = group["blocks/done"][piece.index][i] == _checksum(values)
+            except _WRONG:
+                same = False
+            if not same:
+                raise _bad_block(f"{self.place}/{variable.name}/{place}", mark)
+            found.append(values)
         return found
 
-    def _group(self) -> Any:
+    def alone(self) -> AbstractContextManager[None]:
+        """Lock the file of the group, where it is one of this machine."""
+        if "://" in self.place:
+            return nullcontext()
+        return _alone(self.place, self._ABOUT, "*.partial")
+
+    def _group(self, mode: Literal["r", "r+"] = "r+") -> Any:
         import zarr
 
-        return zarr.open_group(self.place, mode="r+")
+        return zarr.open_group(self.place, mode=mode)
+
+
+def _checksum(values: NDArray[Any]) -> int:
+    """CRC-32 with a bit above it, so that it is never 0; of NaN the sign and payload are none."""
+    if values.dtype.kind == "f":
+        values = np.where(np.isnan(values), np.nan, values)
+    return 2**32 + zlib.crc32(np.ascontiguousarray(values).tobytes())
 
 
 @dataclass(frozen=True)
@@ -230,12 +328,16 @@ class Parquet:
         with _beside(Path(self.place)) as place:
             place.mkdir()
             self._plan(place).write_text(plan.description(), "utf-8")
-            os.rename(place, self.place)
-        return None
+            _named(place, self.place)
+        return self.begin(plan, empty)
 
     @staticmethod
     def _plan(place: str | Path) -> Path:
         return Path(place) / f"_{PLAN}.json"
+
+    def alone(self) -> AbstractContextManager[None]:
+        """Lock the file of the plan."""
+        return _alone(self.place, self._plan(self.place).name, f"{_DRAFT}*")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no file."""
@@ -268,8 +370,8 @@ class Parquet:
         ]
         rows = [np.ravel(value) for value in columns.values()]
         table = pyarrow.table(rows, schema=pyarrow.schema(fields))
-        beside = whole.with_name(f"_{whole.name}.{os.getpid()}")
-        parquet.write_table(table, beside)
+        beside = whole.with_name(f"{_DRAFT}{uuid4()}")
+        parquet.write_table(table, beside, write_page_checksum=True)
         os.replace(beside, whole)
 
     def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
@@ -277,12 +379,16 @@ class Parquet:
         return lazily(plan, empty, self._read)
 
     def _read(self, piece: Piece) -> list[NDArray[Any]]:
-        from pyarrow import parquet
+        from pyarrow import ArrowException, parquet
 
         names = [v.name for v in piece.variables]
-        table = parquet.read_table(Path(self.place) / _file(piece.index), columns=names)
+        file = Path(self.place) / _file(piece.index)
         shape = piece.shape[: len(piece.begin)]
-        return [table[name].to_numpy().reshape(shape) for name in names]
+        try:
+            table = parquet.read_table(file, columns=names, page_checksum_verification=True)
+            return [table[name].to_numpy().reshape(shape) for name in names]
+        except (OSError, ArrowException, KeyError, ValueError):
+            raise _bad_block(str(file), "it") from None
 
 
 def _file(index: tuple[int, ...]) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps import dataset
 from symhaptic.sweeps.axes import plan_of
@@ -59,7 +60,8 @@ def sweep(
     on that.  A bar on a terminal shows how far it is.
 
     ``to`` is where it is kept, block by block: a name that ends in ``.zarr``, which may be the
-    address of a store, or in ``.parquet``.  The same call again goes on where it was killed.
+    address of a store, or in ``.parquet``.  The same call again resumes it after a kill; another
+    call, other code of symhaptic or of the function, and a second writer are refused.
     With ``lazy`` nothing is computed yet: the arrays are Dask's.  So they are where the result
     is larger than half of the memory and has no place.
 
@@ -73,6 +75,7 @@ def sweep(
     >>> found.alpha.sel(delta=0.02).round(4).values
     array([0.7132, 0.1548, 0.0691])
     """
+    needed("symhaptic.sweep", "dask", "xarray", extra="sweep")
     plan, coords = plan_of(quantity, scene, over, reduce, chunks, axes)
     like = dataset.empty(plan, coords)
     if to is not None:
@@ -80,12 +83,11 @@ def sweep(
             raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; one of them is")
         place = store(to)
         place.begin(plan, like)
-        missing = list(place.missing(plan))
-        total = int(np.prod(plan.grid))
-        if missing:
-            with executor(on, workers) as pool:
+        if next(place.missing(plan), None) is not None:
+            with place.alone(), executor(on, workers) as pool:
+                missing = list(place.missing(plan))
                 pieces = map(plan.piece, missing)
-                for _ in done(pool, place.finish, pieces, len(missing), total):
+                for _ in done(pool, place.finish, pieces, len(missing), int(np.prod(plan.grid))):
                     pass
         return place.open(plan, like)
     if lazy or (lazy is None and _large(plan)):
@@ -117,6 +119,7 @@ def _large(plan: Plan) -> bool:
     """Whether the result is larger than half of the memory."""
     if plan.nbytes < _SMALL:
         return False
+    needed("symhaptic.sweep of a result so large", "distributed", extra="sweep")
     from distributed.system import MEMORY_LIMIT
 
     return 2 * plan.nbytes > MEMORY_LIMIT

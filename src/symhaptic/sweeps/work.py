@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import (
     FIRST_COMPLETED,
+    BrokenExecutor,
     Executor,
     ProcessPoolExecutor,
     ThreadPoolExecutor,
@@ -16,11 +17,19 @@ from contextlib import contextmanager
 from itertools import islice
 from typing import Any
 
+from symhaptic.book.processes import end_with_parent
 from symhaptic.notation.quantities import shown
 from symhaptic.sweeps.plan import Piece
 
 _AT_ONCE = 1024
 """Blocks that are waited for at a time, so that a sweep of a million takes no memory."""
+
+
+_KILLED = (
+    "a worker process was killed or could not start; where memory is short, give fewer workers or "
+    'smaller chunks; a script needs `if __name__ == "__main__":` around its sweep; the same call '
+    "continues with the blocks that are not finished if it has to="
+)
 
 
 @contextmanager
@@ -34,13 +43,20 @@ def executor(on: Any, workers: int | None) -> Iterator[Executor]:
 
             workers = CPU_COUNT
         made: Executor = ThreadPoolExecutor(workers)
-        if on == "processes":  # forked threads may hold locks for ever
-            context = multiprocessing.get_context("spawn")
-            made = ProcessPoolExecutor(workers, mp_context=context)
+        context = multiprocessing.get_context("spawn")  # a forked process may inherit locked locks
+        watched, held = context.Pipe(duplex=False)
+        if on == "processes":
+            made = ProcessPoolExecutor(workers, context, end_with_parent, (watched,))
+        finished = False
         try:
             yield made
+            finished = True
         finally:
+            if not finished:
+                held.close()  # the worker processes end at once
             made.shutdown(cancel_futures=True)
+            held.close()
+            watched.close()
         return
     if workers is not None:
         raise ValueError(f"workers: {workers!r} is not allowed with {shown(on)}; it has its own")
@@ -74,7 +90,11 @@ def done(
                 ready, futures = wait(futures, return_when=FIRST_COMPLETED)
                 futures |= {pool.submit(work, piece) for piece in islice(waiting, len(ready))}
                 for future in ready:
-                    yield future.result()
+                    try:
+                        found = future.result()
+                    except BrokenExecutor:
+                        raise BrokenExecutor(_KILLED) from None
+                    yield found
                     advance()
         finally:
             for future in futures:

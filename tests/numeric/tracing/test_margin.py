@@ -511,9 +511,7 @@ def test_hardly_any_force_at_minus_one_takes_no_time(loop):
 @pytest.mark.parametrize("loop", UNDECIDED)
 def test_what_is_not_decided_is_a_lower_bound_and_warned_of(loop):
     """Walls that are next to unstable at each delay, or next to it at one."""
-    with pytest.warns(
-        RuntimeWarning, match=r"^delay_margin: alpha=.* a lower bound .*1 of 1 values"
-    ):
+    with pytest.warns(RuntimeWarning, match=r"^max_delay: alpha=.* a lower bound .*1 of 1 values"):
         margin = float(delay_margin(*loop))
     for share in (0.0, 0.1, 0.5, 0.9, 0.999):
         assert all_inside(*loop, share * margin)

@@ -6,40 +6,30 @@ import multiprocessing
 import shutil
 from collections.abc import Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import ExitStack
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from types import TracebackType
 
 from symhaptic.book.chapters import Chapter
 from symhaptic.book.figures.passivity import save, save_all
+from symhaptic.book.processes import end_with_parent, folder
 from symhaptic.book.record import Block
 
 ENDINGS = (".pdf", ".svg")
 
 
-class Drawings:
+class Drawings(ExitStack):
     """A process that draws what :meth:`begin` hears of, while chapters are derived.
 
     What is drawn by code outside of the package, or not begun, is drawn where it is taken.
     """
 
     def __init__(self) -> None:
-        self._folder = TemporaryDirectory(prefix="symhaptic-")
+        super().__init__()
+        self._folder = self.enter_context(folder())
         spawn = multiprocessing.get_context("spawn")  # nothing of the chapters is in it
-        self._pool = ProcessPoolExecutor(1, mp_context=spawn)
+        self._pool = ProcessPoolExecutor(1, spawn, end_with_parent)
+        self.callback(self._pool.shutdown, cancel_futures=True)
         self._begun: dict[str, Future[None]] = {}
-
-    def __enter__(self) -> Drawings:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        where: TracebackType | None,
-    ) -> None:
-        self._pool.shutdown(cancel_futures=True)
-        self._folder.cleanup()
 
     def begin(self, chapter: Chapter) -> None:
         """Draw the figures of a chapter as soon as there is time."""
@@ -60,7 +50,7 @@ class Drawings:
             shutil.copyfile(self._file(block, target.suffix), target)
 
     def _file(self, block: Block, ending: str) -> Path:
-        return Path(self._folder.name) / f"{block.title}{ending}"
+        return self._folder / f"{block.title}{ending}"
 
 
 def take(block: Block, target: Path) -> None:

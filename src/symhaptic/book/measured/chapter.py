@@ -9,7 +9,7 @@ from typing import Any
 from symhaptic.book.measured import record as records
 from symhaptic.book.measured.says import sentences
 from symhaptic.book.measured.tables import Table, about, tables
-from symhaptic.book.tex.words import escaped, prose
+from symhaptic.book.tex.words import literally, prose
 
 _SHORT = 14
 """Rows of a table that stays on one page."""
@@ -26,7 +26,7 @@ def measurement(path: Path) -> dict[str, Any]:
     names = ("floats", "digits", "boundary", "times", "wrong", "models", "peers")
     shown = {name: table_tex(t) for name, t in zip(names, tables(record), strict=True)}
     says = {name: prose_tex(text) for name, text in sentences(record).items()}
-    known = {"about": escaped(about(record)), "method": record["method"]}
+    known = {"about": literally(about(record)), "method": record["method"]}
     return {**known, "tables": shown, "says": says}
 
 
@@ -34,7 +34,7 @@ def prose_tex(text: str) -> str:
     r"""A sentence for LaTeX, its numbers and units typeset.
 
     >>> prose_tex("1.2e-7 to 3.5 us, and 20 per cent at d = 8")
-    '$1.2\cdot10^{-7}$ to 3.5\,$\mu$s, and 20 per cent at $d = 8$'
+    '$1.2\\cdot10^{-7}$ to 3.5\\,$\\mu$s, and 20 per cent at $d = 8$'
     """
     shown = re.sub(r"\bd = (\d+)", r"\0\1\0", text)  # a formula, which keeps its number
     parts = shown.split("\0")
@@ -89,7 +89,7 @@ def cell_tex(text: str) -> str:
     """
     if text in ("d", "-"):
         return {"d": "$d$", "-": "--"}[text]
-    return _NUMBER.sub(_typeset, escaped(text))
+    return _NUMBER.sub(_typeset, literally(text))
 
 
 _NUMBER = re.compile(r"(?<![\w.])(-?)(\d+(?:\.\d+)?)(?:e(-?\d+))?(?: (ns|us|ms|s)\b)?")

@@ -26,10 +26,11 @@ from symhaptic.notation.proposition import (
 )
 from symhaptic.notation.terms import NoTerm
 from symhaptic.notation.written import written
+from symhaptic.paper.reading import read
 from symhaptic.proof.mutants import few
 from symhaptic.proof.settle import WRONG
 from symhaptic.proof.theorems.judge import Judged, taken_apart
-from symhaptic.proof.verdict import Kind, Unfounded
+from symhaptic.proof.verdict import Kind, Unfounded, Verdict
 
 CONTRARY = "the contrary"
 
@@ -45,26 +46,32 @@ class Rejudged:
 
     judged: Judged
     claim: Proposition
-    kind: Kind
+    verdict: Verdict
 
     def holds(self) -> bool:
-        """By judging again."""
+        """By judging again; a correction that gets another condition is another verdict."""
         try:
-            return self.judged.decide(self.claim).kind is self.kind
+            found = self.judged.decide(self.claim)
         except Unfounded:
             return False
+        same = found.kind not in WRONG or found.condition == self.verdict.condition
+        return same and found.kind is self.verdict.kind
 
 
 def changes_of_judgement(settled: Settled) -> Iterator[Change]:
     """The claim wider, weaker or denied; the case without its example or a counterexample."""
-    settlement, kind = settled.settlement, settled.verdict.kind
-    judged = settlement.judged
-    if judged is None or settlement.claim is None or judged.corrected is not None:
+    settlement, judged = settled.settlement, settled.settlement.judged
+    if judged is None or settlement.claim is None:
         return
     claim = settlement.claim(settled.statement.printed)
+    if judged.corrected is not None and judged.instead is None:
+        right = tuple(form for line in judged.corrected for form in read(line))
+        judged = replace(judged, instead=settlement.claim(right))
+    verdict = judged.decide(claim)  # numbers and definitions make another kind of it
+    kind = verdict.kind
 
     def put(what: str, other: str, judged: Judged = judged, said: Proposition = claim) -> Change:
-        return Change(what, other, Rejudged(judged, said, kind))
+        return Change(what, other, Rejudged(judged, said, verdict))
 
     if taken_apart(judged.theorem.conclusion)[1]:
         yield put("grounds", "no example of its hypotheses", replace(judged, example=None))

@@ -6,11 +6,10 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
 from symhaptic.book.chapters import Chapter
@@ -18,6 +17,7 @@ from symhaptic.book.figures import drawings
 from symhaptic.book.ledger import Entry, by_source, counted, of_chapter
 from symhaptic.book.ledger import ledger as listed
 from symhaptic.book.parts import OWN, PARTS, part_of
+from symhaptic.book.processes import folder, run
 from symhaptic.book.record import Block
 from symhaptic.book.rests import between, shown_in
 from symhaptic.book.site import explorer, gallery, mathml, mentions, reference, tables
@@ -25,7 +25,7 @@ from symhaptic.book.site.chapter import Place, chapter_page, kind
 from symhaptic.book.site.guides import guides, more, pictures
 from symhaptic.book.site.notebooks import FOLDER, GUIDES, notebooks
 from symhaptic.book.site.place import MARK, allowed
-from symhaptic.book.site.words import container, heading, table, words
+from symhaptic.book.site.words import container, heading, plain, table, words
 from symhaptic.book.tex.build import MEANINGS
 from symhaptic.book.tex.tex import ReportError
 from symhaptic.proof.verdict import Kind
@@ -115,7 +115,7 @@ def _index(chapters: Sequence[Chapter], entries: Sequence[Entry], whole: bool) -
     out = [*heading(TITLE), OPENING]
     if whole:
         out += table("tasks", [["you want", "go to"], *map(list, TASKS)])
-        told = f"**{len(entries)} statements,** {by_source(entries)}: {counted(entries)}."
+        told = f"**{len(entries)} statements,** {plain(by_source(entries))}: {counted(entries)}."
         out += [told, ""]
         out += table("kinds", [["verdict", "what it means"], *([kind(k), m] for k, m in MEANINGS)])
     before = ["results", "errata", "ledger"] if whole else []
@@ -151,9 +151,7 @@ def write(
     errata, ledger and results are left out.  ``take`` puts a figure into its file.
     """
     allowed(target)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".draft-", dir=target.parent) as folder:
-        draft = Path(folder)
+    with folder(".draft-", target.parent) as draft:
         source, made = draft / "source", draft / "site"
         _sources(numbered, source, say, whole, take)
         say("pages of the site")
@@ -173,34 +171,33 @@ def _sources(
 ) -> None:
     texts = sources(numbered, whole)
     (source / "figures").mkdir(parents=True)
-    drawing = gallery.begin(source) if whole else None
-    for name, text in texts.items():
-        (source / name).write_text(text, encoding="utf-8")
-    say("formulas of the site")
-    written = [*texts.values(), *(reference.docstrings() if whole else ())]
-    found = mathml.turned(mathml.formulas(written))
-    (source / "code").mkdir()
-    for _, chapter in numbered:
-        shutil.copy(chapter.path, source / "code")
-    (source / mathml.FORMULAS).write_text(json.dumps(found), encoding="utf-8")
-    settled = (id for _, chapter in numbered for id in chapter.page.settled)
-    known = mentions.places({number: chapter.name for number, chapter in numbered}, settled)
-    (source / mentions.PLACES).write_text(json.dumps(known), encoding="utf-8")
-    for block in drawings.figures([chapter for _, chapter in numbered]):
-        say(f"figure {block.title} of the site")
-        take(block, source / "figures" / f"{block.title}.svg")
-    (source / "scripts" / explorer.NAME).mkdir(parents=True)
-    for name, text in explorer.files():
-        (source / "scripts" / name).write_text(text, encoding="utf-8")
-    if whole:
-        for picture in pictures():
-            shutil.copy(picture, source)
-    beside = source / EXTRA / FOLDER
-    beside.mkdir(parents=True)
-    for name, text in notebooks().items() if whole else ():
-        (beside / f"{name}.ipynb").write_text(text, encoding="utf-8")
-    say("gallery of the site")
-    gallery.end(drawing)
+    with gallery.drawn(source) if whole else nullcontext():
+        for name, text in texts.items():
+            (source / name).write_text(text, encoding="utf-8")
+        say("formulas of the site")
+        written = [*texts.values(), *(reference.docstrings() if whole else ())]
+        found = mathml.turned(mathml.formulas(written))
+        (source / "code").mkdir()
+        for _, chapter in numbered:
+            shutil.copy(chapter.path, source / "code")
+        (source / mathml.FORMULAS).write_text(json.dumps(found), encoding="utf-8")
+        settled = (id for _, chapter in numbered for id in chapter.page.settled)
+        known = mentions.places({number: chapter.name for number, chapter in numbered}, settled)
+        (source / mentions.PLACES).write_text(json.dumps(known), encoding="utf-8")
+        for block in drawings.figures([chapter for _, chapter in numbered]):
+            say(f"figure {block.title} of the site")
+            take(block, source / "figures" / f"{block.title}.svg")
+        (source / "scripts" / explorer.NAME).mkdir(parents=True)
+        for name, text in explorer.files():
+            (source / "scripts" / name).write_text(text, encoding="utf-8")
+        if whole:
+            for picture in pictures():
+                shutil.copy(picture, source)
+        beside = source / EXTRA / FOLDER
+        beside.mkdir(parents=True)
+        for name, text in notebooks().items() if whole else ():
+            (beside / f"{name}.ipynb").write_text(text, encoding="utf-8")
+        say("gallery of the site")
     for picture in source.rglob("*.svg"):
         picture.write_text(lighter(picture.read_text(encoding="utf-8")), encoding="utf-8")
 
@@ -235,6 +232,7 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
         "html_show_search_summary": False,
         "html_show_sphinx": False,
         "html_show_copyright": False,
+        "smartquotes_action": "qe",  # of two hyphens it would make a dash
         "extensions": [
             *(f"symhaptic.book.site.{name}" for name in EXTENSIONS),
             "sphinx.ext.autodoc",
@@ -245,14 +243,9 @@ def _sphinx(source: Path, made: Path, trees: Path) -> None:
     conf = "".join(f"{name} = {value!r}\n" for name, value in settings.items())
     (source / "conf.py").write_text(conf, encoding="utf-8")
     how = ["-q", "-n", "-W", "--keep-going", "--no-color", "-j", "auto", "-d", str(trees)]
-    run = subprocess.run(
-        [sys.executable, "-m", "sphinx", *how, str(source), str(made)],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if run.returncode != 0:
-        told = (run.stderr or run.stdout).strip().splitlines() or ["no message"]
+    done = run([sys.executable, "-m", "sphinx", *how, source, made])
+    if done.returncode != 0:
+        told = (done.stderr or done.stdout).strip().splitlines() or ["no message"]
         raise ReportError(f"the site: {told[0]}")
     for page in made.glob("*.html"):  # a heading without a level is none to a screen reader
         text = page.read_text(encoding="utf-8")

@@ -28,7 +28,7 @@ from symhaptic.book.site.words import (
 )
 from symhaptic.book.sources import PAPER, source_of
 from symhaptic.book.tex.errata import WRONG
-from symhaptic.book.tex.forms import right_is, shown_by
+from symhaptic.book.tex.forms import shown_by
 from symhaptic.book.tex.page import rows_of
 from symhaptic.book.tex.words import anchor, as_sentence, place_of
 from symhaptic.forms.stable import STATEMENTS
@@ -105,7 +105,7 @@ def _chapters(numbers: Collection[int], place: Place) -> str:
 
 
 def _paragraphs(text: str) -> list[str]:
-    return [line for part in text.split("\n\n") for line in (words(" ".join(part.split())), "")]
+    return [line for part in re.split(r"\n\s*\n", text) for line in (words(part), "")]
 
 
 def _title(lead: str, title: str, label: str) -> list[str]:
@@ -129,7 +129,7 @@ def _equation(block: Block, lead: str, place: Place) -> list[str]:
 def _paper(number: str, place: Place) -> str:
     """The number of an equation of the paper, which leads to where it is settled."""
     id = f"eq{number}"
-    return f":ref:`({number}) <statement-{id}>`" if id in place.settled else f"({number})"
+    return f":ref:`({number}) <statement-{id}>`" if id in place.settled else plain(f"({number})")
 
 
 def _theorem(block: Block, lead: str, place: Place) -> list[str]:
@@ -210,7 +210,7 @@ def _foreign(found: Checked) -> list[str]:
         return []
     rules = [f":ref:`{_link_text(called(r))} <rule-{anchor(r)}>`" for r in found.rules]
     why = f" ({plain(found.why)})" if found.why else ""
-    by = f", by {', '.join([*rules, *found.others])}" if found.rests else ""
+    by = f", by {', '.join([*rules, *map(plain, found.others)])}" if found.rests else ""
     extent = {WHOLE: "whole", LEAVES: "in part", NOT: "not"}[found.extent]
     return [f"*Rocq:* {extent}{why}{by}", ""]
 
@@ -222,7 +222,11 @@ def _link_text(name: str) -> str:
 def _printed(item: Settled, place: Place) -> list[str]:
     """A statement of the paper as printed, what it claims, its verdict and what is right."""
     statement, verdict = item.statement, item.verdict
-    out = [f"**{statement.id}** — {plain(statement.location)}", "", *statement_in_words(statement)]
+    out = [
+        f"**{plain(statement.id)}** — {words(statement.location)}",
+        "",
+        *statement_in_words(statement),
+    ]
     if verdict.proposition:
         out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
     if verdict.condition:
@@ -275,7 +279,7 @@ def in_words(verdict: Verdict) -> str:
         return f"for {math(verdict.condition or '')}"
     if verdict.corrected is not None:
         return math(verdict.corrected)
-    return words(right_is(verdict))
+    return words(verdict.shows or "")
 
 
 def _table(block: Block) -> list[str]:
@@ -289,12 +293,12 @@ def _cell(cell: object) -> str:
         if isinstance(cell, str)
         else math(latex(cell))
         if isinstance(cell, Basic)
-        else str(cell)
+        else plain(str(cell))
     )
 
 
 def _figure(block: Block) -> list[str]:
-    alt = plain(re.sub(r"[$\\{}]", "", block.text))
+    alt = " ".join(re.sub(r"[$\\{}]", "", block.text).split())
     return [
         f".. figure:: figures/{block.title}.svg",
         f"   :alt: {alt}",

@@ -8,11 +8,14 @@ from __future__ import annotations
 import ast
 import re
 import shutil
-import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from subprocess import PIPE
 
 from symhaptic.book.chapters import beside
+from symhaptic.book.processes import program
 from symhaptic.book.site.words import heading, indented, words
 from symhaptic.book.tex.tex import ReportError
 
@@ -60,24 +63,24 @@ def picture(path: Path) -> list[str]:
     return [f".. figure:: {NAME}/{path.stem}.svg", f"   :alt: {_parts(path)[0]}", ""]
 
 
-def begin(source: Path) -> subprocess.Popen[str] | None:
-    """Programs beside the sources of the site, and a process that draws their pictures there."""
+@contextmanager
+def drawn(source: Path) -> Iterator[None]:
+    """Draw the pictures of the programs beside the sources of the site, while others are made.
+
+    Raises :class:`ReportError` at the end, with the program that fails and its last line.
+    """
     found = programs()
     if not found:
-        return None
+        yield
+        return
     folder = source / NAME
     folder.mkdir()
     for path in found:
         shutil.copy(path, folder)
     command = [sys.executable, "-m", "symhaptic.book.figures.programs", str(folder)]
-    return subprocess.Popen([*command, *map(str, found)], stderr=subprocess.PIPE, text=True)
-
-
-def end(drawing: subprocess.Popen[str] | None) -> None:
-    """Wait for the pictures; the program that fails is told with its last word."""
-    if drawing is None:
-        return
-    _, told = drawing.communicate()
+    with program([*command, *map(str, found)], stderr=PIPE) as drawing:
+        yield
+        _, told = drawing.communicate()
     if drawing.returncode:
         names = re.findall(rf"{NAME}.(\w+\.py)", told) or [NAME]
         raise ReportError(f"docs/{NAME}/{names[-1]}: {told.strip().splitlines()[-1]}")

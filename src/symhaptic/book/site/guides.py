@@ -11,7 +11,7 @@ from symhaptic.book.site.mathml import pandoc
 
 ORDER = (
     *("tutorial", "limits", "devices", "sweep", "howto", "verify", "check", "export"),
-    *("reports", "verdicts", "found", "statements", "speed", "design", "language"),
+    *("reports", "security", "verdicts", "found", "statements", "speed", "design", "language"),
 )
 """Of the guides, as they are read."""
 

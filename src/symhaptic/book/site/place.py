@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from importlib.util import find_spec
 from pathlib import Path
 
 from symhaptic.book.tex.tex import ReportError
+from symhaptic.notation.extras import missing
 
-NEEDS = "the site needs sphinx, furo, nbformat and pypandoc_binary: pip install 'symhaptic[report]'"
+NEEDS = (
+    "the site needs sphinx, furo, nbformat, matplotlib and pypandoc_binary: "
+    "pip install 'symhaptic[report]'"
+)
 MARK = ".symhaptic-site"
 """Stands in a folder that may be written anew, since it was made here."""
 
 
 def can() -> bool:
     """Whether what makes the site is installed."""
-    return all(find_spec(name) for name in ("sphinx", "furo", "nbformat", "pypandoc"))
+    return not missing("sphinx", "furo", "jinja2", "nbformat", "matplotlib", "pypandoc")
 
 
 def allowed(target: Path) -> None:

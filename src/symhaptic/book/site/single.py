@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import base64
 import re
-import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from string import Template
 
 from symhaptic.book.committed import GENERATED
 from symhaptic.book.listing import replace
+from symhaptic.book.processes import folder
 from symhaptic.book.site.build import STATIC, Numbered, write
 
 _PAGE = Template("""\
@@ -54,8 +54,8 @@ def write_single(
     numbered: Sequence[Numbered], target: Path, say: Callable[[str], None]
 ) -> list[Path]:
     """One file for each chapter; a site is made beside, and left behind."""
-    with tempfile.TemporaryDirectory() as folder:
-        site = Path(folder) / "site"
+    with folder() as beside:
+        site = beside / "site"
         write(numbered, site, say, whole=False)
         pages = {target / f"{c.name}.html": single(site, c.name) for _, c in numbered}
     target.mkdir(parents=True, exist_ok=True)

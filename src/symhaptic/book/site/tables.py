@@ -84,12 +84,12 @@ def errata(entries: Sequence[Entry]) -> str:
 
 def _where(location: str) -> str:
     """A section's number on one line; a longer place as it fits."""
-    return f":kept:`{plain(location)}`" if location.startswith("Sec. ") else plain(location)
+    return f":kept:`{plain(location)}`" if location.startswith("Sec. ") else words(location)
 
 
 def _erratum(entry: Entry) -> list[str]:
     statement, verdict = entry.statement, entry.verdict
-    out = [f"{statement_link(statement.id)} — {plain(statement.location)}", ""]
+    out = [f"{statement_link(statement.id)} — {words(statement.location)}", ""]
     out += statement_in_words(statement)
     if verdict.proposition:
         out += container("claim", [f"Claims {breakable(verdict.proposition)}\\ ."])
@@ -116,7 +116,7 @@ def ledger(entries: Sequence[Entry], chapters: Chapters) -> str:
         number, name = chapters.get(entry.derivation or "", (0, ""))
         rows.append(
             [
-                statement_link(entry.statement.id) if name else entry.statement.id,
+                statement_link(entry.statement.id) if name else plain(entry.statement.id),
                 words(entry.statement.says),
                 kind(entry.verdict.kind),
                 entry.rocq.extent if asked() else "",

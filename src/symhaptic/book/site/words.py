@@ -5,19 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from symhaptic.book.parts import referred
+from symhaptic.book.parts import numbers
 from symhaptic.book.tex.breaking import width
+from symhaptic.book.tex.words import scanned
 from symhaptic.notation.latex import euler
 
-_PLAIN = {
-    r"\,": "\u202f",
-    r"\%": "%",
-    r"\&": "&",
-    r"\_": "_",
-    r"\#": "#",
-    r"\^{}": "^",
-    "~": "\xa0",
-}
+_SPACES = {r"\,": "\u202f", "~": "\xa0"}
 """What prose writes for TeX, and what it means."""
 
 _LEFT_OUT = (r"\allowbreak ", r"\allowbreak", r"\br ")
@@ -31,12 +24,14 @@ def formula(tex: str) -> str:
     """
     for mark in _LEFT_OUT:
         tex = tex.replace(mark, "")
-    return " ".join(tex.replace(r"\changed{", r"\underline{").split())
+    tex = " ".join(tex.replace(r"\changed{", r"\underline{").split())
+    return re.sub(r"(?<!\\)((?:\\\\)*)\\$", r"\1", tex).rstrip()  # of a space at the end
 
 
 def math(tex: str) -> str:
     """A formula in a line of text; one that is long may be broken."""
-    return _BREAK.join(f":math:`{part}`" for part in _narrow(formula(tex)))
+    parts = map(formula, _narrow(formula(tex)))
+    return _BREAK.join(f":math:`{part}`" for part in parts if part)
 
 
 def breakable(tex: str) -> str:
@@ -107,57 +102,65 @@ def _packed(atoms: Iterable[str]) -> list[str]:
 
 
 def plain(text: str) -> str:
-    r"""Words without formulas: what reStructuredText takes for itself is written out.
+    r"""Text that stands for itself: no sign in it is markup, wherever it begins.
 
-    >>> plain(r"a 5\,\% |loss| of `x`_")
-    'a 5\u202f% \\|loss\\| of \\`x\\`\\_'
-    >>> plain(r"by \texttt{is\_stable}")
-    'by ``is_stable``'
+    >>> plain("a 5% |loss| of `x`_"), plain("- 5 N/m"), plain(".. raw:: html")
+    ('a 5% \\|loss\\| of \\`x\\`\\_', '\\ - 5 N/m', '\\ .. raw\\:\\: html')
     """
-    text = unmarked(text)
-    for tex, meant in _PLAIN.items():
-        text = text.replace(tex, meant)
-    parts = re.split(r"\\texttt\{([^{}]*)\}", text)
-    return "".join(
-        f"``{part}``" if at % 2 else re.sub(r"([\\*`|_])", r"\\\1", part)
-        for at, part in enumerate(parts)
-    )
+    return _begun(_escaped(text).strip())
 
 
-def unmarked(text: str) -> str:
-    r"""Words without their emphasis, which reStructuredText cannot have around a formula.
+def _escaped(text: str) -> str:
+    """A text whose signs mean nothing within a line."""
+    return re.sub(r"([\\*`|_:@])", r"\\\1", re.sub(r"\s+", " ", text))
 
-    >>> unmarked(r"Together: \emph{all $c_{n-1}$ are \emph{positive}}, and so on")
-    'Together: all $c_{n-1}$ are positive, and so on'
-    """
-    while found := re.search(r"\\(?:emph|textbf)\{", text):
-        depth, end = 1, found.end()
-        while depth and end < len(text):
-            depth += {"{": 1, "}": -1}.get(text[end], 0)
-            end += 1
-        inner = text[found.end() : end - (depth == 0)]
-        text = f"{text[: found.start()]}{inner}{text[end:]}"
-    return text
+
+_LIST = re.compile(r"\(?(?:\w|\d+|[ivxlcdm]+|[IVXLCDM]+)[.)](?:\s|$)")
+"""The beginning of an item of a numbered list."""
+
+
+def _begun(text: str) -> str:
+    """A line that begins with nothing, where reStructuredText would take its beginning for more."""
+    marked = re.match(r"[^\w\s]", text) and not text.startswith((":math:`", "``"))
+    return f"\\ {text}" if marked or _LIST.match(text) else text
 
 
 def words(text: str) -> str:
-    r"""Prose with formulas between dollar signs.
+    r"""Prose with formulas between dollar signs, in one line; emphasis is left out.
+
+    reStructuredText cannot have emphasis around a formula.
 
     >>> words("the angle $\\theta$ twice")
     'the angle :math:`\\theta` twice'
-    >>> words("(b) is no item of a list")
-    '\\(b) is no item of a list'
+    >>> words("(b) is no item of a list"), words(r"by \texttt{is\_stable}: 5\,\%")
+    ('\\ (b) is no item of a list', 'by ``is_stable``\\ \\: 5\u202f%')
+    >>> words(r"\emph{all $c_n$ and \emph{b}} of $\input{x}$")
+    'all :math:`c_n` and b of $\\\\input{x}$'
     """
-    text = unmarked(referred(text, lambda number: f"chapter {number}"))
-    parts = re.split(r"\$([^$]*)\$", text)
-    out = ""
-    for at, part in enumerate(parts):
-        if at % 2 == 0:
-            follows = at > 0 and part[:1].strip() != ""
-            out += ("\\ " if follows else "") + plain(part)
-        elif part.strip():
-            out += ("\\ " if out[-1:].strip() else "") + math(euler(part))
-    return re.sub(r"^(?=\(?(\w|\d+|[ivx]+)[.)]\s)", r"\\", out.strip())
+    out, marked = "", False
+    for kind, part in scanned(text):
+        shown = _shown(kind, part)
+        markup = kind in ("formula", "code") and shown[:1] in (":", "`")
+        parted = out[-1:].strip() and shown[:1].strip() and (marked or markup)
+        out += "\\ " * bool(parted) + shown
+        marked = (markup or marked) if not shown else markup
+    return _begun(out.strip())
+
+
+def _shown(kind: str, part: str) -> str:
+    """A part of a text as reStructuredText."""
+    match kind:
+        case "formula":
+            return math(euler(part))
+        case "chapter":
+            return f"chapter {numbers()[part]}"
+        case "code" if re.fullmatch(r"[^\s`](?:[^`\n]*[^\s`])?", part):
+            return f"``{part}``"
+        case "space":
+            return _SPACES[part]
+        case "emphasis" | "end":
+            return ""
+    return _escaped(part)
 
 
 def display(rows: Iterable[str]) -> list[str]:
@@ -211,7 +214,7 @@ def container(kind: str, lines: Iterable[str]) -> list[str]:
 
 def heading(title: str, mark: str = "=") -> list[str]:
     """A title with the line below it that makes it one."""
-    return [title, mark * max(len(title), 4), ""]
+    return [title, mark * max(2 * len(title), 4), ""]  # some signs are two columns wide
 
 
 def table(kind: str, rows: Iterable[Iterable[str]], widths: str = "auto") -> list[str]:

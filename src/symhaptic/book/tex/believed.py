@@ -12,7 +12,7 @@ from symhaptic.book.plain import in_formulas
 from symhaptic.book.rests import used
 from symhaptic.book.rules import called, classical, others, says
 from symhaptic.book.tex.forms import running
-from symhaptic.book.tex.words import anchor, escaped, prose
+from symhaptic.book.tex.words import anchor, literally, prose
 from symhaptic.notation import SYMBOLS
 from symhaptic.notation.predicates import MEANINGS
 from symhaptic.notation.written import defined, written
@@ -36,7 +36,7 @@ def believed(entries: Iterable[Entry]) -> dict[str, Any]:
         "rules": [
             {
                 "rule": anchor(rule),
-                "name": escaped(called(rule)),
+                "name": prose(called(rule)),
                 "says": f"${running(written(AXIOMS[rule].says))}$"
                 if rule in AXIOMS
                 else plain(says(rule)),
@@ -83,7 +83,7 @@ def _in_symbols(text: str) -> str:
 
 
 def _row(name: str, text: str, counts: Counter[str]) -> tuple[str, str, int]:
-    return escaped(name.replace("_", " ")), plain(text), counts[name]
+    return literally(name.replace("_", " ")), plain(text), counts[name]
 
 
 def plain(text: str) -> str:

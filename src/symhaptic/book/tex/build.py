@@ -34,7 +34,7 @@ from symhaptic.book.tex.parts import parts
 from symhaptic.book.tex.place import drafted, left_over, refuse_foreign
 from symhaptic.book.tex.results import results
 from symhaptic.book.tex.tex import ReportError, filled, typeset
-from symhaptic.book.tex.words import escaped, literally, prose
+from symhaptic.book.tex.words import literally, prose
 from symhaptic.proof.verdict import Kind
 
 MEANINGS = (
@@ -108,7 +108,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
                 "kinds": [(str(k), m) for k, m in MEANINGS],
                 "count": f"{len(entries)} statements",
                 "symbols": symbols(),
-                "sources": by_source(entries),
+                "sources": prose(by_source(entries)),
                 "appendices": [
                     "errata",
                     "ledger",
@@ -125,7 +125,7 @@ def text_files(chapters: list[Chapter]) -> dict[str, str]:
             {
                 "classes": errata(entries, numbers),
                 "errors": _errors(entries),
-                "source": escaped(AT_HAND),
+                "source": literally(AT_HAND),
             },
         ),
         ("ledger", {"rows": rows, **_foreign(entries)}),
@@ -168,7 +168,7 @@ def _errors(entries: list[Entry]) -> str:
 def _row(entry: Entry, numbers: dict[str, int]) -> dict[str, str]:
     id = entry.statement.id
     place = numbers.get(entry.derivation or "")
-    location = escaped(entry.statement.location)
+    location = prose(entry.statement.location)
     return {
         "id": literally(id).replace("-", "-\\allowbreak "),
         "says": f"{prose(entry.statement.says)} \\textcolor{{black!60}}{{({location})}}",

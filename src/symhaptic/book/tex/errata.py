@@ -18,7 +18,7 @@ from symhaptic.book.tex.forms import (
     running,
     shown_by,
 )
-from symhaptic.book.tex.words import escaped, prose
+from symhaptic.book.tex.words import prose
 from symhaptic.proof.verdict import Kind
 
 WRONG = frozenset({Kind.REFUTED, Kind.MISPRINT, Kind.QUALIFIED, Kind.SLIP})
@@ -68,10 +68,10 @@ def _erratum(entry: Entry, chapters: Mapping[str, int]) -> str:
         ("verdict", f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"),
         ("right for", condition(verdict) if verdict.condition else ""),
         ("right" if wrong else "what holds", right),
-        ("shown by", "; ".join(shown_by(verdict))),
+        ("shown by", "; ".join(map(prose, shown_by(verdict)))),
         ("for a device", prose(entry.consequence or "")),
     ]
     place = chapters.get(entry.derivation or "")
-    head = f"{{{reference(statement.id)}}}{{{escaped(statement.location)}}}"
+    head = f"{{{reference(statement.id)}}}{{{prose(statement.location)}}}"
     body = "".join(f"\\erratumrow{{{label}}}{{{text}}}" for label, text in rows if text)
     return f"\\erratum{head}{{{place}}}{{{body}}}"

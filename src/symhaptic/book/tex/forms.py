@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from symhaptic.book.record import Settled
 from symhaptic.book.tex.breaking import broken, width
-from symhaptic.book.tex.words import beside_formulas, literally, place_of, prose
+from symhaptic.book.tex.words import literally, place_of, prose
 from symhaptic.notation.latex import latex
 from symhaptic.paper import Statement
 from symhaptic.proof.verdict import Kind, Verdict
@@ -207,7 +207,7 @@ def right_is(verdict: Verdict) -> str:
         return f"for {condition(verdict)}"
     text = verdict.corrected or ""
     if width(text) > LONG and verdict.shows:
-        return verdict.shows
+        return prose(verdict.shows)
     if r"\text" in text:
         return _in_words(text)
     parts = text.split(r",\quad ")
@@ -236,7 +236,8 @@ def _formulas(text: str) -> str:
 
 def _verdict(verdict: Verdict) -> str:
     head = f"\\kind{{{verdict.kind}}}{{{verdict.kind}}}"
-    rest = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
+    words = ([verdict.method] if verdict.kind is Kind.EXTERNAL else []) + shown_by(verdict)
+    rest = list(map(prose, words))
     if verdict.value and verdict.kind in (Kind.ENCLOSED, Kind.QUALIFIED):
         head += f":\\\\{{\\scriptsize${verdict.value[:18]}\\ldots$}}\\\\"
         return head + "; ".join(rest)
@@ -252,8 +253,7 @@ def shown_by(verdict: Verdict) -> list[str]:
         at = ",\\ ".join(f"{_symbol(k)}={v}" for k, v in verdict.counterexample.items())
         parts.append(f"differs at ${at}$")
     if verdict.note:
-        note = beside_formulas(verdict.note)
-        parts.append(note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
+        parts.append(verdict.note.replace("^2 s^-2", r"$^2$\,s$^{-2}$"))
     return parts
 
 

@@ -8,7 +8,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from symhaptic.book.tex.words import prose
+from symhaptic.book.tex.words import literally, prose
 
 KINDS = {
     "formula": "a sign, factor, exponent, index or function of a formula",
@@ -72,5 +72,5 @@ def _name(of: str, record: dict[str, Any]) -> str:
 
 def _code(text: str) -> str:
     """Plain text in a type of its own, to be broken after signs."""
-    plain = re.sub(r"([_%#&{}$])", r"\\\1", text.replace("^", "**"))
+    plain = literally(text.replace("^", "**"))
     return rf"\texttt{{{re.sub(_BREAKS, lambda sign: sign.group() + BREAK, plain)}}}"

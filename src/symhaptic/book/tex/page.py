@@ -16,7 +16,7 @@ from symhaptic.book.rests import Said, Shown, rests, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.breaking import broken, pieces, width
 from symhaptic.book.tex.forms import BESIDE, LONG_CLAIM, answers, letters, printed_forms, sentence
-from symhaptic.book.tex.words import anchor, as_sentence, escaped, prose
+from symhaptic.book.tex.words import anchor, as_sentence, literally, paragraphs, prose
 from symhaptic.notation.latex import euler, latex
 from symhaptic.proof.theorems.kernel import Theorem
 from symhaptic.proof.verdict import Kind
@@ -29,9 +29,9 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     """The chapter's LaTeX, to be included by the book or by any document with `symhaptic.sty`."""
     title = prose(chapter.title)
     out = [
-        f"\\begin{{symhapticchapter}}{{{number}}}{{{escaped(chapter.source)}}}{{{title}}}",
+        f"\\begin{{symhapticchapter}}{{{number}}}{{{literally(chapter.source)}}}{{{title}}}",
         "",
-        prose(chapter.introduction),
+        "\n\n".join(paragraphs(chapter.introduction)),
         "",
     ]
     shown = shown_in([(number, chapter)])
@@ -39,7 +39,7 @@ def chapter_tex(chapter: Chapter, number: int) -> str:
     steps = 0
     for block in chapter.page.blocks:
         if block.kind == "prose":
-            out += [prose(block.text), ""]
+            out += ["\n\n".join(paragraphs(block.text)), ""]
         elif block.kind == "equation":
             steps += 1
             out += _equation(block, number, steps)
@@ -63,7 +63,7 @@ def _equation(block: Block, chapter: int, step: int) -> list[str]:
     heading = f"Step {step}"
     reason = as_sentence(prose(block.text)) if block.text else ""
     rows = rows_of(block.lines)
-    beside = f"\\quad paper ({block.paper})" if block.paper else ""
+    beside = f"\\quad paper ({literally(block.paper)})" if block.paper else ""
     tag = (
         f"\\tag*{{({chapter}.{block.number})"
         f"\\verdict{{{block.verdict}}}{{{block.verdict}{beside}}}{{{_breakable(block.method)}}}}}"
@@ -143,7 +143,7 @@ def _foreign(item: Settled) -> str:
     if found.extent == NOT:
         return ""
     rules = [f"\\byrule{{{anchor(rule)}}}{{{prose(called(rule))}}}" for rule in found.rules]
-    by = ", ".join([*rules, *found.others])
+    by = ", ".join([*rules, *map(prose, found.others)])
     return f"Rocq: {found.in_short}{', by ' if by else ''}{by}"
 
 
@@ -220,10 +220,7 @@ def _text(side: Any) -> str:
 
 
 def _table(block: Block) -> list[str]:
-    head, *rows = (
-        " & ".join(prose(c) if isinstance(c, str) else f"${latex(c)}$" for c in row) + r" \\"
-        for row in block.rows
-    )
+    head, *rows = (" & ".join(_cell(cell) for cell in row) + r" \\" for row in block.rows)
     return [
         "\\begin{center}",
         f"\\begin{{tabular}}{{@{{}}*{{{len(block.rows[0])}}}{{r}}@{{}}}}\\toprule",
@@ -235,6 +232,12 @@ def _table(block: Block) -> list[str]:
         "\\end{center}",
         "",
     ]
+
+
+def _cell(cell: object) -> str:
+    """A cell of a table; TeX would read a star or a bracket at its start as an argument."""
+    text = prose(cell) if isinstance(cell, str) else f"${latex(cell)}$"
+    return "{}" * text.startswith(("*", "[")) + text
 
 
 def _figure(block: Block) -> list[str]:

@@ -11,7 +11,7 @@ from symhaptic.book.record import Settled
 from symhaptic.book.rests import Rest, Said, Shown, rests, said, shown_in
 from symhaptic.book.rules import called
 from symhaptic.book.tex.forms import reference
-from symhaptic.book.tex.words import anchor, escaped, place_of, prose
+from symhaptic.book.tex.words import anchor, place_of, prose
 
 Numbered = tuple[int, Chapter]
 
@@ -81,5 +81,5 @@ def _row(place: str, says: str, rest: Rest) -> dict[str, str]:
         "place": place,
         "says": says,
         "theorems": ", ".join(f"\\theoremlink{{{one.place}}}" for one in rest.shown),
-        "rules": ", ".join(f"\\byrule{{{anchor(r)}}}{{{escaped(n)}}}" for n, r in names.items()),
+        "rules": ", ".join(f"\\byrule{{{anchor(r)}}}{{{prose(n)}}}" for n, r in names.items()),
     }

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 import time
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from symhaptic.book.committed import GENERATED
+from symhaptic.book.processes import folder
 from symhaptic.book.tex.tex import ReportError
 
 DRAFT = ".draft-"
 """Beginning of the name of the folder that a report is made in."""
 
 STALE = 3600
-"""Seconds after which a draft is taken to be left over."""
+"""Seconds after which a draft is removed: the machine went down while it was made."""
 
 KEPT = (".tex", ".sty", ".json", ".pdf")
 """Endings of what a report consists of; the rest is TeX's."""
@@ -58,19 +58,18 @@ def drafted(target: Path) -> Iterator[Path]:
 
     A run that is killed leaves the old report whole.
     """
-    made_here = not target.exists()
+    stack = ExitStack()
     try:
-        target.mkdir(parents=True, exist_ok=True)
-        for old in target.glob(f"{DRAFT}*"):  # of a run that was killed, not of one beside this
+        for old in target.glob(f"{DRAFT}*"):  # another run may be making a younger one
             if time.time() - old.stat().st_mtime > STALE:
                 shutil.rmtree(old, ignore_errors=True)
-        draft = Path(tempfile.mkdtemp(prefix=DRAFT, dir=target))
+        draft = stack.enter_context(folder(DRAFT, target))
     except OSError as wrong:
         raise ReportError(
             f"-o {target}: cannot write there ({wrong.strerror}); a folder that can be written is "
             "allowed"
         ) from None
-    try:
+    with stack:
         yield draft
         made = [p for p in sorted(draft.rglob("*")) if p.is_file() and p.suffix in KEPT]
         refuse_foreign(target, [path.relative_to(draft).as_posix() for path in made])
@@ -78,7 +77,3 @@ def drafted(target: Path) -> Iterator[Path]:
             place = target / path.relative_to(draft)
             place.parent.mkdir(exist_ok=True)
             os.replace(path, place)
-    finally:
-        shutil.rmtree(draft, ignore_errors=True)
-        if made_here and not any(target.iterdir()):
-            target.rmdir()

@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from symhaptic.book.processes import run
+from symhaptic.notation.extras import missing
+
+NEEDS = "a report needs jinja2 and matplotlib: pip install 'symhaptic[report]'"
 NO_TEX = (
     "no latexmk and pdflatex found; on Debian: "
     "apt-get install latexmk texlive-latex-recommended lmodern"
@@ -19,6 +22,8 @@ BAD = r"^(?:Overfull \\[hv]box.*|LaTeX Warning: Reference.*|.*has been reference
 
 TITLE = "Passivity and stability of haptic walls, derived and verified"
 
+_SAFE = ("-interaction=nonstopmode", "-halt-on-error", "-latexoption=-no-shell-escape")
+"""TeX asks nothing, stops at an error, and starts no other program."""
 
 _TOLD = 20
 """Bad lines that a message lists."""
@@ -30,12 +35,8 @@ class ReportError(RuntimeError):
 
 def filled(name: str, **words: Any) -> str:
     """A template with its places filled."""
-    try:
-        from jinja2 import Environment, PackageLoader, StrictUndefined
-    except ImportError:
-        raise ReportError(
-            "reports need jinja2 and matplotlib: pip install 'symhaptic[report]'"
-        ) from None
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
     environment = Environment(
         loader=PackageLoader("symhaptic.book.tex"),
         undefined=StrictUndefined,
@@ -51,6 +52,11 @@ def filled(name: str, **words: Any) -> str:
     return environment.get_template(name).render(title=TITLE, **words)
 
 
+def can() -> bool:
+    """Whether what writes a report is installed."""
+    return not missing("jinja2", "matplotlib")
+
+
 def has_tex() -> bool:
     """Whether latexmk and pdflatex are installed."""
     return shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
@@ -59,19 +65,15 @@ def has_tex() -> bool:
 def typeset(folder: Path, say: Callable[[str], None], name: str = "book") -> None:
     """Run latexmk on a document; overfull lines and undefined references are errors."""
     say(f"typesetting {name}.pdf")
-    run = subprocess.run(
-        ["latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", f"{name}.tex"],
+    done = run(
+        ["latexmk", "-pdf", *_SAFE, f"{name}.tex"],
         cwd=folder,
-        capture_output=True,
-        text=True,
         errors="replace",
-        stdin=subprocess.DEVNULL,
         env=os.environ | {"SOURCE_DATE_EPOCH": "0", "max_print_line": "1000"},
-        check=False,
     )
     log_file = folder / f"{name}.log"
     log = log_file.read_text(encoding="utf-8", errors="replace") if log_file.is_file() else ""
-    if run.returncode != 0:
+    if done.returncode != 0:
         first = next((line for line in log.splitlines() if line.startswith("!")), "no message")
         files = re.findall(r"\(\./([\w.-]+)\.tex", log)
         raise ReportError(f"latexmk failed in {files[-1] if files else name}.tex: {first}")

@@ -7,6 +7,7 @@ by :mod:`symhaptic.numeric.tracing.losses`.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -97,7 +98,7 @@ def max_delay(
     """
     arguments.one_of("sheet", sheet, SHEETS)
     given = Given(alpha=alpha, beta=beta, gamma=gamma, delta=delta)
-    search = _principal if sheet == "principal" else _exact
+    search: Callable[..., Array] = _principal if sheet == "principal" else _exact
     bounds: list[tuple[float, ...]] = []
     work = partial(
         arguments.in_blocks,
@@ -178,7 +179,8 @@ def _added(sheet: str, *loop: Array) -> list[Array]:
     margin = np.asarray(max_delay(al, be, g, dl, sheet) - delay)
     lost = margin <= 0  # not for NaN
     al, be, g, dl, delay = (np.broadcast_to(a, margin.shape)[lost] for a in loop)
-    margin[lost] = np.where(is_stable(al, be, g, dl, delay, sheet), np.nan, 0.0)
+    late = (delay > 0) & is_stable(al, be, g, dl, delay, sheet)
+    margin[lost] = np.where(late, np.nan, 0.0)
     return [margin]
 
 

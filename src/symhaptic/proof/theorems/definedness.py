@@ -55,6 +55,19 @@ def needed(*terms: Expr | Term, by: Proposition | None = None) -> frozenset[Prop
     return frozenset(found)
 
 
+def beyond(terms: Iterable[Expr], known: Iterable[Expr]) -> frozenset[Proposition]:
+    """Conditions of terms that need not hold wherever the known ones have a value.
+
+    >>> x, y = sp.symbols("x y")
+    >>> beyond([1 / x, 1 / y], [x + 1 / y]) == conditions(1 / x)
+    True
+    """
+    known = tuple(known)
+    there = frozenset[tuple[Relation, Term]]().union(*map(limits, known))
+    left = frozenset(c for t in terms for c, power in limits(t) if (c, power) not in there)
+    return left - needed(*known)
+
+
 def limits(of: Expr | Term) -> frozenset[tuple[Relation, Term]]:
     """A condition for each divisor that is not shown to differ from zero, and its power."""
     return _limits(of if isinstance(of, Term) else tree(of))

@@ -201,26 +201,42 @@ def of_print(claim: Proposition, printed: Iterable[Expr], condition: bool = Fals
     concluded = conjuncts(then)
     for form in printed:
         if not isinstance(form, Relational):
-            continue
+            raise ValueError(f"the print {form} is no relation that could be claimed")
         relation = proposition(form)
+        supposed = any(_says(hypothesis, relation) for hypothesis in given)
         if condition:
             joined = [p for p in concluded if isinstance(p, (Implies, Iff))]
             pairs = [(And(given), then), *(p.of for p in joined)]
             pairs += [p.of[::-1] for p in joined if isinstance(p, Iff)]
             if not any(_is_condition(relation, *pair) for pair in pairs):
                 raise ValueError(f"the print {form} is no condition of a predicate in the claim")
+            supposed = supposed and relation in concluded
         elif relation not in concluded:
             raise ValueError(f"the claim does not conclude the print {form}")
-        elif any(_says(hypothesis, relation) for hypothesis in given):
+        if supposed:
             raise ValueError(f"the claim supposes the print {form}")
     return claim
 
 
+def concludes(claim: Proposition, form: Expr) -> bool:
+    """Whether a claim has a relation, or a positive multiple of it, among its conclusions."""
+    if not isinstance(form, Relational):
+        return False
+    return any(_says(part, proposition(form)) for part in conjuncts(taken_apart(claim)[2]))
+
+
 def _is_condition(relation: Proposition, one: Proposition, other: Proposition) -> bool:
-    """Whether, of one proposition that implies another, a relation is on a predicate's side."""
+    """Whether, of one proposition that implies another, a relation is on a predicate's side.
+
+    That a number is whole says nothing of a wall or a loop.
+    """
+
+    def is_named(claim: Proposition) -> bool:
+        return isinstance(claim, Predicate) and claim.name != "whole"
+
     if relation in _stated(one):
-        return all(isinstance(p, Predicate) for p in conjuncts(other))
-    return relation in _stated(other) and any(isinstance(p, Predicate) for p in conjuncts(one))
+        return all(map(is_named, conjuncts(other)))
+    return relation in _stated(other) and any(map(is_named, conjuncts(one)))
 
 
 def _stated(of: Proposition) -> list[Proposition]:
@@ -233,9 +249,11 @@ def _stated(of: Proposition) -> list[Proposition]:
 
 
 def _says(hypothesis: Proposition, print_: Proposition) -> bool:
-    """Whether a hypothesis is the print, or a multiple of it."""
+    """Whether a hypothesis is the print or a multiple of it, or is made of such."""
     if hypothesis == print_:
         return True
+    if hypothesis.parts:
+        return any(_says(part, print_) for part in hypothesis.parts)
     pair = (hypothesis, print_)
     if not all(isinstance(p, Relation) for p in pair):
         return False

@@ -151,7 +151,12 @@ def _same(part: Any) -> Any:
 
 
 def _read(part: Any) -> Any:
-    """Arguments with propositions for SymPy's relations, which decide themselves when copied."""
+    """Arguments with propositions for SymPy's relations, which decide themselves when copied.
+
+    Only what a rule made is taken for a theorem, whatever else has a conclusion.
+    """
+    if hasattr(part, "conclusion") and type(part) is not Theorem:
+        raise NotShown(f"{part!r} is no theorem; a theorem is made by a rule")
     if isinstance(part, Relational):
         return proposition(part)
     if isinstance(part, (tuple, list, frozenset, Iterator)):

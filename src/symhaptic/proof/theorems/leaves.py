@@ -33,7 +33,7 @@ from symhaptic.proof.plants import AT_ONE, BALLS, LOSS, NUMBERS, SLOPES, TOGETHE
 from symhaptic.proof.recheck import recheck
 from symhaptic.proof.rewriting import Undefined, Unsupported
 from symhaptic.proof.series import limit, lowest_term, shortened
-from symhaptic.proof.theorems.definedness import conditions, differs, limits, mirrors, needed, real
+from symhaptic.proof.theorems.definedness import beyond, conditions, differs, mirrors, needed, real
 from symhaptic.proof.theorems.kernel import Judgement, NotShown, Theorem, rule
 
 _ZERO = sp.S.Zero
@@ -133,9 +133,7 @@ def combined(claim: Any, *products: Product) -> Judgement:
     difference = claim.right - claim.left
     if not _same(difference, total) and not (claim.sign == "!=" and _same(difference, -total)):
         raise NotShown(f"{difference} is not {total}")
-    there = frozenset[Any]().union(*map(limits, known))
-    of_sides = {c for side in claim.terms for c, power in limits(side) if (c, power) not in there}
-    return hypotheses | of_sides - needed(*known), claim
+    return hypotheses | beyond(claim.terms, known), claim
 
 
 def _signed(products: Sequence[Product]) -> bool:

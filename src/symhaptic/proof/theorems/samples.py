@@ -19,7 +19,7 @@ from symhaptic.notation.proposition import And, Iff, Proposition, Relation, whol
 from symhaptic.notation.terms import term
 from symhaptic.proof.normal import is_zero
 from symhaptic.proof.theorems.axioms import answers, transfer
-from symhaptic.proof.theorems.definedness import conditions, real, smooth
+from symhaptic.proof.theorems.definedness import beyond, conditions, real, smooth
 from symhaptic.proof.theorems.kernel import (
     Judgement,
     NotShown,
@@ -79,11 +79,9 @@ def held_answer(
     determinant = (z - one[0, 0]) * (z - one[1, 1]) - one[0, 1] * one[1, 0]
     numerator = (z - one[1, 1]) * push[0] + one[0, 1] * push[1]
     response = transfer(own, periods + rest, variable)
-    wanted = (
-        Relation(z, "!=", _ZERO),
-        Relation(determinant, "!=", _ZERO),
-        Relation(found * determinant, "=", numerator),
-    )
+    product, apart = found * determinant, [Relation(t, "!=", _ZERO) for t in (z, determinant)]
+    wanted = (*apart, Relation(product, "=", numerator))
+    hypotheses |= beyond([found], [product]).difference(wanted)  # what SymPy cancels
     return hypotheses, Iff((answers(response, variable, z, found, _ONE), And(wanted)))
 
 
