@@ -48,8 +48,9 @@ def test_every_statement_is_in_the_ledger(files):
 @pytest.mark.ci
 def test_the_undecided_are_counted_aloud(files):
     first = build.text_files([run(shipped()[0])])
-    assert re.search(r"\d+ undecided", first["ledger.tex"])
-    assert "undecided" not in files["ledger.tex"].split("longtable")[0].split("A statement")[0]
+    few, all_ = (re.search(r"(\d+) undecided", t["ledger.tex"])[1] for t in (first, files))
+    assert int(few) > 100
+    assert all_ == "3"  # which chapters leave open
 
 
 @pytest.mark.ci
