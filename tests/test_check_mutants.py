@@ -454,7 +454,8 @@ def library(tmp_path_factory):
     "name",
     [
         *("discretize", "discretize_fractional", "characteristic_polynomial", "is_stable:bool"),
-        *("unstable_roots", "stability_boundary", "max_stable_stiffness", "passivity_margin"),
+        # not "unstable_roots": its -1, where floats do not tell the count, is no agreement
+        *("stability_boundary", "max_stable_stiffness", "passivity_margin"),
         *("passivity_boundary", "max_passive_stiffness", "linear_limit"),
     ],
 )
