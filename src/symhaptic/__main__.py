@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
+from threading import Timer, main_thread
 from typing import NoReturn
 
 _GRACE = 10
@@ -23,6 +24,22 @@ def _end(number: int, _: object) -> NoReturn:
     raise KeyboardInterrupt
 
 
+def _swallowed(ignored: sys.UnraisableHookArgs) -> None:
+    """Ask again if the interruption came where Python ignores errors, as in a finaliser."""
+    if isinstance(ignored.exc_value, KeyboardInterrupt) and _received:
+        Timer(0.05, _interrupt, _received[:1]).start()
+    else:
+        sys.__unraisablehook__(ignored)
+
+
+def _interrupt(number: int) -> None:
+    """Send a signal to the main thread, also where it sleeps."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main_thread().ident or 0, number)
+    else:
+        signal.raise_signal(number)
+
+
 _received: list[int] = []
 """The signals that asked the command to end."""
 
@@ -32,6 +49,7 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _end)
+    sys.unraisablehook = _swallowed
     try:
         from symhaptic.cli.main import main as answered
 

@@ -65,6 +65,33 @@ def alive(mark):
     return [command for command in found if command]  # what is dead but not waited for has none
 
 
+SWALLOWED = """
+import os, signal, time
+import symhaptic.__main__ as commands
+class Held:
+    def __del__(self):
+        os.kill(os.getpid(), {number})
+        time.sleep(0.01)
+import symhaptic.cli.main
+def command():
+    Held()
+    time.sleep(30)
+symhaptic.cli.main.main = command
+commands.main()
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_that_comes_in_a_finaliser_is_not_lost(number):
+    """Python ignores what is raised there."""
+    code = SWALLOWED.format(number=int(number))
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | {"PYTHONPATH": str(HOME)}, timeout=20,
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (128 + number, "symhaptic: interrupted\n")
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 @pytest.mark.parametrize("kind", KINDS)
 def test_nothing_is_left(kind, number, tmp_path):
