@@ -406,7 +406,8 @@ def exact_loop(delay, wall, device):
 @pytest.mark.parametrize("delay", range(6))
 def test_the_public_inequalities_beside_schurs_reduction(delay):
     """Exact fractions near a device of (23), walls on either side of the boundary."""
-    found, rng = symhaptic.jury(delay), np.random.default_rng(40 + delay)
+    found = [sp.lambdify(NAMES, p.lhs, [], cse=True) for p in symhaptic.jury(delay)]
+    rng = np.random.default_rng(40 + delay)
     counts = {True: 0, False: 0}
     size = Fraction(1, 2 * delay + 1)
     for _ in range(120):
@@ -417,24 +418,20 @@ def test_the_public_inequalities_beside_schurs_reduction(delay):
         ]
         inside = schur_cohn(exact_loop(delay, wall, device))
         counts[inside] += 1
-        point = {
-            symbol: sp.Rational(v.numerator, v.denominator)
-            for symbol, v in zip(NAMES, (*wall, *device), strict=True)
-        }
-        assert all(bool(p.subs(point)) for p in found) == inside, (wall, device)
+        assert all(p(*wall, *device) > 0 for p in found) == inside, (wall, device)
     assert min(counts.values()) > 5
 
 
-@pytest.mark.parametrize("delay", [0, 1, 2, 5, 8])
+@pytest.mark.parametrize("delay", [0, 1, 2, 5, pytest.param(8, marks=pytest.mark.ci)])
 def test_a_device_in_numbers_beside_eigenvalues(delay):
     rng = np.random.default_rng(delay)
     for gamma, delta in ((0.001, 0.02), (0.0, 0.0), (2.0, 0.3), (1.0, 2.0)):  # the last is critical
-        found = symhaptic.jury(delay, gamma, delta)
+        conditions = symhaptic.jury(delay, gamma, delta)
+        found = [sp.lambdify((alpha, beta), p.lhs, []) for p in conditions]
         for stiffness, damping in rng.uniform(-0.1, 1.0, (60, 2)) / (delay + 1):
             size = largest_root(delay, stiffness, damping, plant(gamma, delta))
             if abs(size - 1) > 1e-6:
-                holds = all(bool(p.subs({alpha: stiffness, beta: damping})) for p in found)
-                assert holds == (size < 1)
+                assert all(p(stiffness, damping) > 0 for p in found) == (size < 1)
 
 
 def test_no_inequality_has_a_fraction_in_it():
