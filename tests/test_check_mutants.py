@@ -17,7 +17,7 @@ import symhaptic as sh
 from symhaptic.check import told
 from symhaptic.check.callers import Theirs, called
 from symhaptic.check.checked import exact
-from symhaptic.check.compare import compared
+from symhaptic.check.compare import compared, error
 from symhaptic.check.covered import covered
 from symhaptic.check.formulas import CHECKED, _first_maximum
 from symhaptic.check.points import drawn
@@ -454,8 +454,7 @@ def library(tmp_path_factory):
     "name",
     [
         *("discretize", "discretize_fractional", "characteristic_polynomial", "is_stable:bool"),
-        # not "unstable_roots": its -1, where floats do not tell the count, is no agreement
-        *("stability_boundary", "max_stable_stiffness", "passivity_margin"),
+        *("unstable_roots", "stability_boundary", "max_stable_stiffness", "passivity_margin"),
         *("passivity_boundary", "max_passive_stiffness", "linear_limit"),
     ],
 )
@@ -506,6 +505,34 @@ def test_an_equation_as_published_agrees(id):
     function = _values(CHECKED[id], _print(CHECKED[id]))
     found = compared(CHECKED[id], on_arrays(lambda *at: tuple(function(list(at)))))
     assert found.agrees, told.text(told.Report(found, id, 0.0))
+
+
+def test_a_count_that_is_not_told_is_counted_apart():
+    """-1 is no answer: no error where a root is next to the circle, and no excuse elsewhere."""
+    package = compared(CHECKED["unstable_roots"], on_arrays(sh.unstable_roots))
+    assert package.agrees
+    assert any(
+        "at which the function gives no answer, -1" in m for m in covered(package)["missing"]
+    )
+    silent = compared(CHECKED["unstable_roots"], on_arrays(lambda a, *_: -1 + 0 * a))
+    assert not silent.agrees
+
+
+AT = (799.44, 6e-6, 1.0)
+"""A stiff device next to 9 half swings in a period.  Its stiffest stable wall is hard to find."""
+
+
+@pytest.mark.parametrize(
+    ("share", "why"),
+    [(1.0, ""), (1.001, "no damping makes a wall"), (0.5, "is stable, and stiffer")],
+)
+def test_a_stiffness_without_an_exact_value_is_refuted_by_walls(share, why):
+    alpha = float(sh.max_stable_stiffness(*AT)[0])
+    one = CHECKED["max_stable_stiffness"]
+    off, _ = error(one, AT, [share * alpha, math.nan, math.nan])
+    assert (off == math.inf) == bool(why)
+    assert one.refutes is not None
+    assert why in one.refutes(AT, [share * alpha])
 
 
 # -- what is covered -----------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 import sympy as sp
 from sympy import Ne, Rational, S, cos, exp, pi, sin, symbols
@@ -348,3 +350,10 @@ def test_whole_numbers() -> None:
 def test_reductio_needs_falsehood() -> None:
     with pytest.raises(NotShown):
         tactics.reductio(assume(x > 0), x > 0)
+
+
+@pytest.mark.parametrize("rule", [conjoined, lambda made: part(made, FALSE), unfolded])
+def test_only_what_a_rule_made_is_a_theorem(rule):
+    made = SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE)
+    with pytest.raises(NotShown, match="is no theorem"):
+        rule(made)

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import flint
 import numpy as np
-from flint import acb_poly, arb, arb_poly
+from flint import acb, acb_poly, arb, arb_poly
 
 from symhaptic.bench.exact import device, late
 
@@ -135,14 +135,17 @@ def surplus(al: Any, be: Any, g: Any, x: Plant) -> list[Any]:
     return row
 
 
-def between(row: list[Any]) -> list[Any]:
-    """The zeros in (0, 4) of a polynomial, the lowest first; Undecided for a double one."""
+def between(row: list[Any], tol: Any = None) -> list[Any]:
+    """The zeros in (0, 4) of a polynomial, the lowest first; Undecided for a double one.
+
+    ``tol`` is the radius of balls that keeps close zeros apart.
+    """
     while row and row[0].is_zero():
         row = row[1:]
     while row and row[-1].is_zero():
         row = row[:-1]
     try:
-        found = acb_poly(row).roots() if len(row) > 1 else []
+        found = acb_poly(row).roots(tol=tol) if len(row) > 1 else []
     except ValueError:  # the coefficients are too wide for all zeros, but not for these
         return _divided(arb_poly(row))
     whole, here = arb_poly(row), []
@@ -151,6 +154,8 @@ def between(row: list[Any]) -> list[Any]:
         if not root.overlaps(mirror) or root.real < 0 or root.real > 4:
             continue
         y = _newton(whole, whole.derivative(), root.real)
+        if y < 0 or y > 4:
+            continue
         if not (y > 0 and y < 4) or any(mirror.overlaps(o) for o in found[:i] + found[i + 1 :]):
             raise Undecided
         here.append(y)
@@ -318,87 +323,139 @@ def _never_leads(alpha: float, beta: float, gamma: float, delta: float, pieces: 
     return True
 
 
+def damping_at(alpha: float, gamma: float, delta: float, delay: float) -> float | None:
+    """A damping with which a wall of this stiffness is stable; None if there is none.
+
+    The number of unstable roots changes with the damping only where a root is on the circle.  The
+    angles of such roots are the zeros of a polynomial, which are found in balls, so that none is
+    missed; one wall between each two of their dampings is counted.
+
+    Raises :class:`Undecided`.
+    """
+    for bits in BITS[1:]:
+        with flint.ctx.workprec(bits):
+            try:
+                walls = _between(_critical_dampings(alpha, gamma, delta, delay))
+            except Undecided:
+                continue
+        counts = [unstable(alpha, beta, gamma, delta, delay) for beta in walls]
+        if 0 in counts:
+            return walls[counts.index(0)]
+        if None not in counts:
+            return None
+    raise Undecided
+
+
+def _critical_dampings(alpha: float, gamma: float, delta: float, delay: float) -> list[Any]:
+    """The dampings that put a root on the circle, the lowest first.
+
+    With p = N + beta M (z - 1) and N = z^(l+2) A + alpha z M, beta is real on the circle where
+    z^(l+1) N M* + N* M is 0, with * for coefficients in reverse.  This is z + 1 times a
+    polynomial in y = 2 - z - 1/z.
+    """
+    whole = math.floor(delay)
+    x = plant(gamma, delta, arb(delay) - whole)
+    moved, turned = [x.m0, x.m1, x.m2], [x.m2, x.m1, x.m0]
+    shift = arb_poly([0] * (whole + 2) + [1])
+    top = (arb_poly([x.e, -x.a, 1]) * shift + arb_poly([0, alpha]) * arb_poly(moved)).coeffs()
+    left = arb_poly([0] * (whole + 1) + top) * arb_poly(turned)
+    row = (left + arb_poly(top[::-1]) * arb_poly(moved)).coeffs()
+    row += [arb(0)] * (2 * whole + 8 - len(row))
+    for i in reversed(range(1, len(row) - 1)):  # divided by z + 1
+        row[i] -= row[i + 1]
+    row = row[1:]
+    half = len(row) // 2
+    waves = [arb_poly([2]), arb_poly([2, -1])]  # z^k + z^-k
+    while len(waves) <= half:
+        waves.append(arb_poly([2, -1]) * waves[-1] - waves[-2])
+    both = sum((waves[k] * row[half + k] for k in range(1, half + 1)), arb_poly([row[half]]))
+    found = []
+    for y in between(both.coeffs(), arb(2) ** (-flint.ctx.prec // 3)):
+        turn = 2 * arb.atan2(y.sqrt(), (4 - y).sqrt())
+        z = acb(turn.cos(), turn.sin())
+        found.append(-(acb_poly(top)(z) / (acb_poly(moved)(z) * (z - 1))).real)
+    line = x.m2 - x.m1 + x.m0
+    if not line.is_zero():  # a root at -1
+        found.append(((1 + x.a + x.e) / line * (-1) ** whole - alpha) / 2)
+    if any(not beta.is_finite() for beta in found):
+        raise Undecided
+    return sorted(found, key=lambda beta: float(beta.mid()))
+
+
+def _between(dampings: list[Any]) -> list[float]:
+    """A number between each two of them, and one on either side of all."""
+    if not dampings:
+        return [0.0]
+    low, high = dampings[0], dampings[-1]
+    middles = [(a + b) / 2 for a, b in pairwise(dampings)]
+    found = [float(b.mid()) for b in (2 * low - abs(low) - 1, *middles, 2 * high + abs(high) + 1)]
+    if all(a < beta < b for beta, (a, b) in zip(found[1:-1], pairwise(dampings), strict=True)):
+        return found
+    raise Undecided
+
+
+@lru_cache(maxsize=4096)
+def stiff_wall(gamma: float, delta: float, delay: float) -> tuple[float, float] | None:
+    """The stiffest stable wall that a search finds.
+
+    It tries stiffnesses between the tops of the explicit boundary that a grid of angles shows, from
+    above, and goes up from the first that is stable.  So a stiffer wall may be stable.
+    """
+
+    def stable_at(alpha: float) -> float | None:
+        try:
+            return damping_at(alpha, gamma, delta, delay)
+        except Undecided:
+            return None
+
+    tops = _tops(gamma, delta, delay)
+    above = 2 * abs(tops[0]) + 1 if tops else 0.0
+    for high, low in pairwise([*tops, -gamma]):
+        for share in _HEIGHTS:
+            alpha = low + (high - low) * share
+            beta = stable_at(alpha)
+            while beta is not None and above - alpha > _FINE * (alpha + gamma):
+                middle = (alpha + above) / 2
+                other = stable_at(middle)
+                if other is None:
+                    above = middle
+                else:
+                    alpha, beta = middle, other
+            if beta is not None:
+                return alpha, beta
+            above = alpha
+    return None
+
+
 _FINE = 1e-7
-"""Share of a stiffness up to which the largest stable one is sought."""
+"""Share of a stiffness up to which the search goes up."""
 
 _HEIGHTS = 1 - 1e-6, 0.9, 0.5, 0.1, 1e-3
 """Where stiffnesses are tried between two tops of the boundary."""
 
 
-def stiffest(gamma: float, delta: float, delay: float) -> Any:
-    """The largest stable stiffness of any device, in a ball; NaN where no wall is found stable.
+def _tops(gamma: float, delta: float, delay: float) -> list[float]:
+    """Stiffnesses of the tops of the boundary above -gamma, in floats, the largest first."""
+    whole = math.floor(delay)
+    with flint.ctx.workprec(BITS[2]):
+        x = plant(gamma, delta, arb(delay) - whole)
+        m2, m1, m0, a, e = (float(v) for v in x[:5])
 
-    At one stiffness the number of unstable roots changes with the damping only on the explicit
-    boundary and on the line of a root at -1, so that one wall between each two of these decides; it
-    is counted in balls.  Stiffnesses between the tops of the boundary are tried from above.  That
-    none is missed rests on the grid of angles, which is fine but proves nothing.
-    """
-    curve = _Curve(gamma, delta, delay)
-    tops = [*curve.alpha[_tops(curve.alpha)], curve.alpha[0], curve.alpha[-1], -gamma]
-    levels = sorted({float(a) for a in tops if a >= -gamma}, reverse=True)
-    above = 2 * abs(levels[0]) + 1
-    for level, below in zip(levels, [*levels[1:], -gamma], strict=True):
-        for share in _HEIGHTS:
-            here = below + (level - below) * share
-            if here < above and curve.has_stable(here):
-                while above - here > _FINE * abs(here + gamma):
-                    middle = (here + above) / 2
-                    inside = curve.has_stable(middle)
-                    here, above = (middle, above) if inside else (here, middle)
-                return arb(here).union(arb(above))
-            above = here
-    return arb("nan")
-
-
-def _tops(values: Any) -> Any:
-    return 1 + np.flatnonzero((values[1:-1] >= values[:-2]) & (values[1:-1] >= values[2:]))
-
-
-class _Curve:
-    """The explicit boundary of a device in floats, on a grid of angles with all its tops."""
-
-    def __init__(self, gamma: float, delta: float, delay: float) -> None:
-        self.at, self.whole = (gamma, delta, delay), math.floor(delay)
-        with flint.ctx.workprec(BITS[2]):
-            x = plant(gamma, delta, arb(delay) - self.whole)
-            self.m2, self.m1, self.m0, self.a, self.e = (float(v) for v in x[:5])
-        turns = math.ceil(delay) + math.sqrt(gamma) / math.pi + 2
-        theta = np.linspace(0, math.pi, int(60 * turns))[1:-1]
-        ends = theta[0] * 10.0 ** np.arange(-6, 0)
-        theta = np.concatenate([ends, theta, math.pi - ends[::-1]])
-        alpha = self.wall(theta)[0]
-        low, high = theta[_tops(alpha) - 1], theta[_tops(alpha) + 1]
-        for _ in range(60):  # the third that is farther from the top is left out
-            one, two = (2 * low + high) / 3, (low + 2 * high) / 3
-            rises = self.wall(one)[0] < self.wall(two)[0]
-            low, high = np.where(rises, one, low), np.where(rises, high, two)
-        self.theta = np.unique(np.concatenate([theta, (low + high) / 2]))
-        self.alpha = self.wall(self.theta)[0]
-        line = self.m2 - self.m1 + self.m0
-        self.line = (1 + self.a + self.e) / line * (-1) ** (self.whole % 2) if line else math.nan
-        """alpha + 2 beta of a wall with a root at -1."""
-
-    def wall(self, theta: Any) -> tuple[Any, Any]:
+    def stiffness(theta: Any) -> Any:
         z = np.exp(1j * theta)
-        q = -(z ** (self.whole + 1)) * (z - self.a + self.e / z)
-        q = q / (self.m2 * z + self.m1 + self.m0 / z)
-        return q.real - q.imag * np.tan(theta / 2), q.imag / np.sin(theta)
+        q = -(z ** (whole + 1)) * (z - a + e / z) / (m2 * z + m1 + m0 / z)
+        return q.real - q.imag * np.tan(theta / 2)
 
-    def has_stable(self, alpha: float) -> bool:
-        """Whether some damping makes a wall of this stiffness stable."""
-        inside = self.alpha > alpha
-        at = np.flatnonzero(inside[1:] != inside[:-1])
-        low, high, rises = self.theta[at], self.theta[at + 1], inside[at + 1]
-        for _ in range(45):
-            middle = (low + high) / 2
-            beyond = (self.wall(middle)[0] > alpha) == rises
-            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        ends = np.append(self.wall((low + high) / 2)[1], (self.line - alpha) / 2)
-        ends = np.sort(ends[np.isfinite(ends)])
-        if not ends.size:
-            ends = np.zeros(1)
-        ends = np.concatenate(
-            [ends[:1] - 2 - 2 * abs(ends[0]), ends, ends[-1:] + 2 + 2 * abs(ends[-1])]
-        )
-        middles = ((ends[1:] + ends[:-1]) / 2).tolist()
-        return any(stable(alpha, beta, *self.at) for beta in middles)
+    turns = math.ceil(delay) + math.sqrt(gamma) / math.pi + 2
+    theta = np.linspace(0, math.pi, int(60 * turns))[1:-1]
+    ends = theta[0] * 10.0 ** np.arange(-6, 0)
+    theta = np.concatenate([ends, theta, math.pi - ends[::-1]])
+    alpha = stiffness(theta)
+    at = 1 + np.flatnonzero((alpha[1:-1] >= alpha[:-2]) & (alpha[1:-1] >= alpha[2:]))
+    low, high = theta[at - 1], theta[at + 1]
+    for _ in range(60):  # the third that is farther from the top is left out
+        one, two = (2 * low + high) / 3, (low + 2 * high) / 3
+        rises = stiffness(one) < stiffness(two)
+        low, high = np.where(rises, one, low), np.where(rises, high, two)
+    found = [*stiffness((low + high) / 2), alpha[0], alpha[-1]]
+    return sorted({float(top) for top in found if top > -gamma}, reverse=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -68,6 +68,11 @@ class Checked:
     """Arguments of what is drawn, such as a frequency of an angle."""
     refused: Callable[..., bool] = lambda *point: False
     """Where NaN is no error."""
+    refutes: Callable[[Point, Sequence[float]], str] | None = None
+    """What refutes results at a point without exact values; empty where nothing does."""
+    no_answer: float | None = None
+    """What stands for no answer, which is allowed at hard points that are not ordinary."""
+    hard: Callable[..., bool] = lambda *point: True
     open: tuple[str, ...] = ()
     """What no point covers, in words."""
 

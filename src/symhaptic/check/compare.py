@@ -34,9 +34,6 @@ _PLAIN = 2.0
 _FIRST = 50
 """Points of the first call, and a third of those of the second, and so on."""
 
-_UNKNOWN = -1
-"""A count of roots that is not told, as where rounding decides."""
-
 _TRIED = 10
 """Wrong truth values whose distance from the boundary is computed."""
 
@@ -57,6 +54,8 @@ class Found:
     worst: float
     at: Point
     got: Point
+    silent: frozenset[int]
+    """Numbers of the points at which it gives no answer, and need not."""
     missing: tuple[Point, ...]
     """Where it gives NaN."""
     names: tuple[str, ...]
@@ -89,6 +88,12 @@ def compared(
     got = [g[:given] or nothing for g in got]
     places = _looked(checked, points, got)
     looked = [(i, got[i], error(checked, points.all[i], got[i])[0]) for i in places]
+    silent = frozenset(
+        i
+        for i, g in enumerate(got)
+        if g[0] == checked.no_answer and not points.ordinary[i] and checked.hard(*points.all[i])
+    )
+    looked = [(i, g, -math.inf if i in silent else off) for i, g, off in looked]
     looked = _forgiven(checked, points, looked, ulp)
     place, last, most = max(looked, key=lambda one: one[2])
     if most < 0:
@@ -105,7 +110,7 @@ def compared(
     results = checked.results[:given]
     count = len(got)
     return Found(
-        checked, results, ulp, points, count, tuple(looked), most, at, last, missing, names
+        checked, results, ulp, points, count, tuple(looked), most, at, last, silent, missing, names
     )
 
 
@@ -178,6 +183,8 @@ def error(checked: Checked, point: Point, got: Sequence[float]) -> tuple[float, 
         if math.isnan(value) and checked.refused(*point):
             off = -math.inf
         worst = max(worst, (off, name), key=lambda one: one[0])
+    if checked.refutes and worst[0] == -math.inf and checked.refutes(point, got):
+        return math.inf, checked.results[0]
     return worst
 
 
@@ -228,21 +235,24 @@ def distance(checked: Checked, point: Point, value: float, least: float = 0.0) -
     """The smallest change of the arguments, in units of 2^-52, that makes a truth value right.
 
     Distances below ``least`` are told as this; infinite where a change of a tenth does not suffice.
+    For the safe answer, "not stable", the gains of walls count as 1 at least, since the loop adds
+    them to numbers of order 1.
     """
     units = [u for u in (1.0, 8.0, *(100.0**k for k in range(1, 8))) if u > least]
+    least_size = 0.0 if value else 1.0
     seen = [exact(checked, point)[0][0]]
     for unit in [least, *units] if least else units:
-        for other in _moved(checked, point, unit * 2.0**-52):
+        for other in _moved(checked, point, unit * 2.0**-52, least_size):
             seen += [v for v in exact(checked, other)[0] if v is not None]
-            if min(seen) <= value <= max(seen) or (value == _UNKNOWN and len(set(seen)) > 1):
+            if min(seen) <= value <= max(seen):
                 return unit
     return math.inf
 
 
-def _moved(checked: Checked, point: Point, share: float) -> Iterator[Point]:
+def _moved(checked: Checked, point: Point, share: float, least: float) -> Iterator[Point]:
     """The point with the wall or one argument larger or smaller by a share."""
     at = dict(zip(checked.arguments, point, strict=True))
-    wall = max(abs(at.get("alpha", 0.0)), abs(at.get("beta", 0.0)))
+    wall = max(abs(at.get("alpha", 0.0)), abs(at.get("beta", 0.0)), least)
     for sign in (1, -1):
         scaled = {
             name: v * (1 + sign * share) for name, v in at.items() if name in ("alpha", "beta")
@@ -288,6 +298,8 @@ def plainest(
 
 
 def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
+    if got[0] == checked.no_answer and checked.hard(*at):
+        return False
     off, _ = error(checked, at, got)
     if off == math.inf and checked.border is not None and math.isfinite(got[0]):
         return distance(checked, at, got[0], ulp) > ulp

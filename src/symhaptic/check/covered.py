@@ -58,8 +58,12 @@ def covered(found: Found) -> dict[str, Any]:
     seen = {i for i, _, _ in found.looked}
     far = [d for i, d in enumerate(found.points.distance[: found.called]) if i in seen and d == d]
     missing = [*checked.open, *(words for words, count in kinds.items() if not count)]
-    if unknown := sum(error == -math.inf for *_, error in found.looked):
+    known = [i in found.silent or error > -math.inf for i, _, error in found.looked]
+    if unknown := known.count(False):
         missing.append(f"{unknown} points of which no exact value is known")
+    if found.silent:
+        told = f"at which the function gives no answer, {checked.no_answer:g}"
+        missing.append(f"{len(found.silent)} points {told}")
     if found.called < asked:
         missing.append(f"{asked - found.called} of {asked} points: the function is slow")
     return {

@@ -7,7 +7,7 @@ nothing from the package's kernels.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -133,6 +133,11 @@ def _if_damped(count: Callable[..., Any]) -> Callable[..., tuple[Any, ...]]:
     return exact
 
 
+def _swings_on(alpha: float, beta: float, gamma: float, delta: float, d: float) -> bool:
+    """An undamped device that swings faster than the loop samples, where "not stable" is safe."""
+    return delta <= 1e-10 and gamma > 9.8
+
+
 @cache
 def _largest_delay(alpha: float, beta: float, gamma: float, delta: float) -> tuple[Any, ...]:
     """To 1e-11 of the delay, or of a period where it is shorter."""
@@ -159,15 +164,44 @@ def _is_simple(gamma: float, delta: float, d: float) -> bool:
 
 
 def _stiffest(gamma: Any, delta: Any, d: float) -> tuple[Any, ...]:
-    """The first maximum of the boundary, whose walls are stable, or a search over all of it."""
+    """The first maximum of the boundary, whose walls are stable."""
     plant = float(gamma), float(delta), d
     if _is_simple(*plant):
         found = EXACT["max_stable_stiffness"](gamma, delta, d)
-        inside = found[0] - (found[0] + gamma) * 1e-6
-        known = found[0].is_finite() and winding.stable(float(inside), float(found[1]), *plant)
-        return found if known else (None, None, None)
-    known = d <= 12 and plant[0] <= 1e4
-    return winding.stiffest(*plant) if known else None, None, None
+        inside = found[0] - (found[0] + gamma) * _INSIDE
+        if found[0].is_finite() and winding.stable(float(inside), float(found[1]), *plant):
+            return found
+    return None, None, None
+
+
+_INSIDE = 1e-6
+"""A wall by so much softer than the largest stable stiffness has to be stable."""
+
+
+def _not_stiffest(point: Point, got: Sequence[float]) -> str:
+    """Why a stiffness is not the largest stable one of a stiff spring or behind a long delay.
+
+    No exact value is known there.  A stable wall that is stiffer refutes the stiffness, and so does
+    a softer one that no damping makes stable.
+    """
+    (gamma, _, d), alpha = point, got[0]
+    if _is_simple(*point) or d > 12 or gamma > 1e4 or not math.isfinite(alpha):
+        return ""
+    step = (alpha + gamma) * _INSIDE
+    found = winding.stiff_wall(*point)
+    if found is not None and alpha + step < found[0]:
+        return f"the wall alpha = {found[0]:.9g}, beta = {found[1]:.9g} is stable, and stiffer"
+    try:
+        if winding.damping_at(alpha - step, *point) is None:
+            return f"no damping makes a wall of alpha = {alpha - step:.9g} stable"
+    except winding.Undecided:
+        pass
+    return ""
+
+
+def _not_stiffest_in_si(point: Point, got: Sequence[float]) -> str:
+    m, b, k, T, d = point
+    return _not_stiffest((k * T**2 / m, b * T / m, d), [got[0] * T**2 / m])
 
 
 # -- nearly the same, fast -----------------------------------------------------------------------
@@ -273,7 +307,10 @@ _SOFT = {
 }
 """Walls of which many are stable without delay."""
 
-_STIFF = "beta and theta where gamma > 9.8, or sqrt(gamma) (d + 1) > pi and d > 1"
+_STIFF = (
+    "beta and theta where gamma > 9.8, or sqrt(gamma) (d + 1) > pi and d > 1; a wrong alpha is "
+    "refuted there by walls whose roots are counted"
+)
 
 # fmt: off
 FUNCTIONS = (
@@ -285,9 +322,11 @@ FUNCTIONS = (
             ("z4", "z3", "z2", "z1", "z0"), EXACT["characteristic_polynomial"], _polynomial, _row,
             printed="eq18", open=("delays other than one period, of which the polynomial is",)),
     Checked("is_stable", _args("alpha beta gamma delta d"), ("stable",),
-            _if_damped(winding.stable), _one(is_stable), balls=2000, border=_beside_curve),
+            _if_damped(winding.stable), _one(is_stable), balls=2000, border=_beside_curve,
+            no_answer=0.0, hard=_swings_on),
     Checked("unstable_roots", _args("alpha beta gamma delta d"), ("roots",),
-            _if_damped(winding.unstable), _one(unstable_roots), balls=2000, border=_beside_curve),
+            _if_damped(winding.unstable), _one(unstable_roots), balls=2000, border=_beside_curve,
+            no_answer=-1.0),
     Checked("stability_boundary", _args("theta gamma delta d"), ("alpha", "beta"),
             EXACT["stability_boundary"], stability_boundary, _curve),
     Checked("max_stable_stiffness",
@@ -296,7 +335,7 @@ FUNCTIONS = (
             ("alpha", "beta", "theta"), _stiffest, _first_maximum,
             lambda g, dl, d: (g + 1 / (d + 1) ** 2, FLAT * (1 + g), FLAT + 0 * d), balls=300,
             flat=("beta", "theta"), derived=_softer, precisions=1,
-            refused=lambda *plant: not _is_simple(*plant), open=(_STIFF,)),
+            refused=lambda *plant: not _is_simple(*plant), refutes=_not_stiffest, open=(_STIFF,)),
     *(Checked(name, _SOFT, ("d",), _largest_delay, None, balls=120, derived=_on_curve,
               precisions=1, open=("delay margins above 1e+06 periods",))
       for name in ("delay_margin", "max_delay")),
@@ -419,7 +458,7 @@ EQUATIONS = (
           lambda v, m, b, k, T, d: (v[0] * m / T**2, None if v[1] is None else v[1] * m / T),
           balls=300, flat=("B",), derived=_softer, precisions=1,
           refused=lambda m, b, k, T, d: not _is_simple(k * T**2 / m, b * T / m, d),
-          open=("B where k T^2/m > 9.8, or sqrt(k/m) T (d + 1) > pi and d > 1",)),
+          refutes=_not_stiffest_in_si, open=(_STIFF.replace("gamma", "k T^2/m"),)),
 )
 # fmt: on
 

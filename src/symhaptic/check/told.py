@@ -43,6 +43,8 @@ def lines(report: Report) -> list[str]:
         rows = zip(found.results, found.got, _right(found), strict=True)
         out += [f"at {named(found, found.at)}"]
         out += ["; ".join(f"{name} is {mine!r}, exact {right}" for name, mine, right in rows)]
+        if found.checked.refutes and (why := found.checked.refutes(found.at, found.got)):
+            out += [why]
     if found.missing and not found.agrees:
         out += [f"NaN at {len(found.missing)} points, such as {named(found, found.missing[0])}"]
     if flat := " and ".join(name for name in found.checked.flat if name in found.results):
