@@ -5,6 +5,7 @@ the matrices X - Y are typed from the textbook (Jury, Inners and Stability of Dy
 """
 
 import json
+import re
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
@@ -472,7 +473,7 @@ def test_the_command_prints_what_the_function_returns(tmp_path):
     [
         (["1.5"], "DELAY: '1.5' is no whole number"),
         (["1", "--gamma", "0"], "--delta: is missing"),
-        (["1", "--gamma", "-1", "--delta", "0"], "--gamma: -1.0 is no finite number"),
+        (["1", "--gamma", "-1", "--delta", "0"], "--gamma: -1.0 is not allowed; finite"),
         (["1", "--gamma", "x", "--delta", "0"], "--gamma: 'x'"),
     ],
 )
@@ -481,3 +482,55 @@ def test_the_command_refuses_in_one_line(arguments, words):
     assert (run.returncode, run.stdout) == (2, "")
     [line] = run.stderr.splitlines()
     assert words in line
+
+
+# -- devices of any size ----------------------------------------------------------------------
+
+BEYOND = [
+    # a float next to 4 pi^2, of a device that swings once in a period: n_0 is 5e-34
+    (4 * np.pi**2, 0.0, 0, 1e33, 1e34),
+    (1.0, 1e20, 0, 1e45, 1e44),
+    (1e15, 1.0, 0, 1e20, 1e20),
+    (1e15, 1e70, 0, -1e20, 0.0),
+    (0.0, 1e-300, 0, 0.0, -1e-300),
+    (1e-300, 1e-300, 1, -1e-299, 0.0),
+]
+
+
+@pytest.mark.parametrize(("gamma", "delta", "delay", "K", "B"), BEYOND)
+def test_a_small_coefficient_is_not_left_out(gamma, delta, delay, K, B):
+    """Coefficients below 1e-50 were dropped, and with them what refuses large walls."""
+    assert not symhaptic.is_stable(K, B, gamma, delta, delay)
+    at = {alpha: sp.Rational(K), beta: sp.Rational(B)}
+    assert not all(r.subs(at) for r in symhaptic.jury(delay, gamma, delta))
+
+
+@pytest.mark.parametrize(
+    ("gamma", "delta", "told"),
+    [
+        (1e300, 1.0, "gamma: 1e+300 is not allowed; numbers 0 <= gamma <= 1e+15 are"),
+        (1.0, 1e300, "delta: 1e+300 is not allowed; numbers 0 <= delta <= 1e+70 are"),
+        ("1", 0.0, "gamma: '1' is not allowed; finite numbers >= 0 are"),
+        (0.0, np.array([1.0, 2.0]), "delta: array([1., 2.]) is not allowed; finite numbers"),
+        (0.0, 1j, "delta: 1j is not allowed; finite numbers >= 0 are"),
+        (0.0, None, "delta: is missing; give gamma and delta, or none"),
+    ],
+)
+def test_a_device_that_is_none_is_refused_by_name(gamma, delta, told):
+    """A spring of 1e300 left no inequality, so that each wall was stable."""
+    with pytest.raises(ValueError, match=re.escape(told)):
+        symhaptic.jury(1, gamma, delta)
+
+
+def test_a_fraction_is_a_number():
+    found = {symhaptic.jury(1, x, x) for x in (0.5, Fraction(1, 2), sp.Rational(1, 2))}
+    assert len(found) == 1
+
+
+def test_a_delay_that_takes_for_ever_is_refused_at_once():
+    with pytest.raises(ValueError, match="delay: 10000 is not allowed; at most 20 periods are"):
+        symhaptic.jury(10_000)
+    for delay in ("10000", 5000 * "9"):
+        run = symhaptic_command("jury", delay)
+        assert (run.returncode, run.stdout, run.stderr.count("\n")) == (2, "", 1)
+        assert run.stderr.startswith(f"symhaptic: error: DELAY: {delay[:9]}")

@@ -147,6 +147,8 @@ def jury(
     }
     if not delay.isdecimal():
         refuse(f"DELAY: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
+    if len(delay) > len(str(criterion.LONGEST)) or int(delay) > criterion.LONGEST:
+        refuse(f"DELAY: {delay} is not allowed; at most {criterion.LONGEST} periods are")
     try:
         found = criterion.jury(int(delay), **device)
     except ValueError as wrong:

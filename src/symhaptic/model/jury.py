@@ -12,13 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import comb, inf
+from math import comb, prod
 from numbers import Integral
 from typing import Any
 
-import mpmath
 import sympy as sp
-from flint import fmpz_mpoly
+from flint import arb, arb_mat, ctx, fmpz_mpoly
 from sympy import Expr, Matrix, Symbol
 from sympy.logic.boolalg import Boolean
 from sympy.polys.matrices import DomainMatrix
@@ -27,6 +26,8 @@ from symhaptic.model import loop
 from symhaptic.model.plant import Sampled
 from symhaptic.model.polynomials import factored, integers, minors, primitive
 from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, z
+from symhaptic.notation.quantities import number, shown
+from symhaptic.notation.sizes import LARGEST, STIFFEST
 
 ANY = Sampled(n_1, n_0, a, e)
 """A sampled plant whose four numbers are symbols."""
@@ -72,7 +73,7 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     Parameters
     ----------
     delay : int
-        The delay d in sampling periods, a whole number, at least 0.
+        The delay d in sampling periods, a whole number from 0 to 20.
     gamma, delta : float, optional
         The device in numbers, gamma = k T^2/m and delta = b T/m.  Give both or none.
 
@@ -88,7 +89,8 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     Raises
     ------
     ValueError
-        If ``delay`` is no whole number or negative, or the device is impossible.
+        If ``delay`` is no whole number, negative or above 20, and if the device is impossible or
+        one that no other function takes: gamma above 1e15, or delta above 1e70.
 
     Notes
     -----
@@ -112,37 +114,83 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     >>> jury(0, gamma=0, delta=0)
     (1.0*alpha > 0, 2.0*beta > 0, -0.25*alpha*beta - 0.5*alpha - 0.5*beta**2 + 1.0*beta > 0)
     """
-    found = inequalities(delay)
+    if isinstance(delay, Integral) and delay > LONGEST:
+        raise ValueError(
+            f"delay: {shown(delay)} is not allowed; at most {LONGEST} periods are, since each "
+            "takes twice as long as the one before; use is_stable for longer delays"
+        )
+    found = criterion(coefficients(delay))
     if gamma is None and delta is None:
-        return found
-    device = _in_digits(gamma, delta)
-    rounded = (_rounded(p.lhs, device) > 0 for p in found)
+        return found.relations
+    device = (_parameter("gamma", gamma, STIFFEST), _parameter("delta", delta, LARGEST))
+    rounded = [form > 0 for form in _rounded(found, *device)]
     return tuple(relation for relation in rounded if relation != sp.true)
 
 
-DIGITS = 60
-"""So many digits of the device's numbers leave 15 of a coefficient, whatever cancels."""
+LONGEST = 20
+"""Periods of delay at most: these take hours."""
+
+_BITS = (256, 1024, 4096, 16384, 65536)
+"""Precisions of the device's numbers.  A coefficient is 0 if the last one does not show its sign:
+it is a polynomial in numbers of which the smallest is 1e-394."""
+
+_DIGITS = 15
+"""Digits of a coefficient."""
 
 
-def _in_digits(gamma: float | None, delta: float | None) -> dict[Symbol, Expr]:
+def _parameter(name: str, value: float | None, most: float) -> float:
+    """A parameter of the device, which has to be given and as small as the package takes it."""
+    if value is None:
+        raise ValueError(f"{name}: is missing; give gamma and delta, or none")
+    found = number(name, value, "", ">= 0")
+    if found > most:
+        raise ValueError(f"{name}: {found!r} is not allowed; numbers 0 <= {name} <= {most:g} are")
+    return found
+
+
+def _device(gamma: float, delta: float) -> dict[Symbol, arb]:
     """The numbers of the device, from the exponential of its matrix with the held force."""
-    for name, value in (("gamma", gamma), ("delta", delta)):
-        if value is None or not 0 <= value < inf:
-            raise ValueError(f"{name}: {value!r} is no finite number >= 0; give gamma and delta")
-    with mpmath.workdps(DIGITS + 20):
-        motion = mpmath.matrix([[0, 1, 0], [-mpmath.mpf(gamma), -mpmath.mpf(delta), 1], [0, 0, 0]])
-        step = mpmath.expm(motion)
-        first, second = step[0, 2], step[0, 1] * step[1, 2] - step[1, 1] * step[0, 2]
-        values = first, second, step[0, 0] + step[1, 1], mpmath.exp(-mpmath.mpf(delta))
-        return {s: sp.Float(v, DIGITS) for s, v in zip((n_1, n_0, a, e), values, strict=True)}
+    step = arb_mat([[0, 1, 0], [-arb(gamma), -arb(delta), 1], [0, 0, 0]]).exp()
+    second = step[0, 1] * step[1, 2] - step[1, 1] * step[0, 2]
+    values = step[0, 2], second, step[0, 0] + step[1, 1], (-arb(delta)).exp()
+    return dict(zip((n_1, n_0, a, e), values, strict=True))
 
 
-def _rounded(form: Expr, device: Mapping[Symbol, Expr]) -> Expr:
-    """A polynomial in alpha and beta; what vanishes but for rounding is left out."""
-    terms = sp.Poly(form, alpha, beta).terms()
-    values = [(c.xreplace(device).evalf(DIGITS), powers) for powers, c in terms]
-    kept = [(value, powers) for value, powers in values if abs(value) > sp.Float(10) ** -50]
-    return sp.Add(*(sp.Float(v, 15) * alpha**i * beta**j for v, (i, j) in kept))
+def _rounded(found: Criterion, gamma: float, delta: float) -> list[Expr]:
+    """The polynomials in alpha and beta of a device, each coefficient rounded.
+
+    The precision rises until each coefficient is known; where it is not, the coefficient is 0.
+    """
+    forms: list[dict[tuple[int, int], Expr]] = [{} for _ in found.polynomials]
+    for bits in _BITS:
+        left = False
+        with ctx.workprec(bits):
+            device = _device(gamma, delta)
+            for form, polynomial in zip(forms, found.polynomials, strict=True):
+                for powers, value in _coefficients(found.symbols, polynomial, device).items():
+                    if value.rel_accuracy_bits() > 4 * _DIGITS:
+                        digits = value.str(_DIGITS + 5, radius=False)
+                        form.setdefault(powers, sp.Float(digits, _DIGITS))
+                    elif powers not in form and not value.is_zero():
+                        left = True
+        if not left:
+            break
+    return [
+        sp.Add(*(value * alpha**i * beta**j for (i, j), value in form.items())) for form in forms
+    ]
+
+
+def _coefficients(
+    symbols: tuple[Symbol, ...], polynomial: fmpz_mpoly, device: Mapping[Symbol, arb]
+) -> dict[tuple[int, int], arb]:
+    """The coefficients of the powers of alpha and beta, in balls."""
+    total: dict[tuple[int, int], arb] = {}
+    for powers, factor in polynomial.to_dict().items():
+        power = {s: int(p) for s, p in zip(symbols, powers, strict=True)}
+        place = power.pop(alpha, 0), power.pop(beta, 0)
+        value = prod((device[s] ** p for s, p in power.items()), start=arb(factor))
+        total[place] = total.get(place, arb(0)) + value
+    return total
 
 
 def inequalities(delay: int, device: Sampled = ANY) -> tuple[Boolean, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from numbers import Real
+from numbers import Rational, Real
 from typing import Any
 
 
@@ -30,7 +30,7 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
 def _float64(value: Any) -> float:
     """Of a number with fewer digits, the decimal that it prints as; infinite beyond all."""
     try:
-        return float(value) if isinstance(value, int | Fraction) else float(str(value))
+        return float(value) if isinstance(value, Rational) else float(str(value))
     except OverflowError:
         return math.inf
 
