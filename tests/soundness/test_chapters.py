@@ -2,6 +2,7 @@
 
 import pytest
 import sympy as sp
+from flint import arb
 from sympy import Eq, Rational, S, cos, pi, sin
 
 from symhaptic.book.page import Page
@@ -233,6 +234,58 @@ def test_a_name_stands_for_one_thing_and_not_for_itself(define, page):
         define(page)
 
 
+@pytest.mark.parametrize(
+    ("name", "meaning", "printed"),
+    [
+        (delta, -1 - beta**2, r"\delta + 2 = 1 - \beta^2"),
+        (d, -1 - beta**2, r"d + 1 = -\beta^2"),
+        (theta, 4 + beta**2, r"\theta - 4 = \beta^2"),
+    ],
+)
+def test_nothing_follows_from_a_name_outside_of_its_domain(name, meaning, printed, page):
+    """A damping below 0, say, of which everything holds and nothing."""
+    page.define("A name", name, meaning)
+    with pytest.raises(FalseStep, match="in their domains"):
+        settled(page, "mine", printed)
+
+
+@pytest.mark.parametrize(("name", "number"), [(T, 0), (m, 0), (theta, 4), (delta, -pi), (d, -1)])
+def test_a_name_is_no_number_outside_of_its_domain(name, number, page):
+    with pytest.raises(FalseStep, match="has another domain in the notation"):
+        page.define("A number", name, S(number))
+
+
+def test_a_name_may_be_in_its_domain_for_small_values_alone(page):
+    page.define("An angle", theta, 100 * alpha)
+    page.define("Another", beta, theta / 2)
+    assert settled(page, "mine", r"\beta - \alpha = 49\alpha").kind == "definition"
+
+
+@pytest.mark.parametrize("right", ["x = x", "3 v T = 3 v T"])
+def test_what_holds_of_every_name_corrects_nothing(right, page):
+    page.define("The way", x, 2 * v * T)
+    page.state("mine", "whatever it says", "x = 3 v T")
+    with pytest.raises(FalseStep, match="holds whatever a name means"):
+        page.settle("mine", Eq(x, 2 * v * T), corrected=(right,))
+
+
+def test_no_zeros_are_all_of_a_polynomial_that_may_be_zero(page):
+    ends = arb(0), arb(1)
+    for polynomial in ([], [arb(0)], [arb(0, 1)], [arb(1), arb(0, 1)]):
+        with pytest.raises(NoSuchRoot, match="highest coefficient may be zero"):
+            page.all_zeros("none", polynomial, *ends, [])
+    one = [arb(-1), arb(2)]
+    for low, high in ((1, 0), (0, "inf"), ("nan", "nan")):
+        with pytest.raises(FalseStep, match="is no interval"):
+            page.all_zeros("none", one, arb(low), arb(high), [])
+    page.all_zeros("one", one, *ends, [arb("0.5")])
+
+
+def test_nothing_drops_out_if_nothing_is_named(page):
+    with pytest.raises(FalseStep, match="no symbol is given"):
+        page.free_of("a formula", K + B)
+
+
 def test_what_is_no_equation_needs_a_theorem(page):
     page.define("A stiffness", K, B / T)
     with pytest.raises(FalseStep, match="is no equation"):
@@ -335,3 +388,9 @@ def test_a_condition_is_one_of_a_named_predicate(page):
     page.state("mine", "whatever it says", "x < 0", claim=claim, condition=True)
     with pytest.raises(Unfounded, match="no condition of a predicate"):
         page.settle("mine", known("square"))
+
+
+def test_no_print_is_a_misprint_where_a_name_is_outside_of_its_domain(page):
+    page.define("A damping", delta, -1 - beta**2)
+    with pytest.raises(FalseStep, match="in their domains"):
+        settled(page, "mine", r"\delta = 1 + \beta^2", Eq(delta, -1 - beta**2))

@@ -27,7 +27,7 @@ from symhaptic.notation.proposition import (
     proposition,
 )
 from symhaptic.notation.terms import NoTerm
-from symhaptic.proof.points import Point, points
+from symhaptic.proof.points import Point, outside, points
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.judge import Case, Judged
 from symhaptic.proof.theorems.kernel import NotShown, Theorem, assume, conjoined, substituted
@@ -44,6 +44,9 @@ nothing about which walls are stable or passive."""
 
 _TRIED = 40
 """Points that are tried as an example and as a counterexample."""
+
+_SMALL = 100
+"""By this they are divided, too: what a name means may be in its domain for small values alone."""
 
 
 class Undefinable(ValueError):
@@ -127,11 +130,14 @@ class Print:
                 return example(point, self.given)
             except (NotShown, NoTerm):
                 continue
-        raise Undefinable("no point is found at which the definitions have a value")
+        raise Undefinable(
+            "no point is found at which the definitions have a value and all symbols are in their "
+            "domains"
+        )
 
     def counterexample(self, at: Point | None = None) -> Case | None:
         """A point at which the hypotheses hold and the print fails; ``at`` is tried alone."""
-        for point in self._points() if at is None else [self._whole(at)]:
+        for point in self._points() if at is None else self._inside([at]):
             try:
                 case = counterexample(self.claim, point)
             except (NotShown, NoTerm):
@@ -143,11 +149,19 @@ class Print:
     def _points(self) -> Iterator[Point]:
         names = {name for name, _ in self.used}
         free = [s for s in self.symbols if s not in names]
-        return map(self._whole, itertools.islice(points(*free), _TRIED))
+        some = list(itertools.islice(points(*free), _TRIED))
+        small = ({symbol: value / _SMALL for symbol, value in point.items()} for point in some)
+        return self._inside(itertools.chain(some, small))
+
+    def _inside(self, some: Iterable[Point]) -> Iterator[Point]:
+        """Points with the values of names, of which none is outside of its domain."""
+        for point in map(self._whole, some):
+            if not any(outside(*pair) for pair in point.items()):
+                yield point
 
     def _whole(self, point: Point) -> Point:
         """A point with the values of names."""
-        found = dict(point)
+        found = {symbol: sp.sympify(value) for symbol, value in point.items()}
         for name, meaning in self.used[::-1]:
             found[name] = meaning.xreplace(found)
         return found
@@ -237,6 +251,8 @@ def _check_correction(claimed: Print, right: Print) -> None:
         for one, side in (last.terms, last.terms[::-1]):
             if isinstance(one, Symbol) and one not in side.free_symbols:
                 raise NotShown(f"the page does not define {one}; define it or give a theorem")
+        if _same(*other.terms):
+            raise Undefinable(f"{other.left} = {other.right} holds whatever a name means")
 
 
 def _same(one: Expr, other: Expr) -> bool:

@@ -27,6 +27,7 @@ from symhaptic.proof.decide import Comparison, compare
 from symhaptic.proof.enclosed import Source, enclosed
 from symhaptic.proof.names import alike, carrying
 from symhaptic.proof.normal import is_zero
+from symhaptic.proof.points import outside
 from symhaptic.proof.roots import Algebraic, begins_with, decimals, is_minimal, real_roots
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.theorems.definedness import real
@@ -79,6 +80,9 @@ class Steps(Record):
         for other, before in self.definitions:
             if once and other == name and not compare(*map(self._meant, (before, meaning))).equal:
                 raise FalseStep(f"{name} stands for more than one thing on the page: {before}")
+        number = self._meant(meaning)
+        if not (number.free_symbols or number.atoms(AppliedUndef)) and outside(name, number):
+            raise FalseStep(f"{name} is never {meaning}: it has another domain in the notation")
         if meaning.has(sp.I) and not _may_stand_for(name, meaning):
             raise FalseStep(f"{name} is real; {meaning} is not, by its form")
         self.definitions.append((name, meaning))
@@ -238,6 +242,8 @@ class Steps(Record):
 
         Its difference for two values of a symbol is zero in the normal form.
         """
+        if not symbols:
+            raise FalseStep(f"{what}: no symbol is given; give those that drop out")
         for symbol in symbols:
             if symbol not in expr.free_symbols:
                 raise FalseStep(f"{what}: {symbol} is not in it, so nothing is shown to drop out")
@@ -250,6 +256,8 @@ class Steps(Record):
         self, what: str, coefficients: Sequence[arb], lower: arb, upper: arb, zeros: Sequence[arb]
     ) -> Evidence:
         """A real polynomial (lowest power first) has these zeros in an interval, and no other."""
+        if not (lower.is_finite() and upper.is_finite() and lower <= upper):
+            raise FalseStep(f"{what}: {lower} to {upper} is no interval")
         found = [y for y in real_roots(tuple(coefficients)) if not (y < lower or y > upper)]
         if len(found) != len(zeros) or not all(map(arb.overlaps, found, zeros)):
             raise FalseStep(f"{what}: these are not all the zeros")

@@ -71,3 +71,32 @@ def points(*exprs: Expr, anywhere: bool = False) -> Iterator[Point]:
     )
     for values in itertools.islice(order, _LIMIT):
         yield dict(zip(symbols, values, strict=True))
+
+
+_ENDS: dict[str, tuple[Expr | None, bool, Expr | None, bool]] = {
+    "positive": (sp.S.Zero, False, None, False),
+    "nonnegative": (sp.S.Zero, True, None, False),
+    "real": (None, False, None, False),
+    "(0, pi)": (sp.S.Zero, False, sp.pi, False),
+    "(0, pi/2)": (sp.S.Zero, False, sp.pi / 2, False),
+    "[0, 1]": (sp.S.Zero, True, sp.S.One, True),
+}
+"""Lowest and highest number of a domain, and whether each belongs to it."""
+
+
+def outside(symbol: Expr, value: Expr) -> bool:
+    """Whether a number is known to lie outside of the domain that the notation gives a symbol.
+
+    >>> outside(sp.Symbol("T"), sp.S.Zero), outside(sp.Symbol("d"), sp.S.Zero)
+    (True, False)
+    """
+    entry = SYMBOLS.get(symbol.name) if isinstance(symbol, sp.Symbol) else None
+    if entry is None or entry.domain == "complex":
+        return False
+    low, with_low, high, with_high = _ENDS[entry.domain]
+    beyond = value.is_extended_real is False
+    for end, belongs, way in ((low, with_low, value), (high, with_high, -value)):
+        if end is not None:
+            room = way - (end if way is value else -end)
+            beyond = beyond or room.is_negative is True or (room.is_zero is True and not belongs)
+    return beyond

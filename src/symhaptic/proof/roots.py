@@ -179,11 +179,14 @@ def real_roots(coefficients: Sequence[arb]) -> list[arb]:
     """Balls around all real roots of a real polynomial, the lowest coefficient first.
 
     Flint finds disjoint balls with one root each.  One that meets no mirror image but its own has
-    a real root.  Raises :class:`NoSuchRoot` where the roots are not told apart.
+    a real root.  Raises :class:`NoSuchRoot` where the roots are not told apart, and where the
+    coefficients may all be zero, or the highest one, so that some are not known.
 
     >>> [float(root) for root in real_roots([arb(-1), arb(0), arb(0), arb(1)])]
     [1.0]
     """
+    if not coefficients or coefficients[-1].contains(0):
+        raise NoSuchRoot("the highest coefficient may be zero, and the roots are not known")
     with ctx.workprec(BITS):
         try:
             found = acb_poly(list(coefficients)).roots(tol=arb(2) ** (64 - BITS))
