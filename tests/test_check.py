@@ -296,7 +296,7 @@ def test_the_delay_margin_of_a_wall_that_is_not_stable_is_0():
 def test_a_narrow_range_of_whole_numbers_has_whole_ends():
     """Before: half a period was held against no delay, and a right function was wrong."""
     Agreement("eq11").agrees(right, over={"d": (0.5, 2.5)}, points=200)
-    with pytest.raises(ValueError, match=r"d: no whole number lies between 0\.2 and 0\.8"):
+    with pytest.raises(ValueError, match=r"d: 0\.2 to 0\.8 has no whole number in it"):
         Agreement("eq11").agrees(right, over={"d": (0.2, 0.8)}, points=200)
     Agreement("is_stable").agrees(is_stable, over={"d": (0.2, 0.8)}, points=200)
 
@@ -507,3 +507,41 @@ def test_who_gives_too_many_numbers_is_said():
     """Before: `gives 3 numbers; K, B are`, with nobody named."""
     with pytest.raises(ValueError, match=r"^the function gives 3 numbers; give K, B$"):
         compared(CHECKED["eq11"], lambda some: [(1.0, 2.0, 3.0)] * len(some), 4, 10)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--over", "T=0:0"], "--over: 'T=0:0' has numbers that are not allowed; give a range of"),
+        (["--over", "T=-1:0"], "--over: 'T=-1:0' has numbers that are not allowed; give a range"),
+        (["--over", "b=-5:-1"], "--over: 'b=-5:-1' has numbers that are not allowed; give a ran"),
+        (["--over", "b=1:1e71"], "--over: 'b=1:1e71' has numbers that are too large; give a ran"),
+        (["--over", "d=0.2:0.3"], "--over: 'd=0.2:0.3' has no whole number in it; give another"),
+        (["--over", "b=0:1", "--over", "b=2:3"], "--over: 'b=2:3' is a second range of b; give"),
+        (["--memory", "1e300"], "--memory: 1e+300 is not a number > 0 and <= 1e+06; give one"),
+        (["--timeout", "1e300"], "--timeout: 1e+300 is not a number > 0 and <= 1e+06; give one"),
+        (["--arguments", ""], "--arguments: '' does not name each argument; order b, T, d"),
+    ],
+)
+@pytest.mark.parametrize("way", ["function", "table"])
+def test_a_range_or_limit_that_is_none_is_one_line(words, told, way):
+    """Before: tracebacks, the last of two ranges, and a table that heeded none of it."""
+    ways = {"function": ["--python", "math:hypot"], "table": ["--format", "table"]}
+    run = symhaptic("check", "--formula", "eq11", *ways[way], *words)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.startswith(f"symhaptic: error: {told}")
+    assert run.stderr.count("\n") == 1
+
+
+def test_an_exact_table_has_the_range_that_is_asked_for():
+    words = ("--over", "T=0.1:0.2", "--over", "b=3:4", "--points", "9")
+    run = symhaptic("check", "--formula", "eq11", "--format", "table", *words)
+    rows = [list(map(float.fromhex, line.split(",")[:2])) for line in run.stdout.splitlines()[1:]]
+    assert len(rows) == 9
+    assert all(3 <= b <= 4 and 0.1 <= T <= 0.2 for b, T in rows)
+
+
+def test_a_range_without_a_boundary_has_points():
+    words = ("--format", "table", "--over", "alpha=1e60:1e61", "--points", "20")
+    run = symhaptic("check", "--formula", "is_stable", *words)
+    assert (run.returncode, run.stderr, run.stdout.count("\n")) == (0, "", 21)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 from threading import Timer, main_thread
@@ -44,12 +45,29 @@ _received: list[int] = []
 """The signals that asked the command to end."""
 
 
+def _opened() -> None:
+    """Open the standard streams that somebody has closed, or a file of results would be one.
+
+    Without a standard output what is printed would be lost, and the command would seem to succeed.
+    """
+    lost = sys.stdout is None
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        pass
+    os.close(number)
+    if sys.stderr is None:
+        sys.stderr = open(2, "w")  # noqa: SIM115 - it stays open
+    if lost:
+        sys.stderr.write("symhaptic: error: standard output: is closed; give it a place\n")
+        raise SystemExit(2)
+
+
 def main() -> None:
     """What the command line does; interrupted, one line, and the exit status of its signal."""
     for number in (signal.SIGINT, signal.SIGTERM):
         if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _end)
     sys.unraisablehook = _swallowed
+    _opened()
     try:
         from symhaptic.cli.main import main as answered
 

@@ -174,3 +174,77 @@ def test_a_check_of_mutants_without_a_record_says_so_at_once(tmp_path):
         assert "--check: there is no record" in line
         assert "write one with `symhaptic mutants -o " in line
     assert time.monotonic() - begin < 20
+
+
+# -- places that are none ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ["limits", "device.toml", "-o", "LOOP"],
+        ["limits", "device.toml", "-oLOOP"],
+        ["verify", "--list", "-o", "LOOP"],
+        ["verify", "--derivation", "LOOP"],
+        ["report", "--derivation=LOOP"],
+        ["mutants", "-o", "LOOP"],
+        ["check", "--formula", "eq11", "--python", "mine:f", "-o", "LOOP"],
+        ["check", "--formula", "eq11", "--library", "LOOP:f"],
+    ],
+)
+def test_links_in_a_circle_are_one_line(asked, tmp_path):
+    loop = tmp_path / "loop"
+    loop.symlink_to("loop")
+    run = symhaptic(*(word.replace("LOOP", str(loop)) for word in asked), cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.count("\n") == 1
+    assert str(loop) in run.stderr
+    assert "Too many levels of symbolic links" in run.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["loop"]
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        ["report", "-o", ""],
+        ["report", "--format", "tex", "-o", ""],
+        ["verify", "eq1", "--rocq", ""],
+        ["verify", "eq1", "--rocq="],
+        ["verify", "--source", ""],
+        ["bench", "-o", ""],
+    ],
+)
+def test_an_empty_place_is_not_the_current_folder(asked, tmp_path):
+    """Of ``-o "$OUT"`` without the variable a report filled the folder one stands in."""
+    run = symhaptic(*asked, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr.startswith("symhaptic: error: -")
+    assert run.stderr.endswith(" '': is empty; give a DIR\n")
+    assert not list(tmp_path.iterdir())
+
+
+def closed(streams, *asked):
+    """The command, started with some of its streams closed."""
+    command = f"{sys.executable} -m symhaptic {' '.join(asked)} {streams}"
+    run = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    return run.returncode, run.stdout, run.stderr
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes streams as a shell does")
+def test_a_closed_stream_loses_no_result(tmp_path):
+    """Without a standard output the status was 0, without a standard error it was 1."""
+    said = "symhaptic: error: standard output: is closed; give it a place\n"
+    assert closed(">&-", "jury", "0") == (2, "", said)
+    assert closed(">&-", "verify", "eq1") == (2, "", said)
+    status, text, _ = closed("2>&-", "verify", "eq1")
+    assert (status, text.splitlines()[-1]) == (0, "1 statement: 1 definition")
+    assert closed("<&-", "jury", "0")[0] == 0
+    assert closed("<&- >&- 2>&-", "jury", "0") == (2, "", "")
+
+
+@pytest.mark.parametrize("option", [["--strict"], ["--rocq", "place"], ["--workers", "2"]])
+def test_what_has_no_effect_on_a_list_of_statements_is_refused(option, tmp_path):
+    run = symhaptic("verify", "--list", *option, cwd=tmp_path)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert f"{' '.join(option)}: has no effect on what --list prints" in run.stderr
+    assert not list(tmp_path.iterdir())

@@ -120,7 +120,8 @@ class Theirs(ExitStack):
     def files(self) -> set[Path]:
         """What is read when the function is called, as far as its name tells."""
         words = [self.name.partition(":")[0]] if self.kind == "library" else self.words
-        return {Path(word).resolve() for word in (*words, self.about.get("file")) if word}
+        every = (*words, self.about.get("file"))
+        return {Path(os.path.realpath(word)) for word in every if word}
 
     def place(self) -> tuple[str, int] | None:
         """File and line of a Python function below the folder one stands in."""

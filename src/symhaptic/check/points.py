@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import flint
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symhaptic.check.checked import Argument, Checked, Point, exact
+from symhaptic.notation.sizes import LARGEST
 
 Array = NDArray[np.float64]
 Range = Mapping[str, tuple[float, float]]
@@ -41,20 +42,34 @@ class Points:
     """NaN for a point that is not beside a boundary."""
 
 
+def not_in(argument: Argument, low: float, high: float) -> str:
+    """Why an argument has no values in a range, or not all of them; empty where it has."""
+    if argument.whole and math.ceil(low) > math.floor(high):
+        return "has no whole number in it; give another range"
+    if not all(map(replace(argument, whole=False).allows, (low, high))):
+        least = "> 0" if argument.low else ">= 0"
+        most = f" and <= {argument.top}" if argument.top < math.inf else ""
+        return f"has numbers that are not allowed; give a range of numbers {least}{most}"
+    if max(-low, high) > LARGEST:
+        return f"has numbers that are too large; give a range up to {LARGEST:g}"
+    return ""
+
+
 def drawn(checked: Checked, count: int, over: Range | None = None, seed: int = 20) -> Points:
     """So many points of a function, with some arguments in narrower ranges."""
     rng = np.random.default_rng(seed)
     over = over or {}
-    for name, (low, high) in over.items():
-        if checked.arguments[name].whole and math.ceil(low) > math.floor(high):
-            raise ValueError(f"{name}: no whole number lies between {low} and {high}")
+    for name, ends in over.items():
+        if why := not_in(checked.arguments[name], *ends):
+            raise ValueError(f"{name}: {ends[0]} to {ends[1]} {why}")
     kinds = rng.choice(list(_SHARES), count, p=list(_SHARES.values()))
     columns = _columns(checked, rng, kinds, over)
     distance = np.full(count, math.nan)
     if checked.border is not None:
         rows, far = _beside(checked, rng, columns, min(int(_BORDER * count), _MOST_BORDER), over)
-        columns[: len(rows)], distance[: len(rows)] = rows, far
-        kinds[: len(rows)] = "border"
+        if len(rows):  # none where the ranges have no boundary
+            columns[: len(rows)], distance[: len(rows)] = rows, far
+            kinds[: len(rows)] = "border"
     order = rng.permutation(count)
     rows = columns[order].tolist()
     return Points([tuple(row) for row in rows], (kinds == "ordinary")[order], distance[order])

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 from symhaptic.check.checked import FLAT, Checked, Point, exact, shown
 from symhaptic.check.compare import Found, error
 from symhaptic.check.covered import covered
-from symhaptic.check.points import drawn
+from symhaptic.check.points import Range, drawn
 
 
 @dataclass(frozen=True)
@@ -160,10 +160,11 @@ def table(report: Report) -> str:
     return "\n".join(out) + "\n"
 
 
-def exact_table(checked: Checked, count: int) -> str:
+def exact_table(checked: Checked, count: int, over: Range | None = None) -> str:
     """The same without a function, for tests in a language that this package does not speak."""
     head = ",".join((*checked.arguments, *checked.results))
-    rows = (",".join(_row(checked, p, len(checked.results))) for p in drawn(checked, count).all)
+    points = drawn(checked, count, over).all
+    rows = (",".join(_row(checked, p, len(checked.results))) for p in points)
     return "\n".join((head, *rows)) + "\n"
 
 

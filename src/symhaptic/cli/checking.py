@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 _MOST = 10**6
 """Points that fit into memory, with their results and exact values."""
 
+_LARGEST = 1e6
+"""Seconds and GiB at most: far more than there are, and few enough for the system's clocks."""
+
 
 class CheckFormat(StrEnum):
     """How `check` prints."""
@@ -114,19 +117,21 @@ def check(
     checked = CHECKED[formula]
     ways = {"python": python, "library": library, "command": command}
     given = {kind: name for kind, name in ways.items() if name is not None}
-    if format is CheckFormat.table and not given:
-        _tell(told.exact_table(checked, points or POINTS), output)
-        return
-    if len(given) != 1:
-        refuse("--python, --library, --command: give exactly one of them")
     if not 0 <= ulp < math.inf:
         refuse(f"--ulp: {ulp} is not a finite number >= 0; give one")
     for option, value in (("--timeout", timeout), ("--memory", memory)):
-        if not 0 < value < math.inf:
-            refuse(f"{option}: {value} is not a finite number > 0; give one")
-    ((kind, name),) = given.items()
+        if not 0 < value <= _LARGEST:
+            refuse(f"{option}: {value} is not a number > 0 and <= {_LARGEST:g}; give one")
     order = _order(checked, arguments)
     narrower = _narrower(checked, over or [])
+    if format is CheckFormat.table and not given:
+        if arguments is not None:
+            refuse(f"--arguments: {arguments!r} is for a function; leave it out of an exact table")
+        _tell(_exact_table(checked, points or POINTS, narrower), output)
+        return
+    if len(given) != 1:
+        refuse("--python, --library, --command: give exactly one of them")
+    ((kind, name),) = given.items()
     begin = perf_counter()
     try:
         if kind == "python":
@@ -161,7 +166,8 @@ def _not_read(output: Path | None, files: set[Path]) -> None:
 def _order(checked: Checked, arguments: str | None) -> list[int]:
     """Where each argument of somebody's function is among those of the formula."""
     names = list(checked.arguments)
-    order = [name.strip() for name in (arguments or ",".join(names)).split(",")]
+    given = ",".join(names) if arguments is None else arguments
+    order = [name.strip() for name in given.split(",")]
     if sorted(order) != sorted(names):
         refuse(f"--arguments: {arguments!r} does not name each argument; order {', '.join(names)}")
     return [names.index(name) for name in order]
@@ -169,7 +175,9 @@ def _order(checked: Checked, arguments: str | None) -> list[int]:
 
 def _narrower(checked: Checked, over: list[str]) -> dict[str, tuple[float, float]]:
     """Ranges such as ``d=0:12`` by the names of their arguments."""
-    found = {}
+    from symhaptic.check.points import not_in
+
+    found: dict[str, tuple[float, float]] = {}
     for word in over:
         name, _, ends = word.partition("=")
         try:
@@ -179,8 +187,22 @@ def _narrower(checked: Checked, over: list[str]) -> dict[str, tuple[float, float
         if name not in checked.arguments or not -math.inf < low <= high < math.inf:
             known = ", ".join(checked.arguments)
             refuse(f"--over: {word!r} is no range; give NAME=LOW:HIGH with one of {known}")
+        if name in found:
+            refuse(f"--over: {word!r} is a second range of {name}; give one")
+        if why := not_in(checked.arguments[name], low, high):
+            refuse(f"--over: {word!r} {why}")
         found[name] = low, high
     return found
+
+
+def _exact_table(checked: Checked, points: int, narrower: dict[str, tuple[float, float]]) -> str:
+    """Points and exact values."""
+    from symhaptic.check import told
+
+    try:
+        return told.exact_table(checked, points, narrower)
+    except ValueError as wrong:
+        refuse(f"--over: {wrong}")
 
 
 def _says(checked: Checked) -> str:

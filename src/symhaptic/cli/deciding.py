@@ -18,7 +18,15 @@ from symhaptic.cli.given import (
     read,
     told_bad,
 )
-from symhaptic.cli.shared import app, folder_allowed, progress, refuse, writable, write
+from symhaptic.cli.shared import (
+    app,
+    folder_allowed,
+    only_listed,
+    progress,
+    refuse,
+    writable,
+    write,
+)
 from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
@@ -121,6 +129,7 @@ def verify(
     if as_recorded and (rocq is None or source is not None):
         refuse("--as-recorded: is for the paper's statements and --rocq DIR; give that alone")
     if listed:
+        only_listed(strict=strict, rocq=rocq, workers=workers)
         name_statements(ids or [], format, output, derivation)
         return
     wanted = ids or []

@@ -7,6 +7,7 @@ import os
 import re
 import sys
 import warnings
+from collections.abc import Iterator
 from difflib import get_close_matches
 from functools import cache
 from io import TextIOWrapper
@@ -101,6 +102,44 @@ def once(command: Any, given: list[str]) -> None:
             refuse(f"{option.opts[0]}: is given more than once; one value is allowed")
 
 
+def somewhere(command: Any, given: list[str]) -> None:
+    """Refuse an option without a place, which would be the current folder, and links in a circle.
+
+    ``-o "$OUT"`` is empty where a script has not set the variable.
+    """
+    called = next((command.commands[word] for word in given if word in command.commands), None)
+    places = {
+        name: option.metavar
+        for option in (called.params if called else ())
+        if option.param_type_name == "option" and option.metavar in ("FILE", "DIR")
+        for name in option.opts
+    }
+    for lead, value in _values(given):
+        if not value and lead in places:
+            refuse(f"{lead} '': is empty; give a {places[lead]}")
+        try:
+            os.stat(value)
+        except OSError as wrong:
+            if wrong.errno == errno.ELOOP:
+                refuse(_cannot_be_used(lead, value, wrong))
+
+
+def _values(given: list[str]) -> Iterator[tuple[str, str]]:
+    """Each word as the value of the option before it, or of an option in the same word."""
+    for option, word in pairwise(["", *given]):
+        yield option, word
+        if word.startswith("-") and len(word) > 2:
+            yield word[:2], word[2:]
+        if "=" in word:
+            lead, _, value = word.partition("=")
+            yield lead, value
+
+
+def _cannot_be_used(lead: str, value: str, wrong: OSError) -> str:
+    shown = f"{lead} {value}" if lead.startswith("-") else value
+    return f"{shown}: cannot be used ({wrong.strerror}); give another name"
+
+
 def unusable(wrong: OSError, given: list[str]) -> str | None:
     """Say which of the arguments names a file or folder that the system refuses, and why.
 
@@ -110,12 +149,9 @@ def unusable(wrong: OSError, given: list[str]) -> str | None:
     if not isinstance(wrong.filename, str):
         return None
     named = Path(wrong.filename)
-    for option, word in pairwise(["", *given]):
-        pairs = [(option, word), (word[:2], word[2:]), tuple(word.split("=", 1))]
-        for lead, value in (pair for pair in pairs if len(pair) == 2):
-            if value and Path(value) in (named, *named.parents):
-                shown = f"{lead} {value}" if lead.startswith("-") else value
-                return f"{shown}: cannot be used ({wrong.strerror}); give another name"
+    for lead, value in _values(given):
+        if value and Path(value) in (named, *named.parents):
+            return _cannot_be_used(lead, value, wrong)
     return None
 
 
@@ -127,6 +163,7 @@ def main() -> None:
     command = typer.main.get_command(app)
     try:
         once(command, sys.argv[1:])
+        somewhere(command, sys.argv[1:])
         status = command.main(standalone_mode=False)
         if status == _INTERRUPTED:  # so newer Typers say it
             raise KeyboardInterrupt
