@@ -545,3 +545,15 @@ def test_a_range_without_a_boundary_has_points():
     words = ("--format", "table", "--over", "alpha=1e60:1e61", "--points", "20")
     run = symhaptic("check", "--formula", "is_stable", *words)
     assert (run.returncode, run.stderr, run.stdout.count("\n")) == (0, "", 21)
+
+
+def test_what_is_wrong_with_a_function_or_a_range_names_the_option(tmp_path):
+    (tmp_path / "odd.py").write_text("def three(*at): return 1, 2, 3")
+    words = ("check", "--python", "odd:three", "--formula")
+    run = symhaptic(*words, "is_stable", cwd=tmp_path)
+    said = "symhaptic: error: --python odd:three: gives 3 numbers; give stable\n"
+    assert (run.returncode, run.stderr) == (2, said)
+    hard = ("--over", "gamma=1e14:1e15", "--over", "d=9e14:1e15", "--points", "9")
+    run = symhaptic(*words, "max_stable_stiffness", *hard, cwd=tmp_path)
+    said = "symhaptic: error: --over: max_stable_stiffness has no exact value at any of 9 points\n"
+    assert (run.returncode, run.stderr) == (2, said)

@@ -205,6 +205,9 @@ def test_without_an_id_those_of_ones_own_chapters_are_meant(tmp_path):
     assert heads == ["my-own", "by", "my-other", "by", "2"]
     run = symhaptic("verify", "--derivation", silent)
     assert (run.returncode, run.stdout) == (0, "0 statements\n")
+    run = symhaptic("verify", "--strict", "--derivation", silent)
+    assert (run.returncode, run.stdout) == (1, "0 statements\n")
+    assert run.stderr == "symhaptic: there is no statement, which is not a pass\n"
     committed = GOOD.replace("my-own", "eq6").replace('    page.state("eq6", "doubling",', "    (")
     run = symhaptic("verify", "--derivation", chapter(tmp_path, committed))
     assert run.returncode == 2
@@ -423,6 +426,13 @@ def test_mutants_of_a_chapter_of_ones_own(tmp_path):
     kept = symhaptic("mutants", "--derivation", path, "-o", "my.json", cwd=tmp_path)
     assert f"wrote my.json: {count}" in kept.stdout
     assert set(json.loads((tmp_path / "my.json").read_text())["chapters"]) == {"my"}
+
+
+def test_mutants_of_nothing_are_no_pass(tmp_path):
+    path = chapter(tmp_path, GOOD.partition("    page.state(")[0])
+    run = symhaptic("mutants", "--derivation", path)
+    assert run.returncode == 1
+    assert run.stderr.endswith("symhaptic: there is nothing to change, which is not a pass\n")
 
 
 def test_mutants_tell_a_chapter_that_raises(tmp_path):

@@ -151,7 +151,8 @@ def check(
             if found.agrees:
                 theirs.finish()
     except ValueError as wrong:
-        refuse(str(wrong))
+        said = str(wrong).replace("the function ", f"--{kind} {name}: ", 1)
+        refuse(said if said.startswith("-") else f"--over: {said}")
     report = told.Report(found, name, perf_counter() - begin, theirs.place())
     _tell(told.FORMATS[format](report), output)
     if not found.agrees:

@@ -204,6 +204,9 @@ def verify(
         write(listing.replace, output, text)
     if bad:
         raise typer.Exit(2)
+    if strict and not entries:
+        typer.echo("symhaptic: there is no statement, which is not a pass", err=True)
+        raise typer.Exit(1)
     if surprises or (strict and undecided):
         raise typer.Exit(1)
 

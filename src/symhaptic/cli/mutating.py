@@ -75,5 +75,8 @@ def mutants(
     )
     if stale:
         typer.echo(f"symhaptic: {output} is stale; `symhaptic mutants` writes it", err=True)
-    if accepted or stale:
+    none = not any(trial.refused or trial.survivors for trial in found)
+    if none:
+        typer.echo("symhaptic: there is nothing to change, which is not a pass", err=True)
+    if accepted or stale or none:
         raise typer.Exit(1)
