@@ -2,37 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
 from symhaptic.book.lemmas.more_damped import more_damped_is_stable
 from symhaptic.book.lemmas.outpaced import at_point, on_this_side
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.polygon import all_stable
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import bounds
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import conjuncts, whole
 from symhaptic.paper.propositions import areas
 from symhaptic.paper.propositions.ratio import ARM
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.roots import first_minors
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
 
 ANGLES = {
     1: ("0.54798", "0.55486", "0.67669", "0.79081"),

@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import Eq, Expr, Ne, S, Symbol
-
-from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
-from symhaptic.notation.proposition import Implies, Or, Proposition, Relation, Terms
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, second
 from symhaptic.paper.propositions.arm import x, y, y_D, y_H
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    substituted,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""

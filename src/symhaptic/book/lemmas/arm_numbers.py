@@ -2,45 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, S, Symbol, exp, pi
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2, u
-from symhaptic.notation.proposition import Implies, Proposition, Relation, both
-from symhaptic.proof.derivative import derivative
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_static,
-    of_device,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    placed,
-    substituted,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    number,
-)
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 HALF = S.Half
 SLOW = Relation(gamma - delta**2 / 4, "<", pi**2)

@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, S, Symbol, cos, exp, sin, tan
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, theta
-from symhaptic.notation.proposition import And, Predicate, Proposition, Relation
 from symhaptic.paper.propositions.stability import (
     SQUARE,
     at_angle,
@@ -18,23 +12,6 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import device_at_rest, held_steady_state, sign_of, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    mirrored,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, either_way, positive
 
 HALF = S.Half
 

@@ -5,29 +5,11 @@ Each function takes an angle and gives a theorem, under N > 2, 0 < psi and N psi
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache, wraps
+from functools import wraps
 
-from sympy import Expr, I, S, cos, exp, pi, sin
-
-from symhaptic.notation import N, phi, psi
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.analysis import above_its_start, grows, increases
-from symhaptic.proof.theorems.familiar import ordered, rising, sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import (
-    factor,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.proof.theorems.analysis import grows
 
 HALF = S.Half
 PI = number(Relation(S.Zero, "<", pi))

@@ -2,44 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, Symbol, cancel, cos, sin
+from sympy import cancel
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import divisors as line_divisors
 from symhaptic.book.lemmas.linear_part import margin_below, shares
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import moved
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, theta, z
-from symhaptic.notation.proposition import Relation, whole
+from symhaptic.notation import b
 from symhaptic.proof.theorems.definitions import loop
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, root_outside
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 from symhaptic.rules.claims import EXACT, STABLE, UNITS
 
 HALF = S.Half

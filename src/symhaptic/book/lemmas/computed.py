@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from sympy import Expr
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.book.page import Page
 from symhaptic.forms.entire import Entire
 from symhaptic.notation import function
-from symhaptic.notation.proposition import both
-from symhaptic.proof.theorems.kernel import conjoined
 
 
 def statement(form: str) -> str:

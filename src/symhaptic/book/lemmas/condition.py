@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Ne, S, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.notation import T, b, omega, theta
-from symhaptic.notation.proposition import Proposition, Terms, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.familiar import strictly
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, part
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, fact, for_all, positive
 
 
 def frequencies_met(frequencies: Any) -> Theorem:

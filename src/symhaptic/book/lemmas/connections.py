@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
-from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, z
-from symhaptic.notation.proposition import negated, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import LOOP, PASSIVE_WALL
 from symhaptic.paper.propositions.systems import (
     CHAIN,
@@ -26,19 +19,6 @@ from symhaptic.paper.propositions.systems import (
     connected,
 )
 from symhaptic.proof.theorems.definitions import loop
-from symhaptic.proof.theorems.familiar import square, strictly, with_rest
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    chosen,
-    discharged,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.roots import zero_on_circle
-from symhaptic.proof.theorems.tactics import at, closed, denied_by, fact, one, over, positive
 
 NO_CHAIN = KIND < CHAIN
 HELD = alpha + gamma > 0

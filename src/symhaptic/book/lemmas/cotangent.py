@@ -1,12 +1,7 @@
 """The hyperbolic cotangent of half a number exceeds two over the number."""
 
-from sympy import Ne, Rational, S, cosh, diff, sinh
-
-from symhaptic.notation import delta, t
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import rising
-from symhaptic.proof.theorems.kernel import Theorem, placed
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 
 def cotangent_exceeds() -> Theorem:

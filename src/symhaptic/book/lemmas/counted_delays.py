@@ -2,24 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
-
-from sympy import Eq, S
-
 from symhaptic.book.lemmas.marginal import behind
-from symhaptic.notation import d
-from symhaptic.notation.proposition import And, Or, Proposition, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    discharged,
-    weakened,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.book.lemmas.prelude import *
 
 
 @cache

@@ -2,30 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
-from symhaptic.notation.proposition import Proposition, Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    ordered,
-    rising,
-    sign_of,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored
-from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
 TURN = exp(I * theta)
 PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)

@@ -6,15 +6,10 @@ n_0 and delta.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Rational, S, exp
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
@@ -23,29 +18,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, u
-from symhaptic.notation.proposition import Relation, both, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_static,
-    of_device,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.notation import u
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
 
 FREE = {gamma: S.Zero}
 LIGHT = {gamma: (S.Zero, S.Zero), delta: (S.Zero, Rational(1, 3))}

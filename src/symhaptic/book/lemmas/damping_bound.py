@@ -2,47 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, Ne, S, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_exists,
-    device_static,
-    loop_late,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    cut,
-    discharged,
-    part,
-    placed,
-    substituted,
-    unfolded,
-    widened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    is_whole,
-)
-from symhaptic.proof.theorems.roots import last_coefficient, zero_on_circle
-from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
 OVER, LESS, FEWER = sp.symbols("p q r")
 """d = p/(s + 1), and q = p - 1."""

@@ -2,34 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from sympy import Ne, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import on_line, shares
 from symhaptic.book.lemmas.lower_boundary import nothing_else
 from symhaptic.book.lemmas.passive_boundary import on_boundary
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.book.lemmas.undelayed_boundary import its_damping, on_it
 from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
-from symhaptic.notation import B, b, d
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.theorems.familiar import decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, positive
 
 
 def drawn(claim: Any) -> Theorem:

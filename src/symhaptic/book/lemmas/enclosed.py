@@ -2,22 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S, pi
-
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
-from symhaptic.notation import alpha, beta, d, theta, z
-from symhaptic.notation.proposition import Relation, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.plots import enclosed
 from symhaptic.paper.propositions.stability import START, WAY
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, part, placed, weakened
-from symhaptic.proof.theorems.leaves import is_whole, number
-from symhaptic.proof.theorems.roots import roots_stay
-from symhaptic.proof.theorems.tactics import at, closed, for_all, positive
 
 
 @cache

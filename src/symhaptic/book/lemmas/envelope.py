@@ -6,22 +6,9 @@ theta/2 and N = 2(d+1).  The envelope is (u, w) = (stiffness(phi), damping(phi))
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, bend, not_zero, sine, size, width
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    placed,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 LOWER, UPPER = 1, -1
 """The angles with 0 < N psi < pi/2, and those with pi/2 < N psi < pi."""

@@ -6,40 +6,10 @@ w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
-from symhaptic.notation import N, b, l, phi, psi, u, w, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied, whole
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    bounded,
-    decided,
-    full_turns,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-    with_rest,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, u, w
+from symhaptic.proof.theorems.familiar import bounded
 
 SIZE = positive(N > 0, N >= 2, [2])
 

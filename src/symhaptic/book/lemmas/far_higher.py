@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip, softer_than_the_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import LIMIT, SPRUNG, least
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import beside
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import Predicate, Relation
-from symhaptic.paper.propositions import CLAIMED, far_higher
+from symhaptic.notation import b
+from symhaptic.paper.propositions import far_higher
 from symhaptic.paper.propositions.far_higher import (
     LEFT,
     RATIOS,
@@ -27,10 +22,6 @@ from symhaptic.paper.propositions.far_higher import (
 )
 from symhaptic.paper.propositions.ratio import BEST, RATE, WALL, outdoes, passive, stable
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, placed, weakened
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import at, closed, every, fact, for_all, positive
 
 
 @cache

@@ -2,44 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.counted_delays import counted
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import And, Or, Relation, negated, proposition
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    placed,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    none_of,
-    not_all,
-    positive,
-    reductio,
-)
 
 LATE, TIMES = 10, 10
 """So many periods of delay, and at most so many times as fast."""

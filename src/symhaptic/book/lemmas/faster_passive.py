@@ -5,41 +5,14 @@ By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angl
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, S, Symbol, cos, pi, sin, symbols
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.passive_tip import known, passive_wall
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
-from symhaptic.notation import B, K, T, b, d, x, y
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.paper.propositions.passivity import PASSIVE
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import both_ways, ordered, sign_of
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number
-from symhaptic.proof.theorems.tactics import closed, for_all, one, over, positive
 
 u, v, w = symbols("u v w")
 

@@ -2,35 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S, cos, sin
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.bounds.linear_points import Arc, points
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 FAR = -Rational(1, 10**5)
 """Marks next to the corner lie left of this, and are not drawn."""

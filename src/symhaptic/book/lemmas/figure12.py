@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from functools import cache
-from typing import Any
-
-from sympy import Expr, S, cos, sin
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import each_value
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_below
 from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.notation import delta, gamma, theta
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,
@@ -31,16 +25,6 @@ from symhaptic.paper.propositions.ratio import (
 )
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
 
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:

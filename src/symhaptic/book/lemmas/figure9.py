@@ -2,50 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, z
-from symhaptic.notation.proposition import Proposition, Relation, whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE, THIN
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.familiar import loop_of_device, of_device, ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    denied_by,
-    every,
-    fact,
-    for_all,
-    positive,
-    zero_beyond,
-)
+from symhaptic.paper.ranges import STIFF
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 """The virtual damping of a stable wall next to the left bound."""

@@ -7,45 +7,11 @@ inside says (l + 2) (1 + KAPPA/MU)/2 < w, and w is the rise of the phase of W wi
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, cos, exp, pi, sin
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, true_loop
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import alpha, beta, l, psi
-from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    bounded,
-    decided,
-    not_negative,
-    ordered,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, is_whole, mirrored, number
-from symhaptic.proof.theorems.roots import first_minors, outpaces
-from symhaptic.proof.theorems.tactics import closed, positive
+from symhaptic.proof.theorems.familiar import bounded
 
 q, n, u = (Symbol(name) for name in "qnu")
 HALF = Rational(1, 2)

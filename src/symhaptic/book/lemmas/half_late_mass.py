@@ -7,11 +7,6 @@ the border of the region 0 < Re v, 1 <= |v|.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, exp, pi
-
 from symhaptic.book.lemmas.half_late_circle import (
     LOOP,
     STIFF,
@@ -25,14 +20,9 @@ from symhaptic.book.lemmas.half_late_circle import (
     q,
     zeros,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, in_truth, read_loop
-from symhaptic.notation import alpha, beta, l, psi, x, y
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, whole
-from symhaptic.proof.theorems.familiar import full_turns, rising, sign_of
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, part
-from symhaptic.proof.theorems.leaves import combined, factor, mirrored
 from symhaptic.proof.theorems.roots import none_enters
-from symhaptic.proof.theorems.tactics import at, closed, every, for_all, positive
 
 READ = Predicate("stable_principal", (), LOOP)
 v = Symbol("v")

@@ -2,52 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, atan, cos, expand, pi, sin, sqrt, tan
+from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_angle
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, x
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
-from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    either_way,
-    every,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 
 HALF = S.Half
 QUADRATIC = (

@@ -2,34 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.model.jury import jury
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import (
-    Iff,
-    Proposition,
-    Relation,
-    both,
-    proposition,
-)
+from symhaptic.model.jury import jury as conditions_on
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, every, for_all
 
 DELAYS = (0, 1, 2)
 WALLS = (alpha, beta, gamma, delta, *NUMBERS)
@@ -41,7 +18,7 @@ def decided_by_jury() -> Proposition:
 
 
 def _sides(delay: int) -> tuple[Proposition, Proposition]:
-    return STABLE.at({d: sp.S(delay)}), both(jury(delay))
+    return STABLE.at({d: sp.S(delay)}), both(conditions_on(delay))
 
 
 @cache

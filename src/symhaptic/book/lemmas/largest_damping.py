@@ -2,37 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import ends, sine
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    either_way,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 
 def divisors(angle: Any) -> tuple[Theorem, ...]:

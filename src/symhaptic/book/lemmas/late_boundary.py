@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, I, Ne, S, cos, exp, sin
-
 from symhaptic.book.lemmas.boundary import explicit_wall
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.late_loop import (
@@ -18,32 +14,8 @@ from symhaptic.book.lemmas.late_loop import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    e,
-    gamma,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    theta,
-    z,
-)
-from symhaptic.notation.proposition import And, Iff, Proposition, Relation, both, implied
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, mirrored
-from symhaptic.proof.theorems.tactics import closed, either_way, every, for_all
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 A, M = (p.subs(z, TURN) for p in (BOTTOM, TOP))

@@ -7,46 +7,13 @@ sin^2(theta/2) the margin is b^2 + b B c - B^2 v, and by Lagrange's identity 1 +
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S, cos, expand, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, both, implied
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    not_negative,
-    ordered,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 DAMPER = Predicate("passive_wall", (), (S.Zero, B, b, T, l + epsilon))
 """A wall without stiffness is passive, l + epsilon periods late."""

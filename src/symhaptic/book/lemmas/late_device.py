@@ -7,49 +7,14 @@ m_2 = g(1-epsilon), m_1 = g(2-epsilon) - (1+a) m_2, and m_2 + m_1 + m_0 = n_1 + 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 
-from sympy import Expr, Ne, S, cosh, exp, expand, sinh, sqrt
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant, normalised
-from symhaptic.notation import (
-    X,
-    a,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    s,
-    t,
-    x,
-    z,
-)
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Iff,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import answers, transfer
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part, weakened
-from symhaptic.proof.theorems.leaves import combined, factor, tends
 from symhaptic.proof.theorems.samples import held_answer
-from symhaptic.proof.theorems.tactics import closed, either_way, for_all
 
 FRACTION = (whole(l), proposition(epsilon >= 0), proposition(epsilon <= 1))
 SPLIT = sqrt(delta**2 - 4 * gamma)

@@ -2,50 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    n_0,
-    n_1,
-    z,
-)
-from symhaptic.notation.proposition import (
-    Iff,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    conjuncts,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.axioms import LATE_DEVICE, LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
 from symhaptic.proof.theorems.roots import degree
-from symhaptic.proof.theorems.tactics import closed, every, fact, for_all
 
 WALL = (alpha + beta) * z - beta
 POLYNOMIAL = z ** (l + 2) * BOTTOM + TOP * WALL

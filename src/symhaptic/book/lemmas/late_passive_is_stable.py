@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, exp
-
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LOOP, STABLE, numbers_of_a_late_device
@@ -17,45 +13,11 @@ from symhaptic.book.lemmas.passive_is_stable import (
     turned_up,
 )
 from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.fractional import required_straight, stiffness_squared
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    n_0,
-    n_1,
-    theta,
-    y,
-)
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom, decided, square, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
-from symhaptic.proof.theorems.tactics import closed, every, fact, for_all, positive
 
 UNITS = {K: alpha, B: beta, b: delta, T: S.One}
 PASSIVE = Predicate("passive_wall", (), (alpha, beta, delta, S.One, l + epsilon))

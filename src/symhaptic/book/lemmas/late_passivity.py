@@ -2,53 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Ne
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, z
-from symhaptic.notation.proposition import (
-    And,
-    Iff,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
-from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
-from symhaptic.proof.theorems.familiar import axiom
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    denied,
-    either_way,
-    every,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 
 WALL = (K, B, b, T, l, epsilon)
 LATE = Predicate("passive_wall", (), (K, B, b, T, l + epsilon))

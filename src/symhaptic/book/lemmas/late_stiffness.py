@@ -2,26 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, cos, sin
-
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.notation.proposition import Proposition, implied, proposition
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, discharged, part, weakened
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 
 SHARE = epsilon * (1 - epsilon)
 UP = (1 - epsilon) * sin((l + 1) * theta) + epsilon * sin((l + 2) * theta)

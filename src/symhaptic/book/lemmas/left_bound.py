@@ -2,69 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, Rational, S, cos
-
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.lower_boundary import is_some
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, y, z
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Or,
-    Proposition,
-    Relation,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    device_exists,
-    loop_of_device,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    is_whole,
-)
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-    zero_beyond,
-)
+from symhaptic.proof.theorems.familiar import bounded
 
 LINE = proposition(Eq(alpha, -gamma))
 NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))

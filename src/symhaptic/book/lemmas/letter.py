@@ -2,61 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Integer, Ne, Rational, S, Symbol, cos, pi
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import HALF, PI, met
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, omega
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    ForAll,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import passive
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    bounded,
-    device_exists,
-    device_static,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    general,
-    part,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import factor, identity, is_whole, number
-from symhaptic.proof.theorems.roots import first_minors, opposite
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    not_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.proof.theorems.familiar import bounded
+from symhaptic.proof.theorems.roots import opposite
 
 p, q = Symbol("p"), Symbol("q")
 EVEN = (2 * p + 1) / (2 * q + 2)

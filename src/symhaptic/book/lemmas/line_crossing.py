@@ -7,35 +7,18 @@ downwards it is then positive between the start and each wall at which it is pos
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Ne, Rational, S, Symbol, div, pi
+from sympy import div
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x, y
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import safe
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import device_static, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 TOP = {0: Rational(72, 100), 1: Rational(16, 100)}
 """No wall that is stable is as stiff."""

@@ -2,36 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-
-from sympy import Eq, Expr, S
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.notation import B, K, T, b, d, delta, k, m, s, t_d, t_e, x
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, Terms, both, negated
+from symhaptic.notation import b, t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import LAGGING
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.roots import hurwitz
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    either_way,
-    fact,
-    over,
-    positive,
-)
 
 ROOM = b + B - K * t_e
 """What (24) keeps of Hurwitz' determinant, per mass."""

@@ -7,14 +7,10 @@ stiffness.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, Symbol
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -23,28 +19,9 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     on_box,
 )
-from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, x
-from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import both_ways, device_static, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    instance,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import STIFF
+from symhaptic.proof.theorems.kernel import instance
 
 HALF = S.Half
 LOW, HIGH = -Rational(3, 100), Rational(1, 10)

@@ -5,10 +5,6 @@ From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + e
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_boundary import (
     HIGH,
@@ -31,27 +27,12 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache

@@ -5,12 +5,6 @@ It is given by the chord y of the zero that the loop then has on the circle.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, S, Symbol
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
@@ -18,29 +12,16 @@ from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached
 from symhaptic.book.lemmas.linear_rays import (
     share,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model import linear
 from symhaptic.model.circle import expanded
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0
-from symhaptic.notation.proposition import Exists, Relation, both
 from symhaptic.paper.propositions.linear_error import (
     LEVEL,
     error,
     far,
 )
-from symhaptic.proof.theorems.familiar import magnitude
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    relation,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 

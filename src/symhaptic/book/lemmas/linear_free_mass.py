@@ -2,26 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S
-
-from symhaptic.notation import alpha, beta, d, z
-from symhaptic.notation.proposition import whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
-from symhaptic.proof.theorems.roots import first_minors
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 HALF = Rational(1, 2)
 

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, Rational, S, Symbol, exp
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.notation import delta, gamma, u
-from symhaptic.notation.proposition import Implies, Relation, both
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import of_device, rising, square
-from symhaptic.proof.theorems.kernel import Theorem, assume, discharged, placed, unfolded, weakened
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 HALF, QUARTER = S.Half, Rational(1, 4)
 MOST = gamma**2 * delta / 32

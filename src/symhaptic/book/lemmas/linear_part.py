@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Ne, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import corner
 from symhaptic.book.lemmas.passivity import PASSIVE, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     at_every_angle,
     bordering,
@@ -19,33 +15,8 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, theta, w, x, y
-from symhaptic.notation.proposition import Predicate, Relation, Terms
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    fact,
-    follows,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.notation import b, w
+from symhaptic.proof.theorems.familiar import bounded
 
 TURN = phi * (2 * d + 2)
 ONE = S.One

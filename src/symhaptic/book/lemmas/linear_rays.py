@@ -6,11 +6,6 @@ gamma.  On a ray Jury's largest minor is not negative at the start and bent down
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Ne, Rational, S, Symbol, symbols
-
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
     HALF,
@@ -20,22 +15,10 @@ from symhaptic.book.lemmas.linear_boundary import (
     minor,
     turn,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.circle import expanded, powers, quotient
-from symhaptic.notation import a, alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
 """Two walls in these coordinates, and a share of the way along a ray."""

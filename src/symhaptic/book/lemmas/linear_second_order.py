@@ -7,11 +7,6 @@ surplus over the line that is larger has its sign.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Rational, S, Symbol, exp, symbols
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
@@ -30,32 +25,15 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
-from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1, u
-from symhaptic.notation.proposition import Implies, Relation, both, conjuncts
+from symhaptic.notation import u
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.derivative import derivative
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import ordered, rising
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, positive
 
 UNEVEN, GAP = symbols("w G")
 """n_1 - n_0, and the gap times n_1 + n_0."""

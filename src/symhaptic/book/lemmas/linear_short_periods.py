@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne
-
 from symhaptic.book.lemmas.linear_far import quotient
 from symhaptic.book.lemmas.linear_second_order import near_the_line
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, y
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import (
     CONSTANT,
@@ -20,9 +16,6 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
 )
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, discharged, part, placed
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 
 @cache
@@ -69,7 +62,7 @@ def _inside(mass: Theorem, period: Theorem, soft: Theorem) -> list[Theorem]:
 
 
 @cache
-def tends() -> Theorem:
+def all_tend() -> Theorem:
     """What the claim ``short_periods`` concludes, under its hypotheses."""
     found = (discharged(tends_to_the_line(n), on_boundary_at(n).at(UNITS)) for n in LATE)
     return conjoined(*found)

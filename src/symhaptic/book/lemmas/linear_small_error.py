@@ -6,11 +6,6 @@ cent more damping, and from alpha = 0 on negative on that of 5 per cent less.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
@@ -29,11 +24,9 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import (
     HALF_WAY,
@@ -42,23 +35,7 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import magnitude, ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 MOST_B = HIGH + DAMPED + 2 * STIFF
 

@@ -2,28 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Ne, S, Symbol, cos, sin
-
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.circle import expanded
-from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, s_1, s_2, theta
-from symhaptic.notation.proposition import And, Predicate, Proposition, Relation, Terms
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import closed, every, for_all, positive
 
 HALF = S.Half
 GIVEN = (*ARM[1:], gamma * delta > 0, d >= 0)

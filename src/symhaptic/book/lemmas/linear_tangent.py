@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational, Rel, S, Symbol, pi
+from sympy import Rel
 
 from symhaptic.book.lemmas.arm_numbers import ARM, GAP, NUMBERS, TOTAL, pushed, share, signs
 from symhaptic.book.lemmas.linear_start import (
@@ -18,25 +16,10 @@ from symhaptic.book.lemmas.linear_start import (
     width,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.notation import d, delta, gamma, n_0, n_1, nu, s_1, s_2, theta, u
-from symhaptic.notation.proposition import Proposition, Relation, both, implied
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import no_other_limit
-from symhaptic.proof.theorems.familiar import both_ways, decided, of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, every, for_all, positive
 
 HALF = S.Half
 GIVEN = (*ARM[1:], d >= 0)

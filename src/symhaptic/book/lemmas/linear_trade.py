@@ -2,24 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from symhaptic.book.lemmas.linear import turned
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import Not, Proposition, Relation, Terms, negated
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import chained, either_way
 
 
 @cache

@@ -6,10 +6,6 @@ for all stiffer walls.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW
@@ -29,13 +25,11 @@ from symhaptic.book.lemmas.linear_rays import (
     share,
     slope,
     start_by_gap,
-    y,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions.linear_error import (
     BETWEEN,
     LEVEL,
@@ -44,21 +38,7 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import magnitude, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 STEEP = 1 - LEVEL
 """How steep the ray of an error of -2 per cent is, beside the line."""

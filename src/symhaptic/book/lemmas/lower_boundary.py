@@ -5,33 +5,13 @@ A wall that leaves the line some room keeps a margin with less damping of the de
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.linear_part import divisors, known, on_line, shares
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import first_half, limits, on_first_half, pushes, sufficient
-from symhaptic.notation import B, K, T, b, d, x, y
-from symhaptic.notation.proposition import Exists, both, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER, LITTLE, MINIMAL
-from symhaptic.proof.theorems.familiar import both_ways, decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, either_way, one, over, positive
 
 THIRD = Rational(1, 3)
 ROOM = b + B - K * T * (d + HALF)

@@ -6,32 +6,15 @@ not pull if there is no damper.
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol, pi
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
-from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
-from symhaptic.notation.proposition import Exists, Proposition, Relation, conjuncts
 from symhaptic.paper.propositions import conclusion
 from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
 from symhaptic.paper.propositions.ratio import WALL
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import at, closed, fact, over, positive, reductio
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 LIMIT = Rational("0.6899") + Rational("1.2") * delta
 """A little stiffer than every stable wall without delay, for all springs of (23)."""

@@ -2,19 +2,10 @@
 
 from __future__ import annotations
 
-from sympy import Expr, S
-
 from symhaptic.book.lemmas.passivity import WALL
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import v
 from symhaptic.proof.theorems.energy import stored
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import either_way, positive
 
 
 def of_mass(mass: Expr) -> Theorem:

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, S, exp, pi
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, l, n_1, z
-from symhaptic.notation.proposition import Predicate, Relation, conjuncts, whole
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,
@@ -22,31 +16,7 @@ from symhaptic.paper.propositions.comparison import (
     q,
     split_off,
 )
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    of_device,
-    rising,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    general,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    identity,
-    is_whole,
-    number,
-)
-from symhaptic.proof.theorems.roots import jury, pole_at
-from symhaptic.proof.theorems.tactics import chained, closed, either_way, for_all, positive
+from symhaptic.proof.theorems.roots import pole_at
 
 
 @cache

@@ -6,15 +6,10 @@ it rises with the damper.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -32,8 +27,6 @@ from symhaptic.book.lemmas.undelayed_curve import (
     needed,
     plants,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_1
-from symhaptic.notation.proposition import Proposition, Relation
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import (
@@ -43,35 +36,11 @@ from symhaptic.paper.propositions.stability import (
     damping_can_destabilise,
     reached,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof import box
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import device_exists
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    cut,
-    discharged,
-    part,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, more_damped, number, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    for_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.proof.theorems.leaves import more_damped
 
 OTHERS = sp.symbols("n_1'' n_0'' a'' e''")
 BARE = STABLE.at({d: S.Zero})

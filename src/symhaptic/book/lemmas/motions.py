@@ -2,23 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, TypeAlias
-
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.passivity import PASSIVE
-from symhaptic.notation.proposition import Proposition, Terms, conjuncts
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-)
-from symhaptic.proof.theorems.leaves import number
 
 Motion: TypeAlias = Sequence[tuple[Any, Any]]
 

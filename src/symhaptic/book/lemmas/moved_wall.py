@@ -6,13 +6,8 @@ springs.  Delays are none.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Rational, S
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (
     CHANGE,
     COST,
@@ -48,25 +43,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     inequalities,
     on_box,
 )
-from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import (
-    Relation,
-    conjuncts,
-)
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.familiar import device_exists, of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    relation,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, positive
+from symhaptic.paper.ranges import STIFF
 
 
 class Moved:

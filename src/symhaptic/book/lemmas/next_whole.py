@@ -8,53 +8,14 @@ r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi) + e
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol, cos, pi, sin, sqrt, tan
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_damping import END, LOW, all_between, begins, divisors, ends
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
-from symhaptic.notation import B, K, N, T, b, d, epsilon, kappa, l, psi, r, theta
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    not_negative,
-    ordered,
-    polar,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    cut,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, kappa, r
+from symhaptic.proof.theorems.familiar import polar
 
 CHI = N * psi - kappa
 STIFF, DAMPED = 2 * b * r * cos(kappa) * tan(psi) / T, b * r * (sin(kappa) - cos(kappa) * tan(psi))

@@ -2,29 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, Symbol, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passive_boundary import on_boundary
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.upper_boundary import upper_boundary
-from symhaptic.notation import T, alpha, b, beta, d, delta, m, omega, omega_hat
-from symhaptic.notation.proposition import Exists, Relation, both
+from symhaptic.notation import b, omega_hat
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.passivity import printed_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 TABLE = normalised(alpha, beta, delta)
 CURVE = printed_of("eq27")

@@ -6,27 +6,11 @@ z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import I, Rational, S, exp, pi
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import alpha, beta, delta, gamma, z
-from symhaptic.notation.proposition import (
-    Proposition,
-    Relation,
-    both,
-    conjuncts,
-    proposition,
-    whole,
-)
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import (
     ARMS,
     BESIDE,
@@ -37,33 +21,10 @@ from symhaptic.paper.propositions.plots import (
     triangle,
     undelayed,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.paper.ranges import DAMPED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import rising, sign_of, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, number
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    either_way,
-    fact,
-    for_all,
-    over,
-    positive,
-)
 
 f, NU = LEFT, (1 + LEFT) / NYQUIST
 SIDES = 1 + f + NU * alpha, 1 + NU * beta, 1 - f - NU * (alpha + 2 * beta)

@@ -2,40 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Ne, S, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passive_tip import known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import moved
 from symhaptic.book.lemmas.ratio_peak import least, passive_wall
 from symhaptic.book.lemmas.stiffest_passive import bound
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    b_D,
-    b_H,
-    beta,
-    d,
-    delta,
-    gamma,
-    k_H,
-    m_D,
-    m_H,
-    omega,
-)
-from symhaptic.notation.proposition import Relation, conjuncts, negated
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
@@ -58,33 +36,7 @@ from symhaptic.paper.propositions.one_delta import (
     still_true,
 )
 from symhaptic.paper.propositions.ratio import BEST
-from symhaptic.paper.ranges import DAMPED, RANGES
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    relation,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    either_way,
-    example,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.paper.ranges import DAMPED
 
 
 @cache

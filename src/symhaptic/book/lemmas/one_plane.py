@@ -2,74 +2,20 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S
-
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    epsilon,
-    gamma,
-    l,
-    m,
-    theta,
-    z,
-)
-from symhaptic.notation.proposition import Relation, proposition, whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.familiar import (
-    device_exists,
-    loop_of_device,
-    ordered,
-    with_rest,
-)
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number
-from symhaptic.proof.theorems.roots import zero_on_circle
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    one,
-    positive,
-    zero_beyond,
-)
 
 UNIT = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
 """Mass, period and damper of Fig. 11."""

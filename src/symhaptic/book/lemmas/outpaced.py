@@ -7,33 +7,12 @@ the angle of the tip of the stable region this bound is the tip itself.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any, TypeAlias
-
-import sympy as sp
-from sympy import Expr, S, Symbol, cos
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
 from symhaptic.model.circle import powers
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta
-from symhaptic.notation.proposition import Relation, whole
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, named
-from symhaptic.proof.theorems.familiar import loop_of_device, ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, on_plants
-from symhaptic.proof.theorems.roots import outpaces
-from symhaptic.proof.theorems.tactics import closed, fact, positive
 
 Side: TypeAlias = tuple[Expr, Expr, Expr]
 """p, q and c of the half plane p alpha + q beta < c."""

@@ -2,40 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import I, Ne, Rational, S, cos, exp
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, d, e, gamma, n_0, n_1, theta, y, z
-from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.paper.propositions.ratio import ARM
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    device_at_rest,
-    device_comes_to_rest,
-    loop_of_device,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
-from symhaptic.proof.theorems.roots import all_inside, roots_stay
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 LATE = Rational(59, 10**5)
 """The stiffness of a wall without virtual damping that is stable behind every delay, for the arm of

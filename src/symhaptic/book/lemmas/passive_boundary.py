@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import on_envelope, waves, wide
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     bordering,
     limits,
@@ -19,23 +15,8 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, x
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    decided,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 TWICE = {N: 2 * d + 2, phi: omega * T / 2}
 ANGLE = omega * T / 2

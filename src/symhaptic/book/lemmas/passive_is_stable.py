@@ -2,70 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, exp, pi
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin, mirror
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    gamma,
-    n_0,
-    n_1,
-    theta,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    decided,
-    device_at_rest,
-    device_comes_to_rest,
-    device_exists,
-    held_steady_state,
-    linear,
-    loop_of_device,
-    ordered,
-    rising,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    cut,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    is_whole,
-    mirrored,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.roots import all_inside, roots_stay
-from symhaptic.proof.theorems.tactics import at, closed, positive
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import linear
 
 NUMBERS = (n_1, n_0, a, e)
 LOOP = (alpha, beta, gamma, delta, d)

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, S, cos, sin
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passivity import passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, divisors, slope, stiffest_wall, waves
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, Wall
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts, whole
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, part, placed
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, one, positive
 
 
 @cache

@@ -2,38 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
-from symhaptic.notation import B, K, T, b, d, theta, z
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Implies,
-    Predicate,
-    Proposition,
-    both,
-    proposition,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import whole_delay
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part
-from symhaptic.proof.theorems.leaves import is_whole
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    either_way,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 
 WALL = (K, B, b, T, d)
 PASSIVE = Predicate("passive_wall", (), WALL)

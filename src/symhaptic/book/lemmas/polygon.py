@@ -7,48 +7,19 @@ way from the one wall to any other no zero then crosses the circle.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import Any, TypeAlias
 
 import numpy as np
-import sympy as sp
-from sympy import Expr, I, Ne, Rational, S, cos, exp, pi, sin
 
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, y, z
-from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.areas import Side, Wall, sides, within
 from symhaptic.paper.propositions.stability import SQUARE
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    device_exists,
-    loop_of_device,
-    of_device,
-    ordered,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored, number
-from symhaptic.proof.theorems.roots import roots_stay
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 Arm: TypeAlias = tuple[Expr, Expr]
 

@@ -2,60 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-
-from sympy import Eq, Expr, I, Rational, S, Symbol, pi
-
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    delta,
-    e,
-    gamma,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    x,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    Terms,
-    both,
-    whole,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom, device_exists
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    chosen,
-    conjoined,
-    part,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    none_right,
-    number,
-    one_right,
-    root_outside,
-    roots_inside,
-)
-from symhaptic.proof.theorems.tactics import closed, denied_by, fact
+from symhaptic.proof.theorems.leaves import none_right, one_right
 
 HALF = Rational(1, 2)
 LOOP = (alpha, beta, gamma, delta)

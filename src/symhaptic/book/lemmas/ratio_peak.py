@@ -6,62 +6,20 @@ long ones have the wall (0.00059, 0).
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, Symbol, symbols
-
 from symhaptic.book.lemmas.counted_delays import each_delay
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import LATE, stable_behind_every_delay
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Implies,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.ratio import BEST, END, RATE, WALL, stable
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.familiar import decided
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    over,
-    positive,
-    reductio,
-)
 
 PEAK, SHARE = 40, Rational(9998, 10**4)
 """The delay at which eta is largest, and a number between that and all others."""

@@ -5,29 +5,12 @@ A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.extent import ends, extent, first_half_turn, sine
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w, x
-from symhaptic.notation.proposition import Proposition
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import at, closed, follows, for_all, positive, sine_of_half
+from symhaptic.notation import b, u, w
 
 WHOLE_WALL = {u: K * T / 2, w: B + K * T / 2, N: 2 * (d + 1)}
 

@@ -2,20 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Symbol
-
-from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import real
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined
 
 
 def _place(name: Symbol, form: Expr, met: frozenset[Symbol]) -> Symbol:

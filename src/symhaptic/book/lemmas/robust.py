@@ -7,12 +7,9 @@ and that of the Nyquist frequency.
 
 from __future__ import annotations
 
-from functools import cache, partial
 from itertools import pairwise
-from typing import Any
 
 from scipy.optimize import minimize_scalar
-from sympy import Expr, Rational, S, expand, pi, symbols
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import none_above
@@ -20,33 +17,16 @@ from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
 from symhaptic.book.lemmas.stiffness_claims import Wall, beside
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts, whole
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims
 from symhaptic.paper.propositions.plots import NYQUIST
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive
 from symhaptic.paper.propositions.robust import robust
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.proof.theorems.familiar import loop_of_device, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import at, chained, closed, fact, for_all, over, positive
 
 STIFFEST = Rational(98702, 10**4)
 """A little more than the spring of the Nyquist frequency for delta = 0.02."""

@@ -2,34 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Ne, S, exp, sqrt
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, K, T, X, X_d, b, d, d_1, d_2, k, l, m, s, t, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.notation import X_d, b, d_1, d_2
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    general,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, identity
 from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 DEVICE = (m, b, k)
 RATE, SPRING = b * T / m, k * T**2 / m

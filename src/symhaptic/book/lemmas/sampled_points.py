@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, S, Symbol, pi
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import DEVICE, motion
-from symhaptic.notation import B, K, T, X, b, d, k, m, s, t, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, negated
+from symhaptic.notation import b
 from symhaptic.proof.theorems.familiar import amplified
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    conjoined,
-)
 from symhaptic.proof.theorems.samples import held_answer
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, fact
 
 SWINGING = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, d: 1, z: 4}
 """Half a swing per period, without a damper."""

@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, Rational, S, Symbol
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
     no_stiffer,
@@ -17,16 +11,7 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, m_D, m_H, n_0, y, z
-from symhaptic.notation.proposition import (
-    Exists,
-    Predicate,
-    Proposition,
-    Relation,
-    proposition,
-    whole,
-)
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.stability import (
     HEAVY,
     MORE,
@@ -39,32 +24,6 @@ from symhaptic.paper.propositions.stability import (
     SHARE as LIGHTER,
 )
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.roots import (
-    jury,
-    last_coefficient,
-)
-from symhaptic.proof.theorems.tactics import closed, either_way, fact, for_all, over, positive
 
 DAMPER, SPRING = MORE[1:]
 """Damper and spring of another loop."""

@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import S
-
-from symhaptic.notation import delta, gamma
-from symhaptic.notation.proposition import TRUE, Not, Proposition, Relation, Terms
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation.proposition import TRUE
 from symhaptic.paper.propositions.slips import END, ENDS, below
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-)
-from symhaptic.proof.theorems.tactics import at, fact
 
 
 def neither_end() -> Theorem:

@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, MARGIN, margin_to_the_end
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import PI
-from symhaptic.notation import alpha, beta, d, delta, theta, y
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    cut,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import tends
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive, sine_of_half
+from symhaptic.proof.theorems.familiar import bounded
 
 
 @cache

@@ -6,36 +6,16 @@ devices' numbers are known to a part in a million, so that their difference is k
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, bounds
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import conjuncts
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
-from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
-from symhaptic.proof.theorems.familiar import device_exists, of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 NEAR = Rational(5, 10**7)
 """So near are n_1 and n_0 to their series in L, less gamma/24."""

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S, Symbol
-
 from symhaptic.book.lemmas.moved_wall import Moved
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (
     HIGH,
     SHARE,
@@ -16,16 +12,6 @@ from symhaptic.book.lemmas.spring_box import (
     bounds,
 )
 from symhaptic.book.lemmas.undelayed_curve import between
-from symhaptic.notation import alpha, beta, gamma
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Predicate,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
 from symhaptic.paper.propositions.plots import (
     BESIDE,
     OTHER,
@@ -36,22 +22,6 @@ from symhaptic.paper.propositions.plots import (
     undelayed,
 )
 from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.familiar import ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
 
 
 def both_orders(made: Any) -> Theorem:

@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
-from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import Proposition, both, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part
-from symhaptic.proof.theorems.leaves import combined, root_outside, roots_inside
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import chained, closed, denied_by, either_way, fact
 
 
 def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:

@@ -2,38 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     measured,
     needed,
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    is_whole,
-    number,
-)
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
+from symhaptic.notation import b
 
 TURN = pi / (4 * (d + 1))
 """Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""

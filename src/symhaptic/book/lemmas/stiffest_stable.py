@@ -7,37 +7,12 @@ one stiffness for every damping, no stiffer wall is stable.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import circle
-from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1
-from symhaptic.notation.proposition import Relation, conjuncts, whole
 from symhaptic.proof import box
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
-from symhaptic.proof.theorems.familiar import device_exists, loop_of_device, ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, on_plants
-from symhaptic.proof.theorems.roots import last_coefficient
-from symhaptic.proof.theorems.tactics import closed, fact, over, positive
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 

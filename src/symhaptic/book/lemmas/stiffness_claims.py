@@ -2,30 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
-from typing import Any, TypeAlias
-
-from sympy import Expr, Rational, S, diff
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, x, y
-from symhaptic.notation.proposition import Proposition, Relation, conjuncts
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 Wall: TypeAlias = tuple[Expr, Expr]
 ELEVEN = printed_of("eq11")

@@ -2,26 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Expr, S, Symbol
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.notation import B, K, T, b, w, x, y
-from symhaptic.notation.proposition import Proposition, Relation, conjuncts
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import at, closed, example, fact, for_all, one, over, positive
+from symhaptic.notation import b, w
 
 
 def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:

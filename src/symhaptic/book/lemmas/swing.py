@@ -2,28 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, Symbol, pi, sqrt
-
-from symhaptic.notation import T, b, delta, gamma, k, m, omega, x
-from symhaptic.notation.proposition import Predicate, Relation, proposition
-from symhaptic.proof.theorems.familiar import divided, sign_of, swinging
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.tactics import chained, closed, either_way, one, over, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import divided, swinging
 
 RATE = Symbol("sigma")
 DEVICE = (m, b, k, omega)

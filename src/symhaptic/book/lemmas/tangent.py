@@ -9,38 +9,13 @@ from (d + 1) theta = 1 on, about.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, I, Ne, S, cos, exp, pi, sin
-
 from symhaptic.book.lemmas.outpaced import ROOM, room
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, x, y
-from symhaptic.notation.proposition import (
-    ForAll,
-    Proposition,
-    Relation,
-    implied,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
-from symhaptic.proof.theorems.familiar import ordered, sign_of, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
 
 TURN = exp(I * theta)
 TOP = n_1 * TURN + n_0

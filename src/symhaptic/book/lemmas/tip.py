@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin, tan
-
 from symhaptic.book.lemmas.chords import HALF, PI, lowest_coefficients, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import (
     LOWER,
@@ -21,25 +16,7 @@ from symhaptic.book.lemmas.envelope import (
     stiffness,
     turned,
 )
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import above_its_start, increases
-from symhaptic.proof.theorems.familiar import decided, ordered, sign_of, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.book.lemmas.prelude import *
 
 HALF_PI = number(Relation(S.Zero, "<", pi / 2))
 STIFFEST, ITS_DAMPING = tan(TURN), 2 / (N * sin(pi / N))

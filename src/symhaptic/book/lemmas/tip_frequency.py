@@ -2,30 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, divisors, waves
-from symhaptic.notation import K, T, b, d, omega, x
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive, sine_of_half
+from symhaptic.notation import b
 
 
 def first_without_damping(equation: Any, claim: Any) -> Theorem:

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import cosine, not_zero, sine, sine_of_larger
 from symhaptic.book.lemmas.envelope import (
     LOWER,
@@ -19,6 +15,7 @@ from symhaptic.book.lemmas.envelope import (
     stiffness,
     turned,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tip import (
     STIFFEST,
     at_tip,
@@ -29,18 +26,6 @@ from symhaptic.book.lemmas.tip import (
     tip,
     wave,
 )
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.notation.proposition import proposition
-from symhaptic.proof.theorems.familiar import decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 WALL = stiffness(phi), damping(phi)
 GOAL = line(*WALL) >= 0

@@ -7,51 +7,11 @@ N = p + q + 1: there only the wall's part of the polynomial is left.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Ne, Rational, S, Symbol, cos, pi, sin, symbols
-
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1, psi, x, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import NUMBERS
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    decided,
-    device_exists,
-    loop_late,
-    not_negative,
-    of_device,
-    ordered,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number
-from symhaptic.proof.theorems.roots import outpaces
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    over,
-    positive,
-    reductio,
-    zero_beyond,
-)
 
 p, q = symbols("p q")
 N, M = p + q + 1, q + 1

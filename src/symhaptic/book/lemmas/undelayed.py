@@ -2,53 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
-from sympy import Abs, Eq, Expr, Ne, S, cos, pi
+from sympy import Abs
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.notation.proposition import Or, Relation, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    magnitude,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    cut,
-    part,
-    placed,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    either_way,
-    fact,
-    follows,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.proof.theorems.familiar import bounded
 
 HALF = S.Half
 BORDER = K * T / 2 + Abs(B)

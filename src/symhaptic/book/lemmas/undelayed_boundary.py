@@ -2,28 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, S, pi
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.extent import sine
 from symhaptic.book.lemmas.linear_part import known
 from symhaptic.book.lemmas.lower_boundary import border_needs, of_border
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
-from symhaptic.notation import B, K, T, b, d, phi, x
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import UPPER
-from symhaptic.proof.theorems.familiar import both_ways
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 NONE, STIFF, DAMPED, FULL = UPPER.parts
 LEAST = K * T / 2 + B

@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -19,24 +14,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import Relation, both
 from symhaptic.paper.propositions.plots import CURVE, undelayed
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import of_device, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
+from symhaptic.paper.ranges import STIFF
 
 BETWEEN = both([alpha > -gamma, alpha < CURVE])
 WALLS = both([beta > -1, *BETWEEN.parts])

@@ -6,22 +6,13 @@ n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S, expand
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
-from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1, w
-from symhaptic.notation.proposition import ForAll, Proposition, both, conjuncts, implied
+from symhaptic.notation import w
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.familiar import device_static, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, placed, weakened
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
 """Ten times the springs of (23), and five times the dampers."""

@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Ne, S
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square
-from symhaptic.notation import B, K, T, X, alpha, b, beta, d, delta, gamma, k, m, s, t_d, z
-from symhaptic.notation.proposition import Iff, Proposition, Terms
+from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import one_answer, turns
-from symhaptic.proof.theorems.tactics import closed, positive
 
 DELAYED = answers(transfer(DEVICE, t_d, s), s, z, X, T)
 """X is the answer of the device behind the delay t_d."""

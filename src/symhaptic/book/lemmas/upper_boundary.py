@@ -6,11 +6,6 @@ wall of the envelope, N = 2 (d+1) > 2; both need their whole damping, and so the
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import (
     HALF,
     PI,
@@ -25,6 +20,7 @@ from symhaptic.book.lemmas.envelope import divisor
 from symhaptic.book.lemmas.linear_part import known, shares
 from symhaptic.book.lemmas.lower_boundary import border_needs, is_some, of_border
 from symhaptic.book.lemmas.passive_boundary import of_the_end
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     first_half,
     limits,
@@ -34,23 +30,9 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.book.lemmas.touching import touches
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, u, w
-from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.notation import b, u, w
 from symhaptic.paper.propositions.passivity import ABOVE
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import crosses_zero
-from symhaptic.proof.theorems.familiar import both_ways, decided, sign_of, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number, tends
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
 
 THIRD = Rational(1, 3)
 

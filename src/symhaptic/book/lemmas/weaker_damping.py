@@ -7,16 +7,13 @@ stiffness on all of (23), near enough for dampings that are two percent apart.
 from __future__ import annotations
 
 import itertools
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Rational, S, Symbol, symbols
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
@@ -27,47 +24,10 @@ from symhaptic.book.lemmas.stiffness_claims import (
     beside,
     passive_walls,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Or,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    negated,
-    proposition,
-)
-from symhaptic.paper.propositions import CLAIMED, ratio
+from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import DAMPED, RANGES
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    none_of,
-    not_all,
-    over,
-    positive,
-    reductio,
-)
+from symhaptic.paper.ranges import DAMPED
 
 APART = Rational(102, 100)
 """One damping is at least so many times the other."""
