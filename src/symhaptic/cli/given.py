@@ -20,7 +20,7 @@ Derivations = Annotated[
 SourceFolder = Annotated[
     Path | None,
     typer.Option(
-        "--source", metavar="DIR", help="A source of your own: a folder with source.py and chapters."
+        "--source", metavar="DIR", help="Your own source: a folder with source.py and chapters."
     ),
 ]
 
