@@ -182,7 +182,7 @@ def verify(
         if (path.parent / chapters.SOURCE_FILE).is_file():
             typer.echo(
                 f"symhaptic: {path} is a chapter of a source; --derivation only requires that its "
-                f"statements hold. `symhaptic verify --source {path.parent}` compares its verdicts "
+                f"statements hold. `symhaptic verify --source {path.parent}` compares "
                 "with its ledger",
                 err=True,
             )

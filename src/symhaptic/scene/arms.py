@@ -192,7 +192,7 @@ class ArmRange:
         """
         some = list(arms) if isinstance(arms, Iterable) else []
         if not some or not all(isinstance(arm, Arm) for arm in some):
-            raise ValueError(f"arms: {shown(arms)} is not allowed; some Arm(...) are")
+            raise ValueError(f"arms: {shown(arms)} is not allowed; give one or more Arm(...)")
         if any(arm.with_device for arm in some):
             raise ValueError(
                 "arms: one that was measured with its device is not allowed in a range"
@@ -210,7 +210,7 @@ class ArmRange:
 
     @property
     def hands(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-        """Ranges of mass, damping and stiffness; the last two per mass if :attr:`by_mass`."""
+        """Ranges of mass, damping and stiffness; the last two per mass if ``by_mass``."""
         damping = self.damping_per_mass if self.damping is None else self.damping
         stiffness = self.stiffness_per_mass if self.stiffness is None else self.stiffness
         return self.mass, damping, stiffness  # type: ignore[return-value]

@@ -110,11 +110,9 @@ def lambdify(
         form = "derived"
     if form != "stable":
         if derivatives:
-            raise ValueError(
-                f"derivatives: is not allowed with form={form!r}; stable forms have them"
-            )
+            raise ValueError(f"derivatives: is not allowed with form={form!r}; give form='stable'")
         if scene is not None:
-            raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
+            raise ValueError(f"scene: is not allowed with form={form!r}; give form='stable'")
         return _Lambdified.of(_of_the_paper(id, form, modules), (id, form, modules))
     parts = _parts(scene)
     try:

@@ -483,7 +483,7 @@ class Scene:
         from symhaptic.scene.picture import draw, new_axes
 
         if (K is None) != (B is None):
-            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; both are, or none")
+            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, "N/m"), number("B", B, "N*s/m")
