@@ -30,8 +30,14 @@ from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.points import Point, points
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.judge import Case, Judged
-from symhaptic.proof.theorems.kernel import NotShown, Theorem, assume, conjoined, substituted
-from symhaptic.proof.theorems.kernel import weakened as add_assum
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    assume,
+    conjoined,
+    substituted,
+    weakened,
+)
 from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
@@ -106,7 +112,7 @@ class Print:
             raise NotShown("it holds only where more is defined than the print")
         if not self.symbols:
             return shown
-        return for_all(self.symbols, self.given, add_assum(shown, *self.given))
+        return for_all(self.symbols, self.given, weakened(shown, *self.given))
 
     def _shown(self, number: int) -> Theorem:
         last = self.stages[-1][number]

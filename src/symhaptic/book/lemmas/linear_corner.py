@@ -68,9 +68,9 @@ def wall(delay: int) -> Theorem:
     far = closed(far, positive(value <= 0, [down], [LEVEL]))
     found = witnessed(conjoined(boundary, less, far), wanted, {s: s for s in there})
     apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
-    exists = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conjoined(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(exists, named, there), closed(found, *apart, slow()))
+    found = chosen(witnessed(there_is, named, there), closed(found, *apart, slow()))
     return closed(found, not_zero(size))
 
 

@@ -79,9 +79,9 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     found = witnessed(found, far_at(delay), {s: s for s in there})
     apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
     found = closed(found, *apart, slow())
-    exists = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conjoined(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(exists, named, there), found)
+    found = chosen(witnessed(there_is, named, there), found)
     return of_every_plant(closed(found, not_zero(known[area])))
 
 

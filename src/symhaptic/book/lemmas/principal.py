@@ -74,9 +74,9 @@ def true_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
     numbers = (_device(), _late()) if device is SPRING else (_free(), _late_free())
     loop = _in_numbers(loop, numbers[0] | numbers[1])
     facts = (number(Relation(v, "<=", w)) for v, w in ((S.Zero, HALF), (HALF, S.One)))
-    exists = axiom("late device", *device.values(), HALF)
-    exists = closed(exists, *(fact(h) for h in exists.hypotheses))
-    return chosen(exists, closed(loop, *facts))
+    there_is = axiom("late device", *device.values(), HALF)
+    there_is = closed(there_is, *(fact(h) for h in there_is.hypotheses))
+    return chosen(there_is, closed(loop, *facts))
 
 
 def _on_the_sheet(device: Terms, wall: Terms, stable: bool) -> Theorem:

@@ -10,9 +10,9 @@ from symhaptic.notation import b, w
 
 def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:
     """What is the largest stiffness is at most, and at least, that of (11)."""
-    exists, others = known
+    there_is, others = known
     passive, bound, value = largest_of(printed, delay)
-    below = chosen(assume(exists), placed(bound, {K: stiffness}))
+    below = chosen(assume(there_is), placed(bound, {K: stiffness}))
     wall = passive.conclusion.of  # type: ignore[attr-defined]
     above = at(assume(others), {w: wall[0], B: wall[1]}, passive)
     return positive(stiffness <= value, [below]), positive(value <= stiffness, [above]), value
@@ -52,10 +52,10 @@ def case(claim: Proposition, printed: Any, delay: int) -> Case:
     walls = [largest_of(printed, late) for late in (0, delay)]
     point = unit | {s: wall[2].xreplace(unit) for s, wall in zip((x, y), walls, strict=True)}
     known: list[Theorem] = []
-    for (exists, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
+    for (there_is, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
         passive, bound = (placed(t, unit) for t in wall[:2])
         passive, bound = (closed(t, *_numbers(t)) for t in (passive, placed(bound, {K: w})))
-        known.append(witnessed(passive, exists.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
+        known.append(witnessed(passive, there_is.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
         goal, some = others.at(point), others.at(point).body.of[0]  # type: ignore[attr-defined]
         least = positive(goal.body.of[1], [bound])  # type: ignore[attr-defined]
         known.append(for_all([w, B], [some], least))

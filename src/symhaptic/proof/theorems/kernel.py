@@ -370,7 +370,7 @@ def instance(theorem: Theorem, values: Terms) -> Judgement:
     sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
     _real({s: v for s, v in values.items() if s not in sided})
     extra = conditions(*(term(v) for s, v in values.items() if s not in said))
-    found, lost = inst(claim.body, values)
+    found, lost = put(claim.body, values)
     return theorem.hypotheses | extra | lost, found
 
 
@@ -381,16 +381,16 @@ def placed(theorem: Theorem, values: Terms) -> Judgement:
     That the terms have values is a hypothesis, and so is that a divisor is not zero which SymPy
     cancels when it writes what comes out: a hypothesis must not become weaker.
     """
-    conclusion, extra = inst(theorem.conclusion, values)
+    conclusion, extra = put(theorem.conclusion, values)
     extra |= _real(values) | conditions(*map(term, values.values()))
     hypotheses = set[Proposition]()
     for hypothesis in theorem.hypotheses:
-        there, lost = inst(hypothesis, values)
+        there, lost = put(hypothesis, values)
         hypotheses |= {there, *lost}
     return hypotheses | extra, conclusion
 
 
-def inst(claim: Proposition, values: Terms) -> tuple[Proposition, frozenset[Proposition]]:
+def put(claim: Proposition, values: Terms) -> tuple[Proposition, frozenset[Proposition]]:
     """A claim at terms as SymPy writes it, and what it divides by no more."""
     there = claim.inst({s: tree(term(v)) for s, v in values.items()})
     written = there.evaluated()
@@ -451,10 +451,10 @@ def _real(values: Terms) -> frozenset[Proposition]:
 def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
     """p(a) and a = b give p(b)."""
     pattern, equal = proposition(pattern), relation(equation, "=")
-    before, extra = inst(pattern, {place: equal.left})
+    before, extra = put(pattern, {place: equal.left})
     if theorem.conclusion != before:
         raise NotShown(f"{theorem.conclusion} is not {pattern} there")
-    after, more = inst(pattern, {place: equal.right})
+    after, more = put(pattern, {place: equal.right})
     extra |= more | _real({place: equal.left}) | _real({place: equal.right})
     return theorem.hypotheses | equation.hypotheses | extra | conditions(*equal.terms), after
 
@@ -464,7 +464,7 @@ def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement
     """p(a), for real terms a, gives that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
         raise NotShown("no value for each of the symbols")
-    there, lost_ = inst(wanted.body, values)
+    there, lost_ = put(wanted.body, values)
     if there != theorem.conclusion:
         raise NotShown(f"{theorem.conclusion} is not {wanted} at these values")
     _real(values)
