@@ -132,6 +132,8 @@ def is_passive(
     >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, False, False]
     """
+    if sheet == "exact":  # left out, it takes the short way
+        return passivity_margin(alpha, beta, delta, delay) >= 0
     return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
 
 
