@@ -44,7 +44,7 @@ def explicit_wall(root: Proposition, wall: Proposition, top: Expr, square_: Expr
     zero = assume(root)
     other = mirrored(zero)
     stiff, damped = (assume(p) for p in wall.parts)
-    there = conjoined(
+    there = conj(
         combined(stiff.conclusion, [zero, across], [other, mirror(across)]),
         combined(damped.conclusion, [zero, height], [other, mirror(height)]),
     )
@@ -108,8 +108,8 @@ def begins_there(delay: Expr = d, lower: Expr = S.Zero) -> Theorem:
         equal = closed(combined(Relation(raw, "=", value), [static, -share]), *apart)
         place = Symbol("q")
         pattern = Predicate("limit", (theta,), (expr, start, place))
-        found.append(closed(substituted(pattern, place, limit, equal), *apart))
-    return conjoined(*found)
+        found.append(closed(subst(pattern, place, limit, equal), *apart))
+    return conj(*found)
 
 
 def static_difference() -> Expr:
@@ -120,5 +120,5 @@ def static_difference() -> Expr:
 def at_rest() -> tuple[Theorem, Theorem]:
     """1 - a + e = gamma (n_1 + n_0) and 0 < n_1 + n_0, of a damped device."""
     rest = device_at_rest(assume(DEVICE))
-    static, pushed, _ = (part(rest, claim) for claim in rest.conclusion.parts)
+    static, pushed, _ = (conjunct(rest, claim) for claim in rest.conclusion.parts)
     return static, pushed

@@ -22,7 +22,7 @@ def anywhere(theorem: Callable[[], Theorem]) -> Callable[..., Theorem]:
     @cache
     @wraps(theorem)
     def there(angle: Expr = psi) -> Theorem:
-        return made() if angle == psi else placed(made(), {psi: angle})
+        return made() if angle == psi else inst(made(), {psi: angle})
 
     return there
 
@@ -132,7 +132,7 @@ def chord_after() -> Theorem:
     turned = closed(sign_of(cos, room - pi), low, high)
     goal = rest.xreplace({phi: psi}) > 0
     late = positive(goal, [sine_of_larger(psi)], [size(), sine(psi), turned])
-    return by_cases(ordered(room, pi), early, late)
+    return disj_cases(ordered(room, pi), early, late)
 
 
 @anywhere
@@ -152,7 +152,7 @@ def bend() -> Theorem:
     rises = increases(rest, phi, S.Zero, pi / N, slope, defined)
     found = above_its_start(closed(rises, *apart), tends(rest, phi, S.Zero, S.Zero))
     found = closed(found, positive(phi < pi / N, [below]), *apart)
-    return placed(found, {phi: psi})
+    return inst(found, {phi: psi})
 
 
 def not_zero(theorem: Theorem) -> Theorem:

@@ -25,7 +25,7 @@ def settle(page: Page, form: str, blocks: Sequence[Later], says: str) -> None:
     """
     page.state(statement(form), says, claim=both(later.block.says() for later in blocks))
     shown = [later.derive() for later in blocks]
-    whole = shown[0] if len(shown) == 1 else conjoined(*shown)
+    whole = shown[0] if len(shown) == 1 else conj(*shown)
     page.settle(
         statement(form), whole, example=None if len(shown) > 1 else blocks[0].block.example()
     )

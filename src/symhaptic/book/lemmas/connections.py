@@ -28,7 +28,7 @@ DAMPED = delta > 0
 @cache
 def parallel() -> Theorem:
     """n = 1 => 0 <= R_1 + R_2."""
-    return discharged(positive(REAL[PARALLEL] >= 0, [R_1 >= 0], [R_2 >= 0]), Eq(KIND, PARALLEL))
+    return disch(positive(REAL[PARALLEL] >= 0, [R_1 >= 0], [R_2 >= 0]), Eq(KIND, PARALLEL))
 
 
 @cache
@@ -40,14 +40,14 @@ def fed_back() -> Theorem:
     answer = R_1 + (R_1**2 + X_1**2) * R_2
     first, turned = [R_2 >= 0, square(R_1)], [R_2 >= 0, square(X_1)]
     found = over(REAL[FED_BACK] >= 0, positive(answer >= 0, [R_1 >= 0], first, turned), size)
-    return discharged(closed(found, apart), Eq(KIND, FED_BACK), Ne(SIZE, 0))
+    return disch(closed(found, apart), Eq(KIND, FED_BACK), Ne(SIZE, 0))
 
 
 def no_chain() -> Theorem:
     """n = 3 => anything, for n < 3."""
     never = combined(KIND >= CHAIN, [assume(Eq(KIND, CHAIN)), -1])
-    claim = anything(absurd(assume(NO_CHAIN), never), REAL[CHAIN] >= 0)
-    return discharged(claim, Eq(KIND, CHAIN))
+    claim = contr(not_intro(assume(NO_CHAIN), never), REAL[CHAIN] >= 0)
+    return disch(claim, Eq(KIND, CHAIN))
 
 
 @cache
@@ -61,7 +61,7 @@ def negative(point: Mapping[Expr, Expr]) -> Theorem:
     claim = connected(CHAIN).at(point)
     kind, real = claim.of  # type: ignore[attr-defined]
     below = fact(negated(real))
-    return absurd(applied(assume(claim), fact(kind)), below, claim)
+    return not_intro(mp(assume(claim), fact(kind)), below, claim)
 
 
 @cache
@@ -76,7 +76,7 @@ def passive_wall_is_stable() -> Theorem:
         assume(PASSIVE_WALL),
     ]
     found = at(late_passive_is_stable(), behind, *given)
-    return chosen(turns, found)
+    return choose(turns, found)
 
 
 def stays_on_circle(point: Mapping[Expr, Expr], angle: Expr) -> Theorem:

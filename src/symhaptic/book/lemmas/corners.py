@@ -47,13 +47,13 @@ def undelayed(goal: Any, *divisors: Theorem) -> Theorem:
     zero = closed(identity(there.right, S.Zero), *divisors)  # type: ignore[attr-defined]
     weak = combined(there, [zero, S.NegativeOne])
     equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
-    return substituted(claim, x, weak, equation)
+    return subst(claim, x, weak, equation)
 
 
 def either_delay(delayed: Theorem, undelayed: Theorem) -> Theorem:
     """What holds for N > 2 and for N = 2 holds for N >= 2."""
     more = strictly(assume(N >= 2), combined(Ne(S(2), N), [assume(Ne(N, 2))]))
-    return by_cases(decided(N, 2), undelayed, closed(delayed, more))
+    return disj_cases(decided(N, 2), undelayed, closed(delayed, more))
 
 
 @cache
@@ -80,7 +80,7 @@ def wide(angle: Expr = psi) -> Theorem:
     claim = proposition(divisor(angle).subs(N, x) > 0)
     product = positive(divisor(angle).subs(N, 2) > 0, [4, *waves(angle)])
     equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
-    return either_delay(width(angle), substituted(claim, x, product, equation))
+    return either_delay(width(angle), subst(claim, x, product, equation))
 
 
 @cache

@@ -11,7 +11,7 @@ def cotangent_exceeds() -> Theorem:
     rest = t * cosh(t / 2) - 2 * sinh(t / 2)
     slope = positive(diff(rest, t) > 0, [Rational(1, 2), t > 0, sine])
     above = positive(rest.subs(t, delta) > 0, [grows(rest, t, S.Zero, delta, slope)])
-    sine = placed(sine, {t: delta})
+    sine = inst(sine, {t: delta})
     below = positive(delta * sinh(delta / 2) > 0, [delta > 0, sine])
     apart = positive(Ne(sinh(delta / 2), 0), [sine]), positive(Ne(delta, 0), delta > 0)
     excess = cosh(delta / 2) / sinh(delta / 2) - 2 / delta

@@ -70,12 +70,12 @@ def speed_outwards() -> Theorem:
 def one_angle() -> Theorem:
     """The surplus is q(y) of degree two, with y = 2 - 2 cos(theta), so that it rises once."""
     wanted = Relation(theta, "=", OTHER)
-    later = by_cases(
+    later = disj_cases(
         ordered(OTHER, theta),
-        anything(_apart(OTHER, theta), wanted),
+        contr(_apart(OTHER, theta), wanted),
         both_ways(assume(theta <= OTHER), assume(theta >= OTHER)),
     )
-    found = by_cases(ordered(theta, OTHER), anything(_apart(theta, OTHER), wanted), later)
+    found = disj_cases(ordered(theta, OTHER), contr(_apart(theta, OTHER), wanted), later)
     return for_all((*NAMES, OTHER), twice(), found)
 
 
@@ -90,7 +90,7 @@ def _apart(smaller: Symbol, larger: Symbol) -> Theorem:
     product = (2 * cos(smaller) - 2 * cos(larger)) * _mean(smaller, larger)
     equal = [assume(EQUAL.at({theta: s})) for s in (larger, smaller)]
     nothing = combined(Relation(product, "=", S.Zero), [equal[0], 1], [equal[1], -S.One])
-    return absurd(combined(product > 0, [ahead, rises]), nothing)
+    return not_intro(combined(product > 0, [ahead, rises]), nothing)
 
 
 def _quadratic(y: Expr) -> Expr:

@@ -19,13 +19,13 @@ def drawn(claim: Any) -> Theorem:
     *parts, others, tip = claim.of
     made = on_boundary, on_line, lambda *_: on_it()
     found = [_implied(of, how) for of, how in zip(parts, made, strict=True)]
-    return conjoined(*found, _no_others(others), _implied(tip, stiffest_wall))
+    return conj(*found, _no_others(others), _implied(tip, stiffest_wall))
 
 
 def _implied(implication: Any, made: Callable[..., Theorem]) -> Theorem:
     """One implication, of which the print comes last."""
     known = conjuncts(implication.of[0])
-    return discharged(weakened(made(*map(assume, known[-2:])), *known), implication.of[0])
+    return disch(add_assum(made(*map(assume, known[-2:])), *known), implication.of[0])
 
 
 def _no_others(implication: Any) -> Theorem:
@@ -33,11 +33,11 @@ def _no_others(implication: Any) -> Theorem:
     border, cover = implication.of
     arc, line, _ = cover.of
     late = strictly(assume(d >= 0), combined(Ne(S.Zero, d), [assume(Ne(d, 0))]))
-    above = widened(closed(upper_boundary(arc), late), cover)
+    above = disj(closed(upper_boundary(arc), late), cover)
     damped = positive(B >= 0, [d * b / (2 * d + 3) < B], [loss()])
-    at_once = widened(closed(its_damping(), damped), cover)
-    high = by_cases(decided(d, 0), at_once, above)
-    low = widened(nothing_else(line.body.of[2:]), cover)
-    found = by_cases(ordered(d * b / (2 * d + 3), B), high, low)
+    at_once = disj(closed(its_damping(), damped), cover)
+    high = disj_cases(decided(d, 0), at_once, above)
+    low = disj(nothing_else(line.body.of[2:]), cover)
+    found = disj_cases(ordered(d * b / (2 * d + 3), B), high, low)
     found = closed(found, not_zero(shares()[2]))
-    return discharged(closed(found, part(assume(border), BORDER)), border)
+    return disch(closed(found, conjunct(assume(border), BORDER)), border)

@@ -14,11 +14,11 @@ def enclosed_walls_are_stable() -> Theorem:
     symbols, given, _ = taken_apart(enclosed())
     _, begin, free = given
     readings = loop_of_device(NUMBERS, LOOP)
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     there: Any = loop.conclusion.parts[1].terms[0]
     here = there.subs(dict(zip((alpha, beta), START, strict=True)), simultaneous=True)
-    first = placed(loop, dict(zip((alpha, beta), START, strict=True)))
-    inside = applied(first, assume(begin))
+    first = inst(loop, dict(zip((alpha, beta), START, strict=True)))
+    inside = mp(first, assume(begin))
     share, angle = WAY, theta
     way = [assume(share > 0), assume(share <= 1)]
     circle = [positive(angle >= 0, angle > 0), assume(angle <= pi)]
@@ -27,5 +27,5 @@ def enclosed_walls_are_stable() -> Theorem:
     static = at(assume(free), {share: share, angle: S.Zero}, *way, *ends)
     found = roots_stay(here, there - here, z, share, angle, crossing, static, inside)
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = closed(applied(loop, found), *steps)
-    return for_all(symbols, given, weakened(found, *given))
+    found = closed(mp(loop, found), *steps)
+    return for_all(symbols, given, add_assum(found, *given))

@@ -95,7 +95,7 @@ def same_side(side: int, after: bool) -> Theorem:
     stiff = stiffness(phi)
     low, high = (phi, psi) if after else (psi, phi)
     way = side if after else -side
-    moved = placed(rises(side), {psi: x} if after else {phi: x, psi: phi})
+    moved = inst(rises(side), {psi: x} if after else {phi: x, psi: phi})
     top = positive(divisor(x) * way * (stiffness(x) - stiff) > 0, [width(x), moved])
     squared = 2 * sin(x) ** 2 * cos(N * x) ** 2
     bottom = positive(squared > 0, [2, sine(x), sine(x), turned(side, x), turned(side, x)])

@@ -89,10 +89,10 @@ def weakly() -> Theorem:
     cosine = closed(sign_of(cos, u), positive(-pi / 2 < u, [low], [HALF, PI]))
     same = number(Relation(S.Zero, "<=", S.Zero))
     back = combined(Eq(u, w), [equal, -S.One])
-    turned = substituted(there >= 0, place, same, back)
+    turned = subst(there >= 0, place, same, back)
     other = closed(sign_of(cos, w), positive(-pi / 2 < w, w > 0, [HALF, PI]))
     other = closed(other, positive(w < pi / 2, w <= u, u < pi / 2))
-    found = by_cases(ordered(w, u), strict, turned)
+    found = disj_cases(ordered(w, u), strict, turned)
     return closed(found, not_zero(cosine), not_zero(other))
 
 
@@ -122,9 +122,9 @@ def gains_little() -> Theorem:
     turn = over(small > 0, number(Relation(S.Zero, "<", pi / 4)), many)
     below = waves()["below"]
     ratio = closed(
-        placed(weakly(), {w: small, u: large}), turn, positive(small <= large, [order]), below
+        inst(weakly(), {w: small, u: large}), turn, positive(small <= large, [order]), below
     )
-    softer = placed(bound(), later)
+    softer = inst(bound(), later)
     period = over(1 / T > 0, one(), T > 0)
     share = over((d + 1) / (d * (LATER + 1)) > 0, more, positive(d * (LATER + 1) > 0, [late, many]))
     factor_ = over(
@@ -154,5 +154,5 @@ def gains_little() -> Theorem:
     others = some.body.of[1]  # type: ignore[attr-defined]
     values = {x: stiffness, y: damping}
     bare = for_all([K, B], [others.at(values).body.of[0]], closed(room, *rest))
-    found = closed(witnessed(conjoined(best, bare), some, values), *rest, *rest)
-    return for_all(symbols, given, weakened(found, *given))
+    found = closed(exists(conj(best, bare), some, values), *rest, *rest)
+    return for_all(symbols, given, add_assum(found, *given))

@@ -20,7 +20,7 @@ NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 def valued(claim: Proposition, symbol: Symbol, value: Expr, theorem: Theorem) -> Theorem:
     """What holds for one value of a symbol, with the symbol in its place, where it has it."""
     equal = combined(Relation(value, "=", symbol), [assume(Eq(symbol, value)), -1])
-    return substituted(claim, symbol, theorem, equal)
+    return subst(claim, symbol, theorem, equal)
 
 
 def each_value(
@@ -38,7 +38,7 @@ def each_value(
         choice: Any = given[symbol]
         values = [p.terms[1] for p in choice.of]
         shown = (valued(here, symbol, v, cases({**known, symbol: v})) for v in values)
-        return by_cases(assume(choice), *shown)
+        return disj_cases(assume(choice), *shown)
 
     return cases({})
 
@@ -49,15 +49,15 @@ def right_of_the_line() -> Theorem:
     pushed = on_box(n_1 + n_0, RANGES)
     static = of_device("device at rest", assume(DEVICE))
     readings = loop_of_device(NUMBERS, LOOP)
-    loop: Any = part(readings, readings.conclusion.parts[1])
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     away = positive(-gamma - alpha >= 0, alpha <= -gamma)
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     never = of_every_plant(closed(denied_by(loop, zero_beyond(zeros, z, value)), *steps))
     wanted = Relation(-gamma, "<", alpha)
-    outside = anything(absurd(assume(STABLE), never), wanted)
-    return by_cases(ordered(-gamma, alpha), assume(wanted), outside)
+    outside = contr(not_intro(assume(STABLE), never), wanted)
+    return disj_cases(ordered(-gamma, alpha), assume(wanted), outside)
 
 
 def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
@@ -65,23 +65,21 @@ def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     _, _, left, near, tip = claim.at(corner).of
     arm: Arm = (corner[gamma], corner[delta])
     late = int(corner[d])
-    solid = numbers_known(placed(stable_curve(), corner))
-    line = numbers_known(placed(right_of_the_line(), corner))
+    solid = numbers_known(inst(stable_curve(), corner))
+    line = numbers_known(inst(right_of_the_line(), corner))
     bound = for_all(left.over, [left.body.of[0]], line)
     beside = (-corner[gamma] + THIN / 2, NEAR[late])
     held = stable_at({**dict(zip((alpha, beta), beside, strict=True)), **corner})
     values = dict(zip(BESIDE, beside, strict=True))
-    reached = witnessed(conjoined(held, fact(near.body.of[1].at(values))), near, values)
+    reached = exists(conj(held, fact(near.body.of[1].at(values))), near, values)
     wall, stable = wall_below(arm, late)
     limit, below = none_above(arm, late)
     values = dict(zip(BESIDE, wall, strict=True))
     others = tip.body.of[1].at(values).body
     most = positive(others.of[1], [below], [wall[0] + THIN - limit])
-    stiffest = witnessed(
-        conjoined(stable, for_all((alpha, beta), [others.of[0]], most)), tip, values
-    )
-    within = numbers_known(placed(enclosed_walls_are_stable(), corner))
-    return conjoined(solid, within, bound, reached, stiffest)
+    stiffest = exists(conj(stable, for_all((alpha, beta), [others.of[0]], most)), tip, values)
+    within = numbers_known(inst(enclosed_walls_are_stable(), corner))
+    return conj(solid, within, bound, reached, stiffest)
 
 
 @cache
@@ -102,4 +100,4 @@ def drawn() -> Theorem:
 
     walls = each_value(every((alpha, beta), [late], narrow), {delta: damper}, width)
     inner = at(walls, {alpha: alpha, beta: beta}, assume(late))
-    return conjoined(whole_region, for_all(over, [damper, late], weakened(inner, damper, late)))
+    return conj(whole_region, for_all(over, [damper, late], add_assum(inner, damper, late)))

@@ -43,7 +43,7 @@ def on_the_axis() -> Theorem:
     imaginary = q * size * (size**2 - 1) * (STIFF * size**2 + beta)
     pushed = [*above, longer, stiff, sign_of(exp, 2 * psi)], [*above, longer, brake]
     turns = full_turns(S.Zero, assume(whole(l)))
-    sine, cosine = (part(turns, claim) for claim in turns.conclusion.parts)
+    sine, cosine = (conjunct(turns, claim) for claim in turns.conclusion.parts)
     real = combined(Eq(sign, 1 / sign), [cosine, 1 / sign], [sine, I / sign])
     there = path(psi + I * pi / 2)
     zero = assume(Eq(there, 0))
@@ -53,7 +53,7 @@ def on_the_axis() -> Theorem:
         [mirrored(zero), I],
         [real, I * exp(2 * psi * (l + 2)) * (size**2 + 1) ** 2],
     )
-    return differs(there, absurd(combined(imaginary > 0, *pushed), none))
+    return differs(there, not_intro(combined(imaginary > 0, *pushed), none))
 
 
 @cache
@@ -69,9 +69,9 @@ def stable_as_read() -> Theorem:
     here = x + I * y
     root = assume(Eq(here, 0))
     twice = combined(Relation(2 * x, "=", S.Zero), [root], [mirrored(root)])
-    right = differs(here, absurd(positive(2 * x > 0, [2, x > 0]), twice))
+    right = differs(here, not_intro(positive(2 * x > 0, [2, x > 0]), twice))
     found = closed(factor(apart.left, known, -here), right)
-    found = applied(sheet, for_all((x, y), outside.of, found))
+    found = mp(sheet, for_all((x, y), outside.of, found))
     return for_all((alpha, beta, l), [whole(l), TRUE], counted(found))
 
 

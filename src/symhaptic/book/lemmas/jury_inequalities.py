@@ -24,7 +24,7 @@ def _sides(delay: int) -> tuple[Proposition, Proposition]:
 @cache
 def jury_decides() -> Theorem:
     """The claim."""
-    return conjoined(*(for_all(WALLS, [DEVICE], weakened(_same(n), DEVICE)) for n in DELAYS))
+    return conj(*(for_all(WALLS, [DEVICE], add_assum(_same(n), DEVICE)) for n in DELAYS))
 
 
 def _same(delay: int) -> Theorem:
@@ -32,10 +32,10 @@ def _same(delay: int) -> Theorem:
     criterion = by_inequalities(delay)
     stable, wanted = _sides(delay)
     theirs: Any = criterion.conclusion.parts[1]
-    inside = applied(criterion, assume(stable))
-    there = conjoined(*(_scaled(p, [part(inside, q) for q in theirs.parts]) for p in wanted.parts))
-    known = [part(assume(wanted), p) for p in wanted.parts]
-    here = applied(criterion, conjoined(*(_scaled(q, known) for q in theirs.parts)))
+    inside = mp(criterion, assume(stable))
+    there = conj(*(_scaled(p, [conjunct(inside, q) for q in theirs.parts]) for p in wanted.parts))
+    known = [conjunct(assume(wanted), p) for p in wanted.parts]
+    here = mp(criterion, conj(*(_scaled(q, known) for q in theirs.parts)))
     return either_way(there, here, stable, wanted)
 
 

@@ -47,7 +47,7 @@ def on_first_half(frequencies: Any) -> Theorem:
 
 def between(frequencies: Any) -> tuple[Theorem, Theorem]:
     """B <= b and -b <= B for a wall that meets (5) and does not pull; d >= 0 is real."""
-    high, low = (placed(end, WHOLE_WALL) for end in ends())
+    high, low = (inst(end, WHOLE_WALL) for end in ends())
     size = positive(2 * d + 2 >= 2, [2, d >= 0])
     pushes = assume(K >= 0), assume(T > 0)
     above = positive(b >= B, [high], [HALF, *pushes])
@@ -79,8 +79,8 @@ def limit_points(claim: Any, frequencies: Any) -> Theorem:
         weak = closed(weak, *divisors(angle), *inside, not_zero(assume(T > 0)))
         weak = for_all([omega], met.body.of[0].of, weak)
         last = combined(order, [bound], [damper, S(-way)])
-        found.append(discharged(conjoined(weak, last), *end.of[0].of))
-    return conjoined(*found)
+        found.append(disch(conj(weak, last), *end.of[0].of))
+    return conj(*found)
 
 
 def upper_frequency(equation: Any, claim: Any) -> Theorem:
@@ -98,7 +98,7 @@ def upper_frequency(equation: Any, claim: Any) -> Theorem:
     five, linear = same.of
     either = either_way(positive(linear, [five]), positive(five, [linear]), five, linear)
     equal = identity(reached.left, reached.right)
-    found = conjoined(above, below, either, equal)
+    found = conj(above, below, either, equal)
     turned = combined(Eq(there, omega), [assume(equation), -S.One])
-    found = substituted(claim, omega, found, turned)
+    found = subst(claim, omega, found, turned)
     return closed(found, *level, *inside, *apart, positive(d >= 0, d > 0))

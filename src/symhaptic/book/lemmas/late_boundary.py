@@ -71,17 +71,17 @@ def late_boundary() -> Proposition:
 @cache
 def boundary_is_explicit() -> Theorem:
     """That."""
-    found = conjoined(
-        for_all([theta], INSIDE, weakened(conjoined(_one_wall(), _no_wall()), *INSIDE)), *_lines()
+    found = conj(
+        for_all([theta], INSIDE, add_assum(conj(_one_wall(), _no_wall()), *INSIDE)), *_lines()
     )
-    found = for_all(ALL_NUMBERS, DEVICES, weakened(found, *DEVICES))
-    return for_all(LOOP, GIVEN, weakened(found, *GIVEN))
+    found = for_all(ALL_NUMBERS, DEVICES, add_assum(found, *DEVICES))
+    return for_all(LOOP, GIVEN, add_assum(found, *GIVEN))
 
 
 def _one_wall() -> Theorem:
     moved = assume(Ne(M, 0))
     apart = combined(Relation(SQUARE, "!=", S.Zero), [moved, mirrored(moved)])
-    return discharged(closed(explicit_wall(ROOT, on_boundary(), M, SQUARE), apart), Ne(M, 0))
+    return disch(closed(explicit_wall(ROOT, on_boundary(), M, SQUARE), apart), Ne(M, 0))
 
 
 def _no_wall() -> Theorem:
@@ -89,7 +89,7 @@ def _no_wall() -> Theorem:
     turn, wall = exp(I * (l + 2) * theta), (alpha + beta) * TURN - beta
     there = combined(alone, [assume(ROOT), 1 / turn], [still, -wall / turn])
     here = combined(ROOT, [assume(alone), turn], [still, wall])
-    return discharged(either_way(there, here, ROOT, alone), still.conclusion)
+    return disch(either_way(there, here, ROOT, alone), still.conclusion)
 
 
 def _lines() -> tuple[Theorem, Theorem]:

@@ -45,13 +45,13 @@ def limit_points() -> Proposition:
 @cache
 def damping_late() -> Theorem:
     """That."""
-    found = conjoined(
+    found = conj(
         for_all([B], [DAMPER], begins()),
         for_all([B], RANGE, all_between()),
         above_the_damper(),
         for_all([B], [DAMPER], ends()),
     )
-    return for_all([b, T, l, epsilon], GIVEN, weakened(found, *GIVEN))
+    return for_all([b, T, l, epsilon], GIVEN, add_assum(found, *GIVEN))
 
 
 @cache
@@ -74,9 +74,9 @@ def divisors() -> tuple[Theorem, ...]:
 def margin() -> Theorem:
     """0 <= the margin at an angle, of a passive damper."""
     found = passive_late()
-    always = part(applied(found, assume(found.conclusion.parts[0])), EVERY_MARGIN)
+    always = conjunct(mp(found, assume(found.conclusion.parts[0])), EVERY_MARGIN)
     found = at(always, {theta: theta}, *map(assume, INSIDE))
-    return closed(placed(found, {K: S.Zero}), not_zero(sine_of_half(theta)))
+    return closed(inst(found, {K: S.Zero}), not_zero(sine_of_half(theta)))
 
 
 @cache
@@ -96,7 +96,7 @@ def ends() -> Theorem:
     above = over(angle > 0, PI, later)
     half = over(pi / 2 - angle >= 0, positive(pi * l / 2 >= 0, [HALF, PI, l >= 0]), later)
     below = positive(angle < pi, [half], [HALF, PI])
-    known = closed(placed(margin(), {theta: angle}), above, below)
+    known = closed(inst(margin(), {theta: angle}), above, below)
     near = weak_sine(pi / 2 - angle)
     near = closed(near, half, positive(pi / 2 - angle <= pi, [above], [HALF, PI]))
     room = combined(
@@ -109,7 +109,7 @@ def ends() -> Theorem:
     wanted = epsilon * B <= b
     damps = positive(wanted, [share])
     pushes = positive(wanted, [epsilon >= 0, B < 0], b > 0)
-    found = by_cases(ordered(B, S.Zero), pushes, damps)
+    found = disj_cases(ordered(B, S.Zero), pushes, damps)
     return closed(found, *divisors(), not_zero(assume(b > 0)))
 
 
@@ -130,7 +130,7 @@ def above_the_damper() -> Theorem:
     given = assume(epsilon > 0), assume(epsilon < 1)
     sine = _lowest_sine()
     more = positive(b < END, [HALF, assume(b > 0), *given, sine, sine])
-    return discharged(closed(more, *divisors()), epsilon > 0, epsilon < 1)
+    return disch(closed(more, *divisors()), epsilon > 0, epsilon < 1)
 
 
 @cache
@@ -149,15 +149,15 @@ def _squares() -> tuple[Theorem, Theorem]:
 @cache
 def all_between() -> Theorem:
     """passive, for -b <= B <= END."""
-    beyond = by_cases(ordered(theta, EARLY), _early(), _late())
-    falls = by_cases(ordered(b, B), beyond, _weak())
+    beyond = disj_cases(ordered(theta, EARLY), _early(), _late())
+    falls = disj_cases(ordered(b, B), beyond, _weak())
     soft = assume(Eq(K, 0))
     share = sum(part_ / K for part_ in expand(FALLS - MARGIN).args)
     margin_ = combined(MARGIN >= 0, [falls], [soft, share])
     apart = not_zero(sine_of_half(theta))
     always = for_all([theta], INSIDE, closed(margin_, apart))
-    found = applied(passive_late(), conjoined(combined(K >= 0, [soft, -S.One]), always))
-    return closed(placed(found, {K: S.Zero}), fact(Relation(S.Zero, "=", S.Zero)), *divisors())
+    found = mp(passive_late(), conj(combined(K >= 0, [soft, -S.One]), always))
+    return closed(inst(found, {K: S.Zero}), fact(Relation(S.Zero, "=", S.Zero)), *divisors())
 
 
 def _weak() -> Theorem:

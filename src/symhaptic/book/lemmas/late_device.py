@@ -116,15 +116,15 @@ def exact_plant() -> Proposition:
 @cache
 def exact_late_plant() -> Theorem:
     """That."""
-    return conjoined(*map(_exact, KINDS))
+    return conj(*map(_exact, KINDS))
 
 
 def _exact(kind: Kind) -> Theorem:
     names = definitions(kind.definitions)
     answer, *limits = explicit(kind.says(), *names).parts
-    found = conjoined(_answer(kind, answer), *(tends(c.of[0], x, *c.of[1:]) for c in limits))
+    found = conj(_answer(kind, answer), *(tends(c.of[0], x, *c.of[1:]) for c in limits))
     found = renamed(closed(found, *_divisors(kind)), kind.says(), *names)
-    return for_all(kind.over, kind.given, weakened(found, *kind.given))
+    return for_all(kind.over, kind.given, add_assum(found, *kind.given))
 
 
 def _answer(kind: Kind, claim: Iff) -> Theorem:
@@ -133,14 +133,14 @@ def _answer(kind: Kind, claim: Iff) -> Theorem:
     answer, sampled = claim.of
     alive, apart, equal = (assume(p) for p in sampled.parts)
     claims = held.conclusion.of[1].parts  # type: ignore[attr-defined]
-    known = [part(applied(held, assume(answer)), p) for p in claims]
+    known = [conjunct(mp(held, assume(answer)), p) for p in claims]
     bottom = apart.conclusion.left  # type: ignore[attr-defined]
     below = combined(Ne(bottom, 0), [known[1]])
     there = combined(equal.conclusion, [known[2], 1 / bottom])
     back = closed(combined(claims[2], [equal, bottom]), alive, apart)
     return either_way(
-        conjoined(known[0], below, closed(there, below, known[0])),
-        applied(held, conjoined(alive, combined(claims[1], [apart]), back)),
+        conj(known[0], below, closed(there, below, known[0])),
+        mp(held, conj(alive, combined(claims[1], [apart]), back)),
         answer,
         sampled,
     )

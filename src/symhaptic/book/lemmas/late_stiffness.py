@@ -22,7 +22,7 @@ def bounded() -> Proposition:
 @cache
 def bounded_at_every_angle() -> Theorem:
     """The margin is a square short of the square of what is left, which is not negative then."""
-    always = part(applied(passive_late(), assume(LATE)), EVERY_MARGIN)
+    always = conjunct(mp(passive_late(), assume(LATE)), EVERY_MARGIN)
     margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
     half = sine_of_half(theta)
     left = b * (1 - UP) - SHARE * K * T * sin(theta / 2) * cos(theta / 2)
@@ -33,4 +33,4 @@ def bounded_at_every_angle() -> Theorem:
     found = positive(BOUND, [found, over(1 / b > 0, one(), b > 0)])
     apart = positive(Ne(sin(theta / 2), 0), [half]), positive(Ne(b, 0), b > 0)
     always = for_all([theta], INSIDE, closed(found, *apart))
-    return for_all(WALL, GIVEN, weakened(discharged(always, LATE), *GIVEN))
+    return for_all(WALL, GIVEN, add_assum(disch(always, LATE), *GIVEN))

@@ -40,9 +40,9 @@ def within_the_spring() -> Theorem:
     ratio = identity(EVEN * (under + 1), over_)
     steps = [is_whole(s, *known) for s in (over_, under)]
     found = closed(found, ratio, *steps)
-    inside = applied(found, assume(letter(EVEN)))
+    inside = mp(found, assume(letter(EVEN)))
     first, other = (
-        part(signs, signs.conclusion.parts[0])
+        conjunct(signs, signs.conclusion.parts[0])
         for signs in (first_minors(t, 0) for t in (inside, opposite(inside)))
     )
     static = device_static(assume(DEVICE))
@@ -57,9 +57,9 @@ def within_the_spring() -> Theorem:
         return closed(over(total * claim / total > 0, room, pushed), apart)
 
     pushes, pulls = share(gamma + alpha, first), share(gamma - alpha, other)
-    within = conjoined(stiff, positive(alpha > -gamma, [pushes]), positive(alpha < gamma, [pulls]))
+    within = conj(stiff, positive(alpha > -gamma, [pushes]), positive(alpha < gamma, [pulls]))
     powers = [is_whole(h.of[0], *known) for h in within.hypotheses if _exponent(h)]  # type: ignore[attr-defined]
-    found = chosen(device_exists(gamma, delta, NUMBERS), closed(within, *powers, divisor))
+    found = choose(device_exists(gamma, delta, NUMBERS), closed(within, *powers, divisor))
     return for_all(WALLS, GIVEN, found)
 
 
@@ -99,11 +99,11 @@ def drawn_otherwise() -> Theorem:
     for late in DELAYS:
         point = DRAWN | STIFF | {d: late}
         stiff = number(Relation(point[gamma], "<=", point[alpha]))
-        there = conjoined(met(point, *_in_terms(late)), _beyond(point, stiff))
-        found.append(witnessed(there, _some_wall(late), STIFF))
+        there = conj(met(point, *_in_terms(late)), _beyond(point, stiff))
+        found.append(exists(there, _some_wall(late), STIFF))
         free = {alpha: alpha, beta: beta, **FREE, d: late}
-        found.append(general(_beyond(free, number(Relation(S.Zero, "<=", S.Zero))), alpha, beta))
-    return conjoined(*found)
+        found.append(gen(_beyond(free, number(Relation(S.Zero, "<=", S.Zero))), alpha, beta))
+    return conj(*found)
 
 
 def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
@@ -113,7 +113,7 @@ def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
     stable = letter(EVEN).at(values)
     given = [fact(proposition(c).at(values)) for c in GIVEN[:-1]]
     within = at(within_the_spring(), values, *given, assume(stable))
-    return absurd(within, not_all(within.conclusion, denial), stable)
+    return not_intro(within, not_all(within.conclusion, denial), stable)
 
 
 def _in_terms(late: Expr) -> list[Any]:

@@ -66,11 +66,11 @@ def wall(delay: int) -> Theorem:
     down = combined(value < -LEVEL, [quotient(away, width)])
     far = combined(wanted.body.of[-1], [down], [magnitude(value, True), -S.One])  # type: ignore[attr-defined]
     far = closed(far, positive(value <= 0, [down], [LEVEL]))
-    found = witnessed(conjoined(boundary, less, far), wanted, {s: s for s in there})
+    found = exists(conj(boundary, less, far), wanted, {s: s for s in there})
     apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
-    there_is = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conj(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(there_is, named, there), closed(found, *apart, slow()))
+    found = choose(exists(there_is, named, there), closed(found, *apart, slow()))
     return closed(found, not_zero(size))
 
 
@@ -108,6 +108,6 @@ def in_the_corner() -> Theorem:
         combined(BY_GAP.at({CHORD: chord})),
         not_zero(wide),
     )
-    found = [closed(placed(wall(n), {CHORD: chord}), *ends, slow(), not_zero(wide)) for n in LATE]
+    found = [closed(inst(wall(n), {CHORD: chord}), *ends, slow(), not_zero(wide)) for n in LATE]
     weak = positive(gamma >= 0, gamma > 0), positive(delta >= 0, delta > 0)
-    return closed(of_every_plant(conjoined(*found)), *weak)
+    return closed(of_every_plant(conj(*found)), *weak)

@@ -75,13 +75,13 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     down = combined(value < -LEVEL, [quotient(away, width)])
     beyond_ = combined(far_at(delay).body.of[-1], [down], [magnitude(value, True), -S.One])
     beyond_ = closed(beyond_, positive(value <= 0, [down], [LEVEL]))
-    found = conjoined(boundary, push, less, beyond_)
-    found = witnessed(found, far_at(delay), {s: s for s in there})
+    found = conj(boundary, push, less, beyond_)
+    found = exists(found, far_at(delay), {s: s for s in there})
     apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
     found = closed(found, *apart, slow())
-    there_is = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conj(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(there_is, named, there), found)
+    found = choose(exists(there_is, named, there), found)
     return of_every_plant(closed(found, not_zero(known[area])))
 
 
@@ -105,7 +105,7 @@ def on_the_circle(delay: int, stiff: Theorem, damped: Theorem) -> Theorem:
     for place, line, known in ((alpha, stiff, {beta: v}), (beta, damped, {})):
         back = combined(Relation(relation(line).right, "=", place), [line, -1])
         pattern = Relation(bare.xreplace(known), "=", S.Zero)
-        found = substituted(pattern, place, found, back)
+        found = subst(pattern, place, found, back)
     return combined(Relation(value, "=", S.Zero), [found], turn(-value))
 
 

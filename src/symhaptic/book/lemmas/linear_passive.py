@@ -54,5 +54,5 @@ def passive_on_the_line() -> Theorem:
     apart = [positive(Ne(e, 0), [e > 0]) for e in (m, T)]
     apart += [positive(Ne(T**2, 0), [period, period])]
     below = assume(b + B - K * T * (d + HALF) >= 0)
-    found = placed(passive_below(below), {b: b_D})
+    found = inst(passive_below(below), {b: b_D})
     return closed(found, room, pushes, small, ahead, *apart, *divisors())

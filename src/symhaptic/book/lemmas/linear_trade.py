@@ -23,12 +23,12 @@ def at_point(same: Proposition, point: Terms) -> Theorem:
     known = [_settled(part) for part in there.parts]
     (one, p), (other, q) = zip(known, there.parts, strict=True)
     if one.conclusion == p and other.conclusion == q:
-        return either_way(weakened(other, p), weakened(one, q), p, q)
+        return either_way(add_assum(other, p), add_assum(one, q), p, q)
     if one.conclusion != p and other.conclusion != q:
-        never = [absurd(assume(c), t) for c, t in zip(there.parts, known, strict=True)]
-        return either_way(anything(never[0], q), anything(never[1], p), p, q)
+        never = [not_intro(assume(c), t) for c, t in zip(there.parts, known, strict=True)]
+        return either_way(contr(never[0], q), contr(never[1], p), p, q)
     held, denied = (one, other) if one.conclusion == p else (other, one)
-    return absurd(applied(assume(there), held), denied, there)
+    return not_intro(mp(assume(there), held), denied, there)
 
 
 def _settled(claim: Proposition) -> Theorem:

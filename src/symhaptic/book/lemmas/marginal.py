@@ -28,7 +28,7 @@ def behind(delay: int, claim: Proposition, theorem: Theorem) -> Theorem:
     """What holds for one delay, with d in its place, under d = that."""
     place = d
     equal = combined(Relation(S(delay), "=", d), [assume(Eq(d, delay)), -1])
-    return substituted(claim, place, theorem, equal)
+    return subst(claim, place, theorem, equal)
 
 
 def by_a_factor(claim: Any, best: dict[Any, Expr], others: dict[Any, Expr]) -> Theorem:
@@ -44,13 +44,13 @@ def by_a_factor(claim: Any, best: dict[Any, Expr], others: dict[Any, Expr]) -> T
         return positive(wanted, [limit], *linear(rest, RANGES[delta]))
 
     more = number(Relation(S.Zero, "<", SMALL))
-    found = conjoined(more, beside(some, stable, wall, bound))
-    return behind(0, claim, witnessed(found, undelayed, {FACTOR: SMALL}))
+    found = conj(more, beside(some, stable, wall, bound))
+    return behind(0, claim, exists(found, undelayed, {FACTOR: SMALL}))
 
 
 def _there(theorem: Theorem, values: dict[Any, Expr]) -> Theorem:
     """For one spring or one damper of the range."""
-    return numbers_known(placed(theorem, values))
+    return numbers_known(inst(theorem, values))
 
 
 def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theorem:
@@ -61,9 +61,9 @@ def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theo
     below = at(others, dict(zip(WALL, wall, strict=True)), stable)
     push = over(x > 0, positive(FACTOR * x > 0, [below], [wall[0]]), factor)
     least = closed(positive(x >= 0, [push]), positive(Ne(FACTOR, 0), [factor]))
-    false = placed(excluded(), {alpha: x, beta: y, d: S(49)})
+    false = inst(excluded(), {alpha: x, beta: y, d: S(49)})
     false = closed(false, least, best, *(fact(p) for p in false.hypotheses if not p.free))
-    return reductio(chosen(assume(claim), chosen(some, false)), claim)
+    return reductio(choose(assume(claim), choose(some, false)), claim)
 
 
 @cache
@@ -78,7 +78,7 @@ def changed(parameter: Symbol, other: Expr, delay: int) -> Theorem:
         wall, held = wall_below(best, delay, FINE)
         limit, softer = none_above(others, delay, FINE)
         found.append(beside(some, held, wall, partial(_below, limit, softer)))
-    return conjoined(*found)
+    return conj(*found)
 
 
 def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
@@ -91,6 +91,4 @@ def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
 def changes(parameter: Symbol) -> Theorem:
     """All changes with one parameter."""
     rows = CHANGES[parameter]
-    return conjoined(
-        *(changed(parameter, v, n) for v, row in rows.items() for n in range(len(row)))
-    )
+    return conj(*(changed(parameter, v, n) for v, row in rows.items() for n in range(len(row))))

@@ -18,6 +18,6 @@ def no_mass_differs(one: Expr, other: Expr) -> Theorem:
     """passive with one mass <=> passive with the other."""
     light, heavy = of_mass(one), of_mass(other)
     first, second = (t.conclusion.of[0] for t in (light, heavy))  # type: ignore[attr-defined]
-    there = applied(heavy, applied(light, assume(first)))
-    back = applied(light, applied(heavy, assume(second)))
+    there = mp(heavy, mp(light, assume(first)))
+    back = mp(light, mp(heavy, assume(second)))
     return either_way(there, back, first, second)

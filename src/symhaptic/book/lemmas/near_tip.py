@@ -63,7 +63,7 @@ def none_above(arm: Arm, delay: int, share: Expr = CLOSE) -> tuple[Expr, Theorem
     here = dict(zip((gamma, delta), arm, strict=True))
     ranges = {s: (v, v) for s, v in here.items()}
     if delay == 0:  # one point of the circle is not enough
-        found = placed(no_stiffer(0, (limit, damping), ranges), here)
+        found = inst(no_stiffer(0, (limit, damping), ranges), here)
     else:
-        found = placed(softer_than(limit, delay, angle, ranges), here)
+        found = inst(softer_than(limit, delay, angle, ranges), here)
     return limit, numbers_known(found)

@@ -41,8 +41,8 @@ ROOM = sp.Add(
 def room() -> Theorem:
     """0 < ROOM of a stable wall, for a whole d and every theta."""
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, d))
-    loop: Any = part(readings, readings.conclusion.parts[1])
-    zeros = applied(loop, assume(loop.conclusion.of[0]))
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
+    zeros = mp(loop, assume(loop.conclusion.of[0]))
     found = combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     return closed(found, *steps)
@@ -66,7 +66,7 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
     """
     p, q, limit = side
     there = {d: S(delay), theta: angle}
-    known = closed(placed(room(), there), fact(whole(S(delay))))
+    known = closed(inst(room(), there), fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
     other = beta if p != 0 else alpha
     over_, along = sp.symbols("u v")
@@ -92,9 +92,9 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
         *([at_point(f, ranges), *[outside] * n] for n, f in enumerate(rest)),
     )
     above = Relation(S.Zero, "<", 4 * bend * value)
-    contrary = absurd(positive(above, [4, turn, known]), less)
+    contrary = not_intro(positive(above, [4, turn, known]), less)
     wanted = Relation(p * alpha + q * beta, "<", limit)
-    found = by_cases(ordered(wanted.left, limit), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(wanted.left, limit), assume(wanted), contr(contrary, wanted))
     return of_every_plant(found)
 
 

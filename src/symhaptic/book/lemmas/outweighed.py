@@ -55,8 +55,8 @@ def no_crossing() -> Theorem:
     ahead = combined(Relation(S.Zero, "<", gap), [lead()], *sizes)
     nothing = combined(Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push])
     wanted = proposition(Ne(late + push, 0))
-    contrary = anything(absurd(ahead, nothing), wanted)
-    return by_cases(decided(late + push, S.Zero), contrary, assume(wanted))
+    contrary = contr(not_intro(ahead, nothing), wanted)
+    return disj_cases(decided(late + push, S.Zero), contrary, assume(wanted))
 
 
 @cache
@@ -64,7 +64,7 @@ def stable_behind_every_delay() -> Theorem:
     """The wall (LATE, 0) is stable for every whole d, with the arm of the figures."""
     device = assume(DEVICE)
     rest = device_at_rest(device)
-    static, pushed, _ = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    static, pushed, _ = (conjunct(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
     plant, wall = z**2 - a * z + e, (n_1 * z + n_0) * (LATE * z)
     at_one = positive(
         Ne(1 - a + e + y * LATE * (n_1 + n_0), 0),
@@ -74,7 +74,7 @@ def stable_behind_every_delay() -> Theorem:
     begin = all_inside(z, d + 1, device_comes_to_rest(device))
     zeros = roots_stay(z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one, begin)
     readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
-    loop: Any = part(readings, readings.conclusion.parts[1])
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = placed(of_every_plant(closed(applied(loop, zeros), *steps)), ARM)
+    found = inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM)
     return numbers_known(found)

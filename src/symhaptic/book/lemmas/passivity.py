@@ -47,8 +47,8 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
     condition = And((static, wanted))
     known = And((static, always))
     same = either_way(
-        conjoined(part(assume(known), static), _under(there, always, known)),
-        conjoined(part(assume(condition), static), _under(back, wanted, condition)),
+        conj(conjunct(assume(known), static), _under(there, always, known)),
+        conj(conjunct(assume(condition), static), _under(back, wanted, condition)),
         known,
         condition,
     )
@@ -63,4 +63,4 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
 
 def _under(theorem: Theorem, claim: Proposition, whole_claim: Proposition) -> Theorem:
     """A claim for every angle that follows from one part of a conjunction."""
-    return closed(for_all([theta], INSIDE, theorem), part(assume(whole_claim), claim))
+    return closed(for_all([theta], INSIDE, theorem), conjunct(assume(whole_claim), claim))

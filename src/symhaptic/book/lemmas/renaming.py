@@ -40,7 +40,7 @@ def renamed(theorem: Theorem, pattern: Proposition, *equations: Theorem) -> Theo
         place = _place(name, form, met)
         here = {name: place} | {n: v.xreplace({name: place}) for n, v in later.items()}
         turned = combined(Relation(form, "=", name), [equation, -sp.S.One])
-        theorem = substituted(pattern.at(here), place, theorem, turned)
+        theorem = subst(pattern.at(here), place, theorem, turned)
     return theorem
 
 
@@ -60,6 +60,6 @@ def unnamed(theorem: Theorem, *equations: Theorem) -> list[Theorem]:
         if name in theorem.conclusion.free:
             form = equation.conclusion.right  # type: ignore[attr-defined]
             place = _place(name, form, theorem.conclusion.free | form.free_symbols)
-            theorem = substituted(theorem.conclusion.at({name: place}), place, theorem, equation)
+            theorem = subst(theorem.conclusion.at({name: place}), place, theorem, equation)
             found.append(theorem)
     return found

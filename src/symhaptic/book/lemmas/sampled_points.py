@@ -30,9 +30,9 @@ def answered(values: Mapping[Symbol, Expr], late: bool = False) -> tuple[Expr, T
     value = sp.factor(equation.right / apart.left)
     law = held_answer(device, parts, s, at, value, motion(device), t)
     claims = law.conclusion.of[1].of  # type: ignore[attr-defined]
-    shown = conjoined(*(fact(claim) for claim in claims))
+    shown = conj(*(fact(claim) for claim in claims))
     steps = [fact(h) for h in law.hypotheses]
-    return value, closed(applied(law, shown), *steps)
+    return value, closed(mp(law, shown), *steps)
 
 
 def completed(
@@ -56,7 +56,7 @@ def completed(
                 device, gain = [values[p] for p in DEVICE], before.xreplace(values)
                 more = amplified(device, 0, values[z], value, S.One, gain)
                 more = closed(more, *(fact(h) for h in more.hypotheses))
-                value, shown = gain * value, applied(more, shown)
+                value, shown = gain * value, mp(more, shown)
             values[claimed.of[2]] = value
             answers.append(shown)
     return values, answers

@@ -13,8 +13,8 @@ def neither_end() -> Theorem:
     damped, undamped = ({gamma: ENDS[1], delta: value} for value in (END, S.Zero))
     false = [clash(low, damped, 0), clash(high, undamped, 1)]
     claim = CLAIMED["s5c-interval"](())
-    never = by_cases(assume(claim), *false)
-    return absurd(anything(never, TRUE), anything(never, Not((TRUE,))), claim)
+    never = disj_cases(assume(claim), *false)
+    return not_intro(contr(never, TRUE), contr(never, Not((TRUE,))), claim)
 
 
 def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
@@ -23,7 +23,7 @@ def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
     inside = [fact(p.at(values)) for p in given]
     there = at(assume(claim), values, *inside)
     sides = same.at(values).parts
-    other = applied(there, fact(sides[holds]))
+    other = mp(there, fact(sides[holds]))
     wrong = sides[1 - holds]
     assert isinstance(wrong, Relation)
-    return absurd(other, fact(Relation(wrong.right, "<", wrong.left)))
+    return not_intro(other, fact(Relation(wrong.right, "<", wrong.left)))

@@ -79,7 +79,7 @@ def on_walls(expr: Expr) -> Theorem:
 
 def primed(theorem: Theorem) -> Theorem:
     """The same of the device with the other spring."""
-    return placed(theorem, {gamma: OTHER, **PRIMED})
+    return inst(theorem, {gamma: OTHER, **PRIMED})
 
 
 @cache

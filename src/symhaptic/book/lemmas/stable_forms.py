@@ -65,8 +65,8 @@ class Block:
     def theorem(self) -> Theorem:
         """The claim as a theorem."""
         found = [self._pair(pair) for pair in self.pairs]
-        whole = found[0] if len(found) == 1 else conjoined(*found)
-        shown = weakened(closed(whole, *self.divisors()), *self.given)
+        whole = found[0] if len(found) == 1 else conj(*found)
+        shown = add_assum(closed(whole, *self.divisors()), *self.given)
         return for_all(self.over, self.given, shown)
 
     def _pair(self, pair: Proposition) -> Theorem:

@@ -54,12 +54,12 @@ def divisors() -> tuple[Theorem, ...]:
 
 def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
     """The wall of (11) is passive, and no passive one is stiffer; d is whole."""
-    found = placed(stiffest(), {psi: phi, N: 2 * d + 2})
+    found = inst(stiffest(), {psi: phi, N: 2 * d + 2})
     found = closed(found, positive(2 * d + 2 >= 2, [2, d >= 0]))
     always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
     pushes = combined(K >= 0, [assume(b >= 0), slope()], [stiffness, -S.One])
     passive = closed(sufficient(), always, pushes, *divisors())
-    return conjoined(passive, largest(stiffness))
+    return conj(passive, largest(stiffness))
 
 
 def per_damping() -> Expr:
@@ -88,7 +88,7 @@ def bound() -> Theorem:
 
 def largest(stiffness: Theorem) -> Theorem:
     """No passive wall is stiffer than that of (11)."""
-    other = placed(bound(), {K: x, B: y})
+    other = inst(bound(), {K: x, B: y})
     found = combined(x <= K, [other], [stiffness, -S.One])
     return for_all([x, y], [PASSIVE.at({K: x, B: y})], closed(found, *divisors()))
 
@@ -98,10 +98,10 @@ def largest_of(printed: Any, delay: int) -> tuple[Theorem, Theorem, Expr]:
     wall = stiffest_wall(*map(assume, printed))
     at_delay = {d: S(delay)}
     values = {line.lhs: line.rhs.xreplace(at_delay) for line in printed}
-    there = placed(wall, at_delay | values)
+    there = inst(wall, at_delay | values)
     known = [identity(value, value) for value in values.values()]
-    passive = part(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
-    least = closed(placed(bound(), at_delay), *_at(delay))
+    passive = conjunct(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
+    least = closed(inst(bound(), at_delay), *_at(delay))
     return passive, least, values[K]
 
 

@@ -12,7 +12,7 @@ def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[T
     """What is the largest stiffness is at most, and at least, that of (11)."""
     there_is, others = known
     passive, bound, value = largest_of(printed, delay)
-    below = chosen(assume(there_is), placed(bound, {K: stiffness}))
+    below = choose(assume(there_is), inst(bound, {K: stiffness}))
     wall = passive.conclusion.of  # type: ignore[attr-defined]
     above = at(assume(others), {w: wall[0], B: wall[1]}, passive)
     return positive(stiffness <= value, [below]), positive(value <= stiffness, [above]), value
@@ -35,9 +35,9 @@ def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
         part = positive(way * (y - limit * x) > 0, *known)
         bounds.append(over(relation, part, size))
     apart = not_zero(size), not_zero(assume(T > 0))
-    found = closed(conjoined(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
+    found = closed(conj(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
     found = closed(found, positive(b >= 0, b > 0))
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 def _per_damping(stiffness: Expr) -> Expr:
@@ -53,9 +53,9 @@ def case(claim: Proposition, printed: Any, delay: int) -> Case:
     point = unit | {s: wall[2].xreplace(unit) for s, wall in zip((x, y), walls, strict=True)}
     known: list[Theorem] = []
     for (there_is, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
-        passive, bound = (placed(t, unit) for t in wall[:2])
-        passive, bound = (closed(t, *_numbers(t)) for t in (passive, placed(bound, {K: w})))
-        known.append(witnessed(passive, there_is.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
+        passive, bound = (inst(t, unit) for t in wall[:2])
+        passive, bound = (closed(t, *_numbers(t)) for t in (passive, inst(bound, {K: w})))
+        known.append(exists(passive, there_is.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
         goal, some = others.at(point), others.at(point).body.of[0]  # type: ignore[attr-defined]
         least = positive(goal.body.of[1], [bound])  # type: ignore[attr-defined]
         known.append(for_all([w, B], [some], least))

@@ -73,9 +73,9 @@ def on_one_side() -> Theorem:
         [moves, -weight * I * mirror(rest)],
         [mirrored(moves), weight * I * rest],
     )
-    contrary = absurd(positive(weight * ROOM > 0, [more, room_]), less)
+    contrary = not_intro(positive(weight * ROOM > 0, [more, room_]), less)
     wanted = Relation(SIDE, "<", S.Zero)
-    found = by_cases(ordered(SIDE, S.Zero), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(SIDE, S.Zero), assume(wanted), contr(contrary, wanted))
     return closed(found, positive(Ne(sin(theta), 0), [wave]))
 
 
@@ -103,25 +103,25 @@ def _of_plants(then: Proposition) -> Proposition:
 
 
 def _for_plants(theorem: Theorem) -> Theorem:
-    plants = for_all((gamma, delta, *NUMBERS), [DEVICE], weakened(theorem, DEVICE))
-    return for_all((d,), [whole(d)], weakened(plants, whole(d)))
+    plants = for_all((gamma, delta, *NUMBERS), [DEVICE], add_assum(theorem, DEVICE))
+    return for_all((d,), [whole(d)], add_assum(plants, whole(d)))
 
 
 @cache
 def all_tangents() -> Theorem:
     """:func:`tangents`."""
     walls, given, _ = taken_apart(_inner(tangents()))
-    return _for_plants(for_all(walls, given, weakened(on_one_side(), *given)))
+    return _for_plants(for_all(walls, given, add_assum(on_one_side(), *given)))
 
 
 @cache
 def all_tips() -> Theorem:
     """:func:`tips`."""
     walls, given, _ = taken_apart(_inner(tips()))
-    side, rise = placed(on_one_side(), {x: S.Zero}), assume(y > 0)
+    side, rise = inst(on_one_side(), {x: S.Zero}), assume(y > 0)
     below = over(BESIDE[0] - alpha > 0, positive((BESIDE[0] - alpha) * y > 0, [side]), rise)
     found = closed(positive(alpha < BESIDE[0], [below]), positive(Ne(y, 0), [rise]))
-    return _for_plants(for_all(walls, given, weakened(found, *given)))
+    return _for_plants(for_all(walls, given, add_assum(found, *given)))
 
 
 def _inner(claim: Proposition) -> Proposition:

@@ -28,10 +28,10 @@ def first_without_damping(equation: Any, claim: Any) -> Theorem:
     stiffness = assume(touched.body.of[0].of[-1])
     need = touched.body.of[1]
     met = combined(need, [stiffness, -derivative(need.right, K)])
-    met = for_all(touched.over, touched.body.of[0].of, weakened(met, b >= 0))
-    everything = conjoined(above, below, nothing, first, met)
+    met = for_all(touched.over, touched.body.of[0].of, add_assum(met, b >= 0))
+    everything = conj(above, below, nothing, first, met)
     turned = combined(Eq(at, omega), [assume(equation), -S.One])
-    found = substituted(claim, omega, everything, turned)
+    found = subst(claim, omega, everything, turned)
     sine = waves()["sine"]
     level = not_zero(positive(2 - 2 * cos(2 * TURN) > 0, [4, sine, sine]))
     level = positive(Ne((2 - 2 * cos(T * omega)).xreplace({omega: at}), 0), [level])

@@ -54,10 +54,10 @@ def turned_down() -> Theorem:
         ([planes[2]], [heavier, fall]),
         ([minor], [second, toward, fall]),
     )
-    loop = placed(by_inequalities(0), {alpha: x})
+    loop = inst(by_inequalities(0), {alpha: x})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     shown = [combined(goal, *known) for goal, known in zip(goals, rows, strict=True)]
-    found = closed(applied(loop, conjoined(*shown)), low, high)
+    found = closed(mp(loop, conj(*shown)), low, high)
     return closed(of_every_plant(found), _slow())
 
 

@@ -52,13 +52,13 @@ def origin() -> Theorem:
     symbols, given, then = taken_apart(CLAIMED["fig8"](()))
     inside, above_ = then.of  # type: ignore[attr-defined]
     left = combined(alpha >= -STIFF, [assume(alpha > -gamma)], [assume(gamma <= STIFF)])
-    right = of_every_plant(part(needed(), BETWEEN.parts[0]))
+    right = of_every_plant(conjunct(needed(), BETWEEN.parts[0]))
     down = combined(beta > -1, [assume(-FRAME[1] <= beta)], [1 - FRAME[1]])
     right = closed(right, down)
     below = of_every_plant(closed(above(), closed(left, right)))
-    there = discharged(conjoined(right, below), inside.of[0])
-    back = discharged(of_every_plant(closed(is_filled(), left, down)), above_.of[0])
-    return for_all(symbols, given, weakened(conjoined(there, back), *given))
+    there = disch(conj(right, below), inside.of[0])
+    back = disch(of_every_plant(closed(is_filled(), left, down)), above_.of[0])
+    return for_all(symbols, given, add_assum(conj(there, back), *given))
 
 
 def _share() -> Expr:

@@ -113,7 +113,7 @@ def all_softer() -> Theorem:
         positive(alpha >= -WIDE[gamma][1], [above], gamma <= WIDE[gamma][1]),
         positive(alpha <= 2, [below], [two]),
     ]
-    loop = placed(by_inequalities(0), {beta: BEST})
+    loop = inst(by_inequalities(0), {beta: BEST})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     product = positive(n_0 * n_1 > 0, [known["n_0"], known["n_1"]])
     wide = {**WIDER, alpha: (-WIDE[gamma][1], S(2))}
@@ -124,7 +124,7 @@ def all_softer() -> Theorem:
         shown.append(over(goal, on_box(value, wide), product))
     heavy = positive(w > 0, [ends[0]], [LOW])
     shown.append(combined(goals[3], [heavy, left], [static, n_0 * BEST], [root, share]))
-    found = applied(loop, conjoined(*shown))
+    found = mp(loop, conj(*shown))
     return closed(found, *box_, *ends, *_apart(), not_zero(product), *ends)
 
 
@@ -138,5 +138,5 @@ def closed_form() -> Theorem:
         for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
         for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
     ]
-    found = for_all(numbers, known, weakened(conjoined(*parts), *known))
-    return for_all(symbols, given, weakened(found, *given))
+    found = for_all(numbers, known, add_assum(conj(*parts), *known))
+    return for_all(symbols, given, add_assum(found, *given))

@@ -30,8 +30,8 @@ def in_own_units() -> Theorem:
 
 def same_loop(other: Terms) -> Theorem:
     """X H of one loop is that of another with the same numbers, its symbols put for these."""
-    here = applied(in_own_units(), assume(DELAYED))
-    there = placed(here, other)
+    here = mp(in_own_units(), assume(DELAYED))
+    there = inst(here, other)
     equal = one_answer(here, there)
     alive = turns(assume(DELAYED))
     wall = K + B * (z - 1) / (T * z)
@@ -40,7 +40,7 @@ def same_loop(other: Terms) -> Theorem:
     unit = (wall * T**2 / m).xreplace(dict(other))
     answer = m / T**2 * X
     rules = [(assume(WALL[0]), answer), (assume(WALL[1]), answer * share)]
-    back = [(placed(rule, other), factor) for rule, factor in rules]
+    back = [(inst(rule, other), factor) for rule, factor in rules]
     found = combined(
         Eq(*sides, evaluate=False),
         [equal, unit],
