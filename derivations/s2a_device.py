@@ -11,7 +11,7 @@ from symhaptic.model.plant import Plant
 from symhaptic.notation import F_E, b, b_D, b_H, k, k_H, m, m_D, m_H, s, x
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import either_way, example, for_all
 
@@ -64,6 +64,6 @@ def _settle(page):
     same = either_way(there, back, together, alone)
     page.settle(
         "s2d-arm-in-force",
-        for_all(symbols, given, weakened(same, *given)),
+        for_all(symbols, given, add_assum(same, *given)),
         example=example(dict.fromkeys(symbols, S.One), given),
     )

@@ -15,7 +15,7 @@ from symhaptic.notation import T, d, d_1, d_2, function, l, t_d, z
 from symhaptic.notation.proposition import TRUE, Predicate, Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, witnessed
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, exists
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.roots import degree
 from symhaptic.proof.theorems.tactics import closed, every, example, fact, for_all, over, positive
@@ -51,7 +51,7 @@ def derive(page):
     point = FREE | {d: S(2), d_1: S.Half, d_2: S.Half, l: S.One, z: S(4)}
     page.settle(
         "s2c-delays-lump",
-        for_all(symbols, given, weakened(lumped(claim), *given)),
+        for_all(symbols, given, add_assum(lumped(claim), *given)),
         example=shown_at(claim, point),
         note="the delays of device and sensor need not be whole; those of the computation are",
     )
@@ -107,10 +107,10 @@ def _rational(page):
     values, answers = completed(every(some.over, some.body.of[:-1], TRUE), late)
     there = [p.at(values) for p in some.body.of]
     shown = [*answers, *(fact(p) for p in there if isinstance(p, Relation))]
-    apart = closed(conjoined(*map(assume, there)), *shown)
+    apart = closed(conj(*map(assume, there)), *shown)
     page.settle(
         "s2c-rational-delay",
-        conjoined(for_all(symbols, given, found), witnessed(apart, some, values)),
+        conj(for_all(symbols, given, found), exists(apart, some, values)),
         note="half a period late, a free mass answers $z=4$ by $\\tfrac{41}{288}$ and not by "
         "$\\tfrac12\\cdot\\tfrac5{18}$; the exact form for fractional delays is the modified "
         "z-transform (fractional-polynomial)",

@@ -16,7 +16,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import TAPS
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
@@ -93,7 +93,7 @@ def _settle(page, condition):
     printed = STATEMENTS["eq4"].printed
     claim = CLAIMED["eq4"](printed)
     symbols, given, _ = taken_apart(claim)
-    theorem = for_all(symbols, [*given, PUSHES], weakened(no_motion_gains(given[-1]), *given))
+    theorem = for_all(symbols, [*given, PUSHES], add_assum(no_motion_gains(given[-1]), *given))
     page.say(
         "A wall that is computed from three positions, the last of them $d$ periods old, has "
         "$H=(h_0+h_1/z+h_2/z^2)z^{-d}$; that of (1) has $h_0=K+B/T$, $h_1=-B/T$ and $h_2=0$, and "

@@ -24,7 +24,7 @@ from symhaptic.notation import B, F, K, T, alpha, b, beta, d, delta, gamma, m, o
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.systems import FREQUENCY, KIND, R_1, R_2, X_1, X_2
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 
@@ -84,7 +84,7 @@ def derive(page):
     )
     page.lemma(
         "Side by side and fed back to each other passive systems are passive",
-        for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conjoined(parallel(), fed_back())),
+        for_all([*FREQUENCY, KIND], [R_1 >= 0, R_2 >= 0], conj(parallel(), fed_back())),
         because="$\\Re\\frac{Z_1}{1+Z_1Z_2}=(R_1+|Z_1|^2R_2)/|1+Z_1Z_2|^2$",
         boxed=True,
     )
@@ -102,8 +102,8 @@ def _settle(page):
         because="a delay is some whole periods and a fraction of one, as in "
         "\\chapter{s6e_fractional_passive_is_stable}",
     )
-    every = conjoined(*connected_is_passive(), stable)
-    theorem = for_all(symbols, [*given, *extra], weakened(every, *given))
+    every = conj(*connected_is_passive(), stable)
+    theorem = for_all(symbols, [*given, *extra], add_assum(every, *given))
     wall = dict.fromkeys((beta, gamma, d), S.Zero) | {alpha: S.One, delta: S.One}
     lags = dict.fromkeys((R_1, R_2), Rational(1, 5)) | dict.fromkeys((X_1, X_2), -Rational(2, 5))
     beside = {**lags, **wall, KIND: S.One}

@@ -25,7 +25,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume
 from symhaptic.proof.theorems.tactics import (
     counterexample,
     either_way,
@@ -98,7 +98,7 @@ def _mass(page):
     why = "its energy is paid back when the motion ends at rest, and is not negative otherwise"
     page.lemma("A mass does not matter to passivity", of_mass(x), because=why)
     symbols, given, _ = taken_apart(CLAIMED["s3a-mass-free"](()))
-    theorem = for_all(symbols, given, weakened(no_mass_differs(x, y), *given))
+    theorem = for_all(symbols, given, add_assum(no_mass_differs(x, y), *given))
     point = {x: S.One, y: S(2), K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero}
     page.settle("s3a-mass-free", theorem, example=example(point, given))
 
@@ -133,7 +133,7 @@ def _settle(page, printed):
 
     page.settle(
         "eq5",
-        for_all(symbols, given, weakened(both, *loop)),
+        for_all(symbols, given, add_assum(both, *loop)),
         printed,
         example=example(soft, given, apart(easy)),
         unless=[

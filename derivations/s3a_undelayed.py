@@ -30,12 +30,12 @@ from symhaptic.paper.propositions.passivity import SIX, UNDELAYED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    weakened,
+    conj,
+    conjunct,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import (
@@ -89,13 +89,13 @@ def derive(page):
     def broken(whole_claim):
         """(6) does not sum up (5) on the border."""
         there = whole_claim.at(border)
-        summed = part(assume(there), same.at(border))
-        return absurd(applied(summed, met), not_six(border), there)
+        summed = conjunct(assume(there), same.at(border))
+        return not_intro(mp(summed, met), not_six(border), there)
 
-    whole = conjoined(undelayed_form(form), agree)
+    whole = conj(undelayed_form(form), agree)
     page.settle(
         "s3a-undelayed",
-        for_all(symbols, given, weakened(whole, *loop)),
+        for_all(symbols, given, add_assum(whole, *loop)),
         UNDELAYED,
         example=example(easy, given, off),
         unless=[counterexample(claim, border, sides, broken(And((form, same))), but=OFF_BORDER)],
@@ -116,10 +116,10 @@ def derive(page):
     meets = number(Relation(-HALF, "<", S.One))
     pulls = gains([*pulled.values(), S.Zero], 4 * [(1, 1)])
     there = both.at(pulled)
-    runs = absurd(applied(part(assume(there), there.of[1]), meets), pulls, there)
+    runs = not_intro(mp(conjunct(assume(there), there.of[1]), meets), pulls, there)
     page.settle(
         "eq6",
-        for_all(symbols, given, weakened(conjoined(off, deciding), *loop)),
+        for_all(symbols, given, add_assum(conj(off, deciding), *loop)),
         SIX,
         example=example(easy, given),
         unless=[
@@ -138,7 +138,7 @@ def upper_part(page):
     found = page.lemma("For $B\\ge0$ the summary (6) is $b>\\frac{KT}2+B$", damped_side())
     page.settle(
         "s3c-upper-part",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example({K: S.One, B: S.One, b: S(2), T: S.One}, given),
         note="the condition that (5) becomes at the frequency of the largest damping "
         "(\\texttt{s3c-bmax-frequency}); the lower part, for $B<0$, is $b>\\frac{KT}2-B$",

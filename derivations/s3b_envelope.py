@@ -16,12 +16,12 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import scaled
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    weakened,
+    conj,
+    conjunct,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import (
@@ -86,18 +86,18 @@ def _scaled(page):
     """The walls of (5) scale with the damping, and their stiffness with the rate."""
     claim, right = CLAIMED["s3b-linear-in-T"](()), scaled(T / y)
     symbols, given, _ = taken_apart(right)
-    found = conjoined(*with_damping_and_rate())
+    found = conj(*with_damping_and_rate())
     stiff = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Zero, y: S(3)}
     then = taken_apart(claim)[2].at(stiff)
     walls, slow = then.of[1].of
     met = combined(walls.body.of[1], [S.Half])
     met = for_all([omega], walls.body.of[0].of, closed(met, *divisors(omega)))
-    held = applied(part(assume(then), then.of[1]), met)
+    held = mp(conjunct(assume(then), then.of[1]), met)
     there = at(held, {omega: pi / 6}, *map(number, slow.body.of[0].at({omega: pi / 6}).of))
-    broken = absurd(there, number(negated(there.conclusion)), then)
+    broken = not_intro(there, number(negated(there.conclusion)), then)
     page.settle(
         "s3b-linear-in-T",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         instead=right,
         corrected=(r"K\propto b/T", r"B\propto b"),
         example=example(stiff, given),

@@ -23,7 +23,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, discharged, part, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, disch
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
@@ -119,9 +119,9 @@ def _boundary(page):
         because="by the same damping they are the same wall; with $K=0$ it is $(0,b)$",
         boxed=True,
     )
-    found = conjoined(
-        discharged(weakened(on_it, *curve.of[0].of), curve.of[0]),
-        discharged(closed(above, part(assume(others.of[0]), BORDER)), others.of[0]),
+    found = conj(
+        disch(add_assum(on_it, *curve.of[0].of), curve.of[0]),
+        disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega <= pi / (T * (d + 1))
     more = [*given, whole(d), end]
@@ -131,7 +131,7 @@ def _boundary(page):
     stiffness, damping = (e.subs(theta, omega * T) for e in passivity.envelope())
     page.settle(
         "eq7",
-        for_all(symbols, more, weakened(found, *more)),
+        for_all(symbols, more, add_assum(found, *more)),
         Eq(K, stiffness),
         Eq(B, damping),
         example=example(_wall(printed, UNDELAYED | {omega: pi / 2}), more),

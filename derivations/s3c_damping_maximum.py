@@ -20,12 +20,12 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.familiar import bounded, square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    weakened,
+    conj,
+    conjunct,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
@@ -110,19 +110,19 @@ def _ends(page, *derived):
     ]
     there = then.at(beyond)
     upper = there.of[0]
-    point = conjoined(*(number(e) for e in upper.of[0].of))
+    point = conj(*(number(e) for e in upper.of[0].of))
     order = upper.of[1].of[1]
-    held = part(applied(part(assume(there), upper), point), order)
+    held = conjunct(mp(conjunct(assume(there), upper), point), order)
     page.settle(
         "s3c-limit-points",
-        for_all(symbols, more, weakened(limit_points(then, given[-1]), *more)),
+        for_all(symbols, more, add_assum(limit_points(then, given[-1]), *more)),
         *derived,
         example=example(soft, more, met[1]),
         unless=[
             counterexample(
                 claim,
                 beyond,
-                *(met[0], absurd(held, number(negated(order)), there)),
+                *(met[0], not_intro(held, number(negated(order)), there)),
                 but=K >= 0,
             )
         ],
@@ -146,10 +146,10 @@ def _frequency(page, *derived):
     none = {d: S.Zero, T: S.One, omega: pi, b: S(2), K: S.One, B: S.One}
     there = then.at(none)
     last = there.of[1]
-    outside = absurd(part(assume(there), last), number(negated(last)), there)
+    outside = not_intro(conjunct(assume(there), last), number(negated(last)), there)
     page.settle(
         "s3c-bmax-frequency",
-        for_all(symbols, more, weakened(upper_frequency(printed[0], then), *more)),
+        for_all(symbols, more, add_assum(upper_frequency(printed[0], then), *more)),
         *derived,
         example=example(none | {d: S.One, omega: pi / 2}, more),
         unless=[counterexample(claim, none, outside, but=d > 0)],

@@ -23,13 +23,13 @@ from symhaptic.proof.theorems.analysis import no_other_limit
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    weakened,
-    witnessed,
+    conj,
+    conjunct,
+    exists,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import number, tends
 from symhaptic.proof.theorems.tactics import (
@@ -110,7 +110,7 @@ def _line(page, *derived):
     late = {K: S.One, B: S.Zero, b: S.One, T: S.One, d: S.Half}
     page.settle(
         "eq8",
-        for_all(symbols, more, weakened(found, *given)),
+        for_all(symbols, more, add_assum(found, *given)),
         *derived,
         example=example(late | {d: S.Zero, B: -S.Half}, more),
         unless=[counterexample(claim, late, _gains(then.at(late), Rational(8, 9)), but=whole(d))],
@@ -122,9 +122,9 @@ def _line(page, *derived):
 def _gains(claim, share):
     """A wall at this share of the line is not on the boundary: a motion gains energy from it."""
     lower, line = claim.of
-    there = conjoined(*(number(p) for p in line.body.at({y: share}).of))
-    passive = part(applied(assume(claim), witnessed(there, line, {y: share})), lower.of[0].of[0])
-    return absurd(passive, gains(passive.conclusion.of, HALF_LATE), claim)
+    there = conj(*(number(p) for p in line.body.at({y: share}).of))
+    passive = conjunct(mp(assume(claim), exists(there, line, {y: share})), lower.of[0].of[0])
+    return not_intro(passive, gains(passive.conclusion.of, HALF_LATE), claim)
 
 
 def _lower_part(page):
@@ -133,15 +133,15 @@ def _lower_part(page):
     symbols, given, (straight, *limits) = (*taken_apart(claim)[:2], taken_apart(claim)[2].of)
     top = Eq(y, 1)
     line = met_at_every_frequency(straight)
-    found = conjoined(line, *(ends_at_corner(limit, assume(top)) for limit in limits))
+    found = conj(line, *(ends_at_corner(limit, assume(top)) for limit in limits))
     bottom = {b: S.One, T: S.One, d: S.One, y: S.Zero}
     denied, there = limits[0].at(bottom), taken_apart(claim)[2].at(bottom)
     end = tends(denied.of[0], omega, S.Zero, Rational(4, 5))
     other = no_other_limit(end, number(Ne(Rational(4, 5), denied.of[2], evaluate=False)))
-    denied = absurd(part(assume(there), denied), other, there)
+    denied = not_intro(conjunct(assume(there), denied), other, there)
     page.settle(
         "s3c-lower-part",
-        for_all(symbols, [*given, top], weakened(found, *given, top)),
+        for_all(symbols, [*given, top], add_assum(found, *given, top)),
         example=example(bottom | {y: S.One}, [*given, top]),
         unless=[
             counterexample(claim, bottom, denied, but=top),

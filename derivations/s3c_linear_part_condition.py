@@ -19,7 +19,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, mp, not_intro
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import (
     counterexample,
@@ -70,7 +70,7 @@ def _condition(page, nine):
         same, more = either_way(enough, needed, *then.of), [*given, *extra]
         page.settle(
             id,
-            for_all(symbols, more, weakened(same, *more)),
+            for_all(symbols, more, add_assum(same, *more)),
             nine,
             example=example(easy, more),
             unless=[
@@ -100,7 +100,7 @@ def not_alike(same, point, motion):
     there = same.at(point)
     nine, passive = there.of
     if motion is None:
-        held = applied(assume(there), at_corner(STATEMENTS["eq8"].printed, point))
-        return absurd(held, number(negated(nine)), there)
+        held = mp(assume(there), at_corner(STATEMENTS["eq8"].printed, point))
+        return not_intro(held, number(negated(nine)), there)
     met = number(nine)
-    return absurd(applied(assume(there), met), gains(list(passive.of), motion), there)
+    return not_intro(mp(assume(there), met), gains(list(passive.of), motion), there)

@@ -16,7 +16,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 
@@ -101,7 +101,7 @@ def _frequency(page, derived):
     found = first_without_damping(printed, then)
     page.settle(
         "s3c-kmax-frequency",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         derived,
         example=example({T: S.One, d: S.Zero, omega: pi / 2}, given),
         note="for $d=0$ every frequency gives this point, which is then a corner; the slash has "
@@ -135,7 +135,7 @@ def _stiffest(page, *derived):
     wall = at_half | {line.lhs: line.rhs.subs(at_half) for line in PRINTED}
     page.settle(
         "eq11",
-        for_all(symbols, more, weakened(found, *given)),
+        for_all(symbols, more, add_assum(found, *given)),
         *derived,
         example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
         unless=[

@@ -22,13 +22,13 @@ from symhaptic.proof.series import limit
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    weakened,
-    widened,
+    conj,
+    conjunct,
+    disj,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import identity, number
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
@@ -130,17 +130,17 @@ def _curves(page):
     )
     there = then.at(case)
     tip = there.of[-1]
-    point = conjoined(*(number(e) for e in tip.of[0].of))
-    held = applied(part(assume(there), tip), point)
-    denied = absurd(part(held, PASSIVE.at(case)), gains(list(PASSIVE.at(case).of), GAINS), there)
+    point = conj(*(number(e) for e in tip.of[0].of))
+    held = mp(conjunct(assume(there), tip), point)
+    denied = not_intro(
+        conjunct(held, PASSIVE.at(case)), gains(list(PASSIVE.at(case).of), GAINS), there
+    )
     page.settle(
         "fig4",
-        for_all(symbols, more, weakened(drawn(then), *more)),
-        example=example(case | {d: S.Zero}, more, widened(identity(S.Zero, S.Zero), none)),
+        for_all(symbols, more, add_assum(drawn(then), *more)),
+        example=example(case | {d: S.Zero}, more, disj(identity(S.Zero, S.Zero), none)),
         unless=[
-            counterexample(
-                claim, case, widened(identity(S.Half, S.Half), some), denied, but=whole(d)
-            )
+            counterexample(claim, case, disj(identity(S.Half, S.Half), some), denied, but=whole(d))
         ],
         shows=r"half a period late, the tip of the curve for $d=0.5$ gives energy away",
         note="five of the seven curves are what the caption says, the other two are (5)",

@@ -16,7 +16,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
@@ -54,11 +54,11 @@ def _tips(page):
     symbols, given, then = taken_apart(claim)
     stiffness, damping = map(assume, given[-2:])
     height = combined(then.of[0], [stiffness, T])
-    found = conjoined(closed(height, *divisors()), stiffest_wall(stiffness, damping))
+    found = conj(closed(height, *divisors()), stiffest_wall(stiffness, damping))
     more = [*given, whole(d)]
     page.settle(
         "fig5",
-        for_all(symbols, more, weakened(found, *more)),
+        for_all(symbols, more, add_assum(found, *more)),
         example=example({d: S.Zero, T: S.One, b: S.One, K: S(2), B: S.Zero}, more),
         unless=[
             counterexample(

@@ -17,7 +17,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import for_all
 
 CORRECTED = (
@@ -131,7 +131,7 @@ def _delay(page):
     free = FREE | {d: S.One, T_s: S(2)}
     page.settle(
         "s4a-delay-equivalent",
-        for_all(symbols, [*given, whole(d)], weakened(late_answer(), *given)),
+        for_all(symbols, [*given, whole(d)], add_assum(late_answer(), *given)),
         Eq(exp(-d * T * s), exp(T * s) ** (-d), evaluate=False),
         corrected=(DELAYS[1],),
         example=shown_at(corrected, free, whole(d)),

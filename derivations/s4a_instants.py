@@ -15,7 +15,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import WALL
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import turns
 from symhaptic.proof.theorems.tactics import closed, for_all, positive
@@ -68,7 +68,7 @@ def _settle(page):
     point = FREE | {d: S.One}
     page.settle(
         "s4a-exact-instants",
-        for_all(symbols, [*given, whole(d)], weakened(found, *given)),
+        for_all(symbols, [*given, whole(d)], add_assum(found, *given)),
         example=shown_at(claim, point, whole(d)),
         unless=[fails(claim, FREE | {d: S.Half, z: 4}, but=whole(d))],
         shows="half a period late, a free mass answers $z=4$ in another way than $z^{-1/2}$ says",

@@ -38,7 +38,7 @@ from symhaptic.notation import (
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 
@@ -149,6 +149,6 @@ def _abbreviations(page, *forms):
     parts = [
         renamed(known, part, spring, damper) for part, known in zip(then.of, names[2:], strict=True)
     ]
-    found = closed(conjoined(*parts), positive(Ne(m, 0), m > 0))
-    theorem = for_all(symbols, given, weakened(found, *given))
+    found = closed(conj(*parts), positive(Ne(m, 0), m > 0))
+    theorem = for_all(symbols, given, add_assum(found, *given))
     page.settle("eq15", theorem, *forms, example=shown_at(claim, SWINGING))

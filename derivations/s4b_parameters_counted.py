@@ -11,7 +11,7 @@ from symhaptic.notation import SYMBOLS, TABLE_I
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -70,7 +70,7 @@ def _settle(page):
     wall = page.lemma("In the same units a wall has two numbers", scaled_wall(then.of[1]))
     page.settle(
         "s4b-seven-to-five",
-        for_all(symbols, given, weakened(conjoined(device, wall), *given)),
+        for_all(symbols, given, add_assum(conj(device, wall), *given)),
         example=example(SEVEN, given),
         note="no choice of units leaves fewer than five",
     )

@@ -35,7 +35,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import SECOND
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume
 from symhaptic.proof.theorems.leaves import is_whole
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
@@ -92,7 +92,7 @@ def _five(page):
     values = {v: S(value) for v, value in (light | other | numbers).items()} | {X: one, X_d: two}
     page.settle(
         "s4b-five-parameters",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example(values, given, first, second),
     )
 
@@ -119,7 +119,7 @@ def _degree(page):
     values, _ = completed(claim, {alpha: 1, beta: 0, d: 0} | swing)
     page.settle(
         "s4d-degree",
-        for_all(symbols, [*given, *conditions], weakened(theorem, *given)),
+        for_all(symbols, [*given, *conditions], add_assum(theorem, *given)),
         example=example(values, [*given, *conditions]),
         unless=[
             fails_at({gamma: 0, delta: 1}, spring),

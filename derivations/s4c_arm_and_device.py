@@ -15,7 +15,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y, y_D, y_H
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import (
     counterexample,
     every,
@@ -73,7 +73,7 @@ def _numbers(page, *forms):
     """Table I makes (19) of (2)."""
     claim = CLAIMED["eq19"](STATEMENTS["eq19"].printed)
     symbols, given, _ = taken_apart(claim)
-    theorem = for_all(symbols, given, weakened(numbers(claim), *given))
+    theorem = for_all(symbols, given, add_assum(numbers(claim), *given))
     page.settle("eq19", theorem, *forms, example=example(PLAIN | WHOLE, given))
 
 
@@ -82,7 +82,7 @@ def _bounds(page):
     claim = CLAIMED["eq20"](STATEMENTS["eq20"].printed)
     symbols, given, then = taken_apart(claim)
     springy = k_H > 0
-    theorem = for_all(symbols, [*given, springy], weakened(conjoined(*bounds(claim)), *given))
+    theorem = for_all(symbols, [*given, springy], add_assum(conj(*bounds(claim)), *given))
     limp = PLAIN | {k_H: S.Zero, gamma: S.Zero}
     there = then.at(limp)
     page.settle(
@@ -116,7 +116,7 @@ def _mean(page, mean):
     ones = dict.fromkeys((x, y), S.One) | {p: S.Half}
     page.settle(
         "arm-mean-ratio",
-        for_all((*ARM, gamma, delta, *parts), given, weakened(weighted(claim), *given)),
+        for_all((*ARM, gamma, delta, *parts), given, add_assum(weighted(claim), *given)),
         example=example(PLAIN | ones, given),
         note="so it is at most the larger of them",
     )
@@ -128,10 +128,10 @@ def _limits(page):
     symbols, given, _ = taken_apart(claim)
     found = page.lemma(
         "Limits for the arm and for the device, each on its own, are enough",
-        conjoined(*limits(claim)),
+        conj(*limits(claim)),
     )
     page.settle(
         "s4c-independent-limits",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example(PLAIN | dict.fromkeys((x, y, y_D, y_H), S.One), given),
     )

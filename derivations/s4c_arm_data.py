@@ -12,9 +12,9 @@ from symhaptic.paper.propositions.arm import k_1, k_2
 from symhaptic.paper.tables import EXCLUDED, TABLE_II
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
+    add_assum,
     assume,
-    conjoined,
-    weakened,
+    conj,
 )
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, one, over, positive
@@ -62,7 +62,7 @@ def derive(page):
     far = CLAIMED["s4c-outlier"](())
     page.settle(
         "s4c-outlier",
-        conjoined(*map(fact, far.of)),
+        conj(*map(fact, far.of)),
         note="at least 3 times each of them; 9.4 and 3.4 times the next",
     )
     page.say("Two springs in series share the force, and their displacements add up:")
@@ -87,12 +87,12 @@ def series(page):
         found.append(combined(wanted, both, [assume(given[-1]), -k * own]))
     apart = [positive(Ne(part, 0), part > 0) for part in symbols]
     theorem = page.lemma(
-        "Two joints in series are softer than each of them", closed(conjoined(*found), *apart)
+        "Two joints in series are softer than each of them", closed(conj(*found), *apart)
     )
     half = {k: S.Half, k_1: S.One, k_2: S.One}
     page.settle(
         "s4c-series",
-        for_all(symbols, given, weakened(theorem, *given)),
+        for_all(symbols, given, add_assum(theorem, *given)),
         example=example(half, given),
         note="how much softer an arm is, rests on its joints",
     )

@@ -12,7 +12,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.tactics import example, for_all
 
 RATIOS = {
@@ -51,7 +51,7 @@ def largest(page):
     symbols, given, then = taken_apart(claim)
     page.settle(
         "eq21",
-        for_all(symbols, given, conjoined(*map(in_seconds, then.of))),
+        for_all(symbols, given, conj(*map(in_seconds, then.of))),
         k_H / m_H <= spring / second**2,
         b_H / m_H <= up / second,
         example=example({second: S.One}, given),
@@ -105,7 +105,7 @@ def limits(page, spring, damper):
         page.define("(19) gives the numbers per mass", name, meaning)
     inside = page.lemma(
         "Arm and device within their limits are together within (22)",
-        conjoined(*within(spring, damper, DEVICE)),
+        conj(*within(spring, damper, DEVICE)),
         because="the bounds of (21), and 0.625 for the damping per mass of the devices of [8]",
     )
     signs = {"<": Lt, "<=": Le}

@@ -14,7 +14,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import LONGEST, extended
 from symhaptic.paper.tables import DEVICE_RATIO, EXCLUDED, TABLE_II
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.tactics import (
     counterexample,
     example,
@@ -74,7 +74,7 @@ def derive(page):
     )
     page.settle(
         "fig6",
-        conjoined(*map(fact, CLAIMED["fig6"](()).of)),
+        conj(*map(fact, CLAIMED["fig6"](()).of)),
         note=r"at $T=1$ ms; the excluded row has $k_H/m_H=6667$ against 1000 1/s$^2$ and "
         r"$b_H/m_H=50$ against 20 1/s. For the 30\,\% of the caption see "
         r"\texttt{s4c-extension-30}",

@@ -6,7 +6,7 @@ the areas of the regions without delay.
 
 from symhaptic.book.lemmas.areas import damper_adds, mass_adds
 from symhaptic.book.lemmas.spring_adds import spring_adds
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 
 
 def derive(page):
@@ -33,7 +33,7 @@ def derive(page):
     )
     page.settle(
         "s4d-all-stabilising-area",
-        conjoined(spring, damper, mass),
+        conj(spring, damper, mass),
         note="without delay: the spring between the ends of (23), at both ends of the damping; the "
         "damper inside (23); the mass doubled, for the arm of Figs. 11 and 12. A single wall can "
         "be lost (s4d-all-stabilising)",

@@ -15,7 +15,7 @@ from symhaptic.model.passivity import on_circle
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, z
 from symhaptic.paper.propositions.stability import explicit, on_boundary
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import every, example, for_all
 
 
@@ -117,7 +117,7 @@ def _settled(page):
     arm = (gamma, delta, d)
     given = [gamma >= 0, delta >= 0, d >= 0]
     walls, inside, _ = taken_apart(explicit())
-    found = weakened(for_all(walls, inside, weakened(exact, *inside)), *given)
+    found = add_assum(for_all(walls, inside, add_assum(exact, *inside)), *given)
     page.state(
         "explicit-boundary",
         "for every spring, damper and delay the walls with a zero at $e^{j\\theta}$, "

@@ -10,7 +10,7 @@ from sympy import S
 
 from symhaptic.book.lemmas.arm_numbers import ARM, gap, mass, pushed, share, signs
 from symhaptic.notation import a, delta, e, gamma, n_0, n_1
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import every, example, for_all
 
 
@@ -22,12 +22,12 @@ def derive(page):
     )
     page.lemma(
         "A device that swings by less than half a turn goes forwards under a force held",
-        conjoined(*pushed()),
+        conj(*pushed()),
         because="the weights are 1, $e^{-\\delta u}$ and their difference",
     )
     page.lemma(
         "A device that swings by less than half a turn has $0<\\nu\\le\\frac12$",
-        conjoined(*share()),
+        conj(*share()),
         because="with $\\nu=n_0/(n_1+n_0)$",
     )
     page.lemma(
@@ -52,7 +52,7 @@ def derive(page):
     )
     page.settle(
         "arm-numbers",
-        for_all((gamma, delta), arms, weakened(found, *arms)),
+        for_all((gamma, delta), arms, add_assum(found, *arms)),
         example=example({gamma: S.One, delta: S.One}, arms),
         note="the start of the boundary is below the line by $\\gamma^2$ times a positive mean",
     )

@@ -13,7 +13,7 @@ from symhaptic.model import boundary, plant
 from symhaptic.notation import a, beta, d, delta, e, gamma, n_0, n_1, theta
 from symhaptic.paper.propositions.plots import CURVE, OTHER
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.tactics import example
 
 
@@ -70,9 +70,7 @@ def derive(page):
     )
     point = {gamma: STIFF, OTHER: S.Zero, delta: DAMPED}
     arms = example(point, same.conclusion.body.of[0].of)
-    page.settle(
-        "fig7", conjoined(curve, same), note="the spring moves the curve by less than 0.002"
-    )
+    page.settle("fig7", conj(curve, same), note="the spring moves the curve by less than 0.002")
     page.settle(
         "s4d-gamma-invisible",
         same,

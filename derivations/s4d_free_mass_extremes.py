@@ -13,7 +13,7 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.proof import roots
 from symhaptic.proof.enclosed import value
 from symhaptic.proof.theorems.familiar import both_ways, ordered, sign_of
-from symhaptic.proof.theorems.kernel import assume, by_cases, substituted
+from symhaptic.proof.theorems.kernel import assume, disj_cases, subst
 from symhaptic.proof.theorems.tactics import closed, fact, over, positive, sine_of_half
 
 ANGLE = (d + 1) * theta
@@ -114,8 +114,8 @@ def not_negative_sine(low, high):
     inside = positive(sin(angle) >= 0, [closed(sign_of(sin, angle), high)])
     zero = both_ways(low, assume(angle <= 0))
     at_zero = fact(Relation(S.Zero, "<=", S.Zero))
-    edge = substituted(sin(x) >= 0, x, at_zero, zero)
-    return by_cases(ordered(S.Zero, angle), inside, edge)
+    edge = subst(sin(x) >= 0, x, at_zero, zero)
+    return disj_cases(ordered(S.Zero, angle), inside, edge)
 
 
 def whole_delays(page, stiffness, bend):

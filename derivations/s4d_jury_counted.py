@@ -17,7 +17,7 @@ from symhaptic.model.parts import Parts
 from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, e, n_0, n_1, z
 from symhaptic.notation.proposition import And, Exists, negated
-from symhaptic.proof.theorems.kernel import conjoined, witnessed
+from symhaptic.proof.theorems.kernel import conj, exists
 from symhaptic.proof.theorems.tactics import fact
 
 FREE = plant.sampled(plant.normalised(Parts(stiffness=False, damping=False)))
@@ -112,8 +112,8 @@ def fails_alone(inequalities, place, numbers):
     """There are numbers and a wall at which only one inequality fails."""
     values = dict(zip((*NUMBERS, alpha, beta), map(sympify, numbers), strict=True))
     claims = [negated(p) if i == place else p for i, p in enumerate(inequalities)]
-    found = conjoined(*(fact(p.at(values)) for p in claims))
-    return witnessed(found, Exists(tuple(values), And(tuple(claims))), values)
+    found = conj(*(fact(p.at(values)) for p in claims))
+    return exists(found, Exists(tuple(values), And(tuple(claims))), values)
 
 
 def pairs(page):

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.stability import collected, free_by_inequalities
 from symhaptic.model import jury, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.notation import B, K, T, a, alpha, b, beta, c, delta, e, gamma, m, n_0, n_1, z
-from symhaptic.proof.theorems.kernel import assume, conjoined
+from symhaptic.proof.theorems.kernel import assume, conj
 from symhaptic.proof.theorems.leaves import combined
 
 DAMPED = plant.sampled(plant.normalised(Parts(stiffness=False)))
@@ -56,7 +56,7 @@ def derive(page):
     page.step("Without a spring the minor keeps its shape", minor, last, name=r"\Delta_2")
     page.lemma(
         "The numerator of a damped mass has positive coefficients, and $n_1$ is not the smaller",
-        conjoined(*signs()),
+        conj(*signs()),
         because="a blow moves the device forward for all of the period",
     )
     page.lemma(

@@ -14,7 +14,7 @@ from symhaptic.model.plant import Sampled
 from symhaptic.notation import a, alpha, beta, d, delta, e, n_0, n_1
 from symhaptic.notation.proposition import Relation, both
 from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import absurd, anything, assume, by_cases, conjoined, part
+from symhaptic.proof.theorems.kernel import assume, conj, conjunct, contr, disj_cases, not_intro
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import chained, closed, either_way, over, positive
 
@@ -82,18 +82,20 @@ def three_are_enough(minor, *four):
     """Of the four inequalities the second and third are said by beta > 0."""
     positive_minor = Relation(S.Zero, "<", minor)
     before, after = both(four), both([alpha > 0, beta > 0, positive_minor])
-    push, _, low, last = (part(assume(before), p) for p in four)
+    push, _, low, last = (conjunct(assume(before), p) for p in four)
     wanted, weak = Relation(S.Zero, "<", beta), assume(beta <= 0)
     denial = combined(
         Relation(minor, "<", S.Zero),
         *([8, weak], [2, weak, weak, low], [4, weak, weak]),
         *([push, square(beta)], [12, push], [2, push, push]),
     )
-    braked = by_cases(ordered(S.Zero, beta), assume(wanted), anything(absurd(last, denial), wanted))
-    there = conjoined(push, braked, last)
-    push, brake, last = (part(assume(after), p) for p in after.parts)
+    braked = disj_cases(
+        ordered(S.Zero, beta), assume(wanted), contr(not_intro(last, denial), wanted)
+    )
+    there = conj(push, braked, last)
+    push, brake, last = (conjunct(assume(after), p) for p in after.parts)
     low = positive(2 + beta > 0, [2], [brake])
-    back = conjoined(push, half_plane(push, brake, last), low, last)
+    back = conj(push, half_plane(push, brake, last), low, last)
     return either_way(there, back, before, after)
 
 

@@ -16,7 +16,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import damped_region_ends_on_the_line
 from symhaptic.proof.theorems.familiar import device_static
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, weakened, widened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, disj
 from symhaptic.proof.theorems.leaves import combined, roots_inside
 from symhaptic.proof.theorems.tactics import example, fact, for_all
 
@@ -81,7 +81,7 @@ def _settled(page):
     page.settle(
         "s4d-left-bound",
         Eq(alpha, -gamma),
-        for_all(symbols, given, weakened(arms, *given)),
+        for_all(symbols, given, add_assum(arms, *given)),
         example=example({alpha: S.Zero, gamma: S.Zero, delta: S.Zero}, given),
         note=r"for $d\ge1$ inside (23) only $\alpha>-\gamma$ is shown, and for $d=1$ and $d=2$ at "
         r"the limits of (23) that the line is reached to within the thickness of a line (fig9); a "
@@ -98,7 +98,7 @@ def _settled(page):
     symbols, given, _ = taken_apart(claim)
     easy = {alpha: -S.One, gamma: S.One, delta: S.One, d: S.Zero}
     soft = SOFT.at(easy)
-    there = widened(conjoined(*(fact(p) for p in soft.parts[0].parts)), soft)
+    there = disj(conj(*(fact(p) for p in soft.parts[0].parts)), soft)
     page.state(
         "left-bound-damped",
         "for a damped arm the stable region ends on the line $\\alpha=-\\gamma$ without delay, and "
@@ -107,7 +107,7 @@ def _settled(page):
     )
     page.settle(
         "left-bound-damped",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example(easy, given, there),
     )
 

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.undelayed_tip import all_softer, none_stiffer
 from symhaptic.model import boundary, plant
 from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, delta, gamma, s, w, z
-from symhaptic.proof.theorems.kernel import conjoined, placed
+from symhaptic.proof.theorems.kernel import conj, inst
 
 E, N_1, N_0 = symbols("e n_1 n_0")
 TOTAL, APART = N_1 + N_0, N_1 - N_0
@@ -35,7 +35,7 @@ def derive(page):
     )
     page.lemma(
         "A damped mass has $0<n_0\\le n_1$",
-        conjoined(*signs()),
+        conj(*signs()),
         because="a blow moves it forward for all of the period",
     )
     stiffness(page)
@@ -104,4 +104,4 @@ def damping(page, polynomial):
 
 def of_masses(theorem):
     """A theorem of arms with the spring gamma = 0."""
-    return numbers_known(placed(theorem, {gamma: S.Zero}))
+    return numbers_known(inst(theorem, {gamma: S.Zero}))

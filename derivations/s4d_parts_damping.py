@@ -17,7 +17,7 @@ from symhaptic.notation import alpha, beta, delta, gamma
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVIER, damping_can_destabilise
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -54,7 +54,7 @@ def derive(page):
     point |= {delta: Rational(1, 100), HEAVIER: Rational(1, 50)}
     page.settle(
         "s4d-delta-grows",
-        for_all(symbols_, given, weakened(grown(then), *given)),
+        for_all(symbols_, given, add_assum(grown(then), *given)),
         example=example(point, given),
         note="with a delay nothing is shown here; a stiff spring makes it false "
         "(damping-destabilises)",

@@ -14,7 +14,7 @@ from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.notation.proposition import both
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import LATER
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
 
 
@@ -68,7 +68,7 @@ def derive(page):
     plant, arm = [gamma >= 0, delta > 0], (gamma, delta, d)
     page.settle(
         "s4d-delay-shrinks",
-        for_all(arm, plant, for_all(NUMBERS, [DEVICE], conjoined(here, later))),
+        for_all(arm, plant, for_all(NUMBERS, [DEVICE], conj(here, later))),
         instead=every(arm, plant, corners),
         corrected=[r"\text{the explicit boundary begins}\ \gamma\ \text{lower with every period}"],
         example=example({gamma: S.Zero, delta: S.One, d: S.Zero}, plant),

@@ -20,7 +20,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import MORE
 from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import part
+from symhaptic.proof.theorems.kernel import conjunct
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import (
     closed,
@@ -83,7 +83,7 @@ def derive(page):
     claim = CLAIMED["s4d-all-stabilising"](())
     passive = [EVERY_MARGIN, gamma >= 0, delta > 0, alpha > 0, whole(d)]
     stiff = positive(alpha + gamma > 0, alpha > 0, gamma >= 0)
-    robust = closed(part(passive_is_stable(), STABLE), stiff)
+    robust = closed(conjunct(passive_is_stable(), STABLE), stiff)
     page.settle(
         "s4d-all-stabilising",
         for_all(LOOP, passive, robust),

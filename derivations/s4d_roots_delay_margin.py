@@ -18,7 +18,7 @@ from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.model.passivity import real_part
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta, u, w
 from symhaptic.notation.proposition import both
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 
 
 def derive(page):
@@ -95,7 +95,7 @@ def derive(page):
     )
     page.settle(
         "delay-margin",
-        conjoined(speed_outwards(), one_angle()),
+        conj(speed_outwards(), one_angle()),
         note="leave with a speed: $\\Re\\{dz/(z\\,dd)\\}$ times $|dp_1/d\\theta|^2$ is "
         "$\\tfrac\\theta2$ times the slope of the surplus $|f|^2-|g|^2$",
     )

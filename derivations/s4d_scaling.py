@@ -17,7 +17,7 @@ from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, m, y
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 from symhaptic.proof.enclosed import value
-from symhaptic.proof.theorems.kernel import placed
+from symhaptic.proof.theorems.kernel import inst
 from symhaptic.proof.theorems.tactics import closed, positive
 
 ARM = plant.sampled(plant.normalised(Parts(stiffness=False)))
@@ -62,10 +62,10 @@ def all_scaled(page):
     """The period or the mass changes, and all else with it: the loop stays stable or not."""
     page.lemma(
         "Half the period changes nothing if all else is scaled with it",
-        numbers_known(placed(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
+        numbers_known(inst(with_the_rate(STIFFER, STRONGER), {y: S(2)})),
         because="for every delay in periods",
     )
-    heavier = placed(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
+    heavier = inst(with_the_mass(STIFFER, STRONGER), {HEAVY: 2 * m})
     page.lemma(
         "Twice the mass changes nothing if all else is doubled",
         closed(heavier, positive(2 * m > 0, [2, m > 0]), positive(Ne(m, 0), m > 0)),

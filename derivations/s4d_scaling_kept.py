@@ -24,7 +24,7 @@ from symhaptic.notation import B, K, T, alpha, b, beta, d, k, m
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVY, SOON, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, weakened, witnessed
+from symhaptic.proof.theorems.kernel import add_assum, assume, exists, mp, not_intro
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 DAMPED, SPRUNG = Rational(1, 50), Rational(1, 1000)
@@ -57,7 +57,7 @@ def stiffness(page):
     sprung = loop | {k: SPRUNG, K: LIMIT[alpha], STIFFER: 4 * LIMIT[alpha]}
     page.settle(
         "s4d-quadratic-in-period",
-        for_all(symbols, [*given, *NOTHING], weakened(free_mass(kept, RATE), *given)),
+        for_all(symbols, [*given, *NOTHING], add_assum(free_mass(kept, RATE), *given)),
         example=example(loop | {K: S.One, STIFFER: S(4)}, [*given, *NOTHING]),
         unless=[
             one_sided(claim, damped, 0, 0, B, STIFF[beta], never),
@@ -83,7 +83,7 @@ def bound(page):
     sprung = loop | {k: SPRUNG, B: HELD[beta], STRONGER: 2 * HELD[beta]}
     page.settle(
         "s4d-damping-bound",
-        for_all(symbols, [*given, *NOTHING], weakened(free_mass(kept, KEPT), *given)),
+        for_all(symbols, [*given, *NOTHING], add_assum(free_mass(kept, KEPT), *given)),
         example=example(loop | {B: S.One, STRONGER: S(2)}, [*given, *NOTHING]),
         unless=[
             one_sided(claim, damped, 0, 0, K, BRAKED[alpha], never),
@@ -101,6 +101,6 @@ def one_sided(claim, values, order, side, free, value, denied):
     same = taken_apart(claim)[2].at(values)
     stable, lost = same.parts[side], same.parts[1 - side]
     wall = dict(zip(LOOP, stable.body.at({free: value}).terms, strict=True))
-    there = witnessed(stable_at(wall), stable, {free: value})
-    differ = absurd(applied(assume(same), there), denied(free, lost.body), same)
+    there = exists(stable_at(wall), stable, {free: value})
+    differ = not_intro(mp(assume(same), there), denied(free, lost.body), same)
     return counterexample(claim, values, differ, holds=[NOTHING[1 - order]], but=NOTHING[order])

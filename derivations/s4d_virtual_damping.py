@@ -12,9 +12,9 @@ from symhaptic.model import loop
 from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, z
 from symhaptic.paper.propositions.stability import AFTER, lost_by_damping
 from symhaptic.proof.theorems.kernel import (
-    conjoined,
-    weakened,
-    witnessed,
+    add_assum,
+    conj,
+    exists,
 )
 from symhaptic.proof.theorems.tactics import fact, for_all
 
@@ -61,7 +61,7 @@ def derive(page):
     given = [gamma >= 0, delta >= 0, d >= 0]
     page.settle(
         "s4d-too-much-damping",
-        conjoined(for_all((gamma, delta, d), given, weakened(bounded, *given)), _lost()),
+        conj(for_all((gamma, delta, d), given, add_assum(bounded, *given)), _lost()),
         note="$|n_0\\beta|<1$ for every delay",
     )
 
@@ -73,4 +73,4 @@ def _lost():
     values = {**little, AFTER: much[beta]}
     known = {t.conclusion: t for t in (stable_at(little), unstable_at(much))}
     there = [part.at(values) for part in wanted.body.parts]
-    return witnessed(conjoined(*(known.get(p) or fact(p) for p in there)), wanted, values)
+    return exists(conj(*(known.get(p) or fact(p) for p in there)), wanted, values)

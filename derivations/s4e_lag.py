@@ -13,7 +13,7 @@ from symhaptic.notation import B, K, T, b, k, m, s, t_d, t_e
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
@@ -75,7 +75,7 @@ def settle(page, derived):
     damped = {m: S.One, T: S.One, t_d: HALF, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF}
     page.settle(
         "eq24",
-        for_all(symbols, more, weakened(of_the_walls(same.of[0]), *more)),
+        for_all(symbols, more, add_assum(of_the_walls(same.of[0]), *more)),
         derived,
         example=example(easy, more),
         unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(b, 0))],

@@ -22,7 +22,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import lagging
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 HALF = Rational(1, 2)
@@ -59,7 +59,7 @@ def never(page):
     )
     page.settle(
         "linear-lag",
-        for_all(symbols, given, weakened(safe(), *given)),
+        for_all(symbols, given, add_assum(safe(), *given)),
         example=example({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: HALF}, given),
         note="the sampled loop is another matter",
     )
@@ -81,7 +81,7 @@ def stiffness(page, whole):
     sprung = {**ONES, b: S.One, k: S.One, x: S.Zero, B: S.Zero, K: S(5) / 2}
     page.settle(
         "s4e-stiffness-free",
-        for_all(symbols, more, weakened(spring_is_free(), *more)),
+        for_all(symbols, more, add_assum(spring_is_free(), *more)),
         example=example(easy, more),
         unless=[counterexample(claim, sprung, more_with_a_spring(same, sprung), but=Eq(b, 0))],
         shows=r"$m=b=t_e=k=1$, $B=0$: Routh allows $K<3$, and $K<2$ without the spring",
@@ -121,7 +121,7 @@ def plane(page, kept, whole):
     damped = in_units({**ONES, b: S.One, k: S.Zero, B: S.Zero, K: 3 * HALF})
     page.settle(
         "eq25",
-        for_all(symbols, more, weakened(found, *more)),
+        for_all(symbols, more, add_assum(found, *more)),
         line > 0,
         example=example(easy, more),
         unless=[counterexample(claim, damped, forbidden(same, damped), but=Eq(delta, 0))],

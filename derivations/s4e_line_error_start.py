@@ -15,7 +15,7 @@ from symhaptic.notation import Omega, d, delta, gamma, nu, s_1, s_2, theta, z
 from symhaptic.paper.propositions.linear_error import corner
 from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import example, for_all
 
 HALF = Rational(1, 2)
@@ -124,7 +124,7 @@ def unbounded_there(page):
     )
     page.settle(
         "linear-error-start",
-        for_all(symbols, given, weakened(no_error, *given)),
+        for_all(symbols, given, add_assum(no_error, *given)),
         example=example({gamma: S.One, delta: S.One, d: S.Zero}, given),
         note="so the error exceeds every bound; it is bounded for $\\gamma=0$ or $\\delta=0$",
     )

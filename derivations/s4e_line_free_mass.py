@@ -12,7 +12,7 @@ from symhaptic.model.parts import Parts
 from symhaptic.notation import alpha, beta, d, theta
 from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.linear import of_a_free_mass as claimed
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 from symhaptic.proof.theorems.tactics import example
 
 HALF = Rational(1, 2)
@@ -35,7 +35,7 @@ def derive(page):
     )
     page.lemma(
         "A stable wall of a free mass satisfies three inequalities of Hurwitz",
-        conjoined(*minors()),
+        conj(*minors()),
         because="from the lowest power of $s$ on",
     )
     slack = 2 * beta - d * alpha

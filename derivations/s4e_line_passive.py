@@ -16,7 +16,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.proof.theorems.definitions import gains
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
@@ -45,7 +45,7 @@ def derive(page):
     symbols, given, both = taken_apart(claim)
     page.settle(
         "s4e-same-as-passive",
-        for_all(symbols, given, weakened(same_condition(*both.of), *given)),
+        for_all(symbols, given, add_assum(same_condition(*both.of), *given)),
         example=example({K: S.One, B: S.One, b: S.One, T: S.One, d: S.One, t_d: S.One}, given),
         note="as formulas, for every real $d$. (9) bounds the passive walls for whole $d$ and in "
         "its range of $B$ only, and with $b=b_D$ by (3)",
@@ -96,7 +96,7 @@ def in_its_range(page):
     more = [*given, *extra]
     page.settle(
         "s4e-passive-range",
-        for_all(symbols, more, weakened(on_the_line(), *more)),
+        for_all(symbols, more, add_assum(on_the_line(), *more)),
         example=example(easy, more),
         unless=[
             counterexample(

@@ -16,7 +16,7 @@ from symhaptic.book.lemmas.linear_second_order import (
     nearly_even,
     on_line,
 )
-from symhaptic.book.lemmas.linear_short_periods import tends
+from symhaptic.book.lemmas.linear_short_periods import all_tend
 from symhaptic.notation import T, delta, e, gamma, m, n_0, n_1
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear_error import short_periods
@@ -86,7 +86,7 @@ def order_of_period(page):
     easy = dict.fromkeys(symbols, S.Zero) | {m: S.One, T: S.One}
     page.settle(
         "linear-short-periods",
-        for_all(symbols, given, tends()),
+        for_all(symbols, given, all_tend()),
         example=example(easy, given),
         note="both sides of (24) are of order 1 there, so that the relative error is of order $T$",
     )

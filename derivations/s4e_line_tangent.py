@@ -9,7 +9,7 @@ from sympy import S
 from symhaptic.book.lemmas.linear_tangent import free_mass_only, tangent
 from symhaptic.notation import d, delta, gamma
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -30,6 +30,6 @@ def derive(page):
     )
     page.settle(
         "linear-tangent",
-        for_all(symbols, given, weakened(free_mass_only(), *given)),
+        for_all(symbols, given, add_assum(free_mass_only(), *given)),
         example=example({gamma: S.One, delta: S.One, d: S.Zero}, given),
     )

@@ -15,7 +15,7 @@ from symhaptic.notation import alpha, beta, d, delta, gamma, h, nu, s_1, s_2, th
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = Rational(1, 2)
@@ -89,7 +89,7 @@ def settle(page, physical, virtual):
     more_virtual, less_virtual = {**virtual, x: physical[delta]}, {**physical, x: -physical[delta]}
     page.settle(
         "s6-linear-dissipation",
-        for_all(symbols, more, weakened(exchanged(), *more)),
+        for_all(symbols, more, add_assum(exchanged(), *more)),
         example=example(easy, more, *(at_point(e, easy) for e in extra)),
         unless=[
             counterexample(

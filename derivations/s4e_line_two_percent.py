@@ -19,7 +19,7 @@ from symhaptic.proof.ball import ball
 from symhaptic.proof.enclosed import sign_change
 from symhaptic.proof.roots import BITS
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import placed
+from symhaptic.proof.theorems.kernel import inst
 from symhaptic.proof.theorems.tactics import closed, example, fact, for_all, positive
 
 HALF, LEVEL = Rational(1, 2), Rational(2, 100)
@@ -85,7 +85,7 @@ def own(page):
 def papers(page):
     """Beside the spring of Fig. 10, for each damping beyond 0.015."""
     symbols, given, _ = taken_apart(CLAIMED["s4e-two-percent"](()))
-    found = placed(in_the_corner(), {gamma: STIFF})
+    found = inst(in_the_corner(), {gamma: STIFF})
     known = [fact(h) for h in found.hypotheses if not h.free]
     damped = positive(delta > 0, delta > THRESHOLD, [THRESHOLD])
     every = closed(found, *known, damped, positive(delta >= 0, [damped]))

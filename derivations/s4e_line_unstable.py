@@ -12,7 +12,7 @@ from symhaptic.model import jury, linear
 from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, s_1, x
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -57,7 +57,7 @@ def derive(page):
     )
     claim = CLAIMED["s4e-unstable-side"](())
     symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, weakened(one_crossing(), *arms))
+    theorem = for_all(symbols, arms, add_assum(one_crossing(), *arms))
     page.lemma(
         "Of two walls on the line the softer one is stable if the stiffer one is",
         theorem,

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.notation import alpha, beta, d, delta, gamma, x
 from symhaptic.paper.propositions.linear import safe
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import example, for_all
 
 
@@ -34,7 +34,7 @@ def derive(page):
     )
     claim = safe()
     symbols, arms, _ = taken_apart(claim)
-    theorem = for_all(symbols, arms, weakened(below_the_crossing(), *arms))
+    theorem = for_all(symbols, arms, add_assum(below_the_crossing(), *arms))
     page.lemma(
         "What satisfies (25) and has at most the damping of a stable wall on its line is stable",
         theorem,

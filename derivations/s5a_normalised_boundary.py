@@ -15,7 +15,7 @@ from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, discharged, part, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, disch
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
 
 
@@ -66,9 +66,9 @@ def _boundary(page, *forms):
         because="by \\chapter{s3b_rise} they are walls of (7), at $\\hat\\omega=\\omega T$ of (27)",
         boxed=True,
     )
-    found = conjoined(
-        discharged(weakened(on_it, *curve.of[0].of), curve.of[0]),
-        discharged(closed(above, part(assume(others.of[0]), BORDER)), others.of[0]),
+    found = conj(
+        disch(add_assum(on_it, *curve.of[0].of), curve.of[0]),
+        disch(closed(above, conjunct(assume(others.of[0]), BORDER)), others.of[0]),
     )
     end = omega_hat <= pi / (d + 1)
     more = [*given, whole(d), end]
@@ -77,7 +77,7 @@ def _boundary(page, *forms):
     unless = (half, half_late(Rational(17, 10)), end, whole(d)), (high, STEPS, whole(d), end)
     page.settle(
         "eq27",
-        for_all(symbols, more, weakened(found, *more)),
+        for_all(symbols, more, add_assum(found, *more)),
         *forms,
         example=example(_wall(printed, {d: S.Zero, omega_hat: pi / 2}), more),
         unless=[

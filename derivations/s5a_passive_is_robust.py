@@ -15,7 +15,7 @@ from symhaptic.notation.proposition import Relation, proposition
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.familiar import strictly
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, assume, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, not_intro
 from symhaptic.proof.theorems.leaves import factor
 from symhaptic.proof.theorems.tactics import (
     at,
@@ -57,10 +57,10 @@ def _robust(page):
     free = drift | {gamma: S.Zero}
     there = robust.at(drift)
     calm = at(assume(there), {gamma: S.Zero}, fact(Relation(S.Zero, "<=", S.Zero)))
-    shaken = absurd(calm, stays_on_circle(free, S.Zero), there)
+    shaken = not_intro(calm, stays_on_circle(free, S.Zero), there)
     page.settle(
         "s5c-robust-subset",
-        for_all(symbols, [*given, stiff], weakened(springs, *given)),
+        for_all(symbols, [*given, stiff], add_assum(springs, *given)),
         example=example(wall, [*given, stiff], shown(wall)),
         unless=[counterexample(claim, drift, shown(drift), shaken, but=stiff)],
         shows="without stiffness and spring the device drifts",
@@ -93,6 +93,6 @@ def _scaled(page):
         )
         for way in (up, down)
     )
-    same = weakened(either_way(*both, small, large), *given)
+    same = add_assum(either_way(*both, small, large), *given)
     point = {alpha: S.One, beta: S.Zero, delta: S.One, d: S.Zero, y: S.One}
     page.settle("s5a-proportional", for_all(symbols, given, same), example=example(point, given))

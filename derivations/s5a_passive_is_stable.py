@@ -24,7 +24,7 @@ from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.familiar import held_steady_state
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import assume, conjoined, part, placed, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, inst
 from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all, positive
 
 
@@ -95,17 +95,17 @@ def _subset(page):
         held_passive_is_stable(),
         because="the stiffness of a passive wall is not negative",
     )
-    first = numbers_known(placed(held, arm))
+    first = numbers_known(inst(held, arm))
     walls, sampled, _ = taken_apart(computed)
     margin = margins(passive())
-    second = closed(part(passive_is_stable(), STABLE), margin)
+    second = closed(conjunct(passive_is_stable(), STABLE), margin)
     second = closed(second, positive(alpha + gamma > 0, alpha >= 0, gamma > 0))
-    second = numbers_known(placed(second, arm))
+    second = numbers_known(inst(second, arm))
     page.settle(
         "s5a-subset",
-        conjoined(
-            for_all(walls, given, weakened(first, *given)),
-            for_all(walls, sampled, weakened(second, *sampled)),
+        conj(
+            for_all(walls, given, add_assum(first, *given)),
+            for_all(walls, sampled, add_assum(second, *sampled)),
         ),
         note="the first is of the held force and of every real delay, the second of (5) and (18)",
     )
@@ -127,7 +127,7 @@ def _every_arm(page):
 
     page.settle(
         "s6-subset",
-        for_all(symbols, [*given, *extra], weakened(passive_wall_is_stable(), *given)),
+        for_all(symbols, [*given, *extra], add_assum(passive_wall_is_stable(), *given)),
         example=example(easy, [*given, *extra], shown(easy)),
         unless=[
             counterexample(

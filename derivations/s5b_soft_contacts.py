@@ -17,7 +17,7 @@ from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import not_negative
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, part, placed, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conjunct, inst, mp, not_intro
 from symhaptic.proof.theorems.leaves import (
     number,
     root_outside,
@@ -80,15 +80,15 @@ def derive(page):
     claim = CLAIMED["s5b-soft-contacts"](())
     symbols, given, _ = taken_apart(claim)
     held, below = proposition(y * alpha + gamma > 0), passive()
-    stable = part(passive_is_stable(), STABLE)
-    softened = closed(placed(stable, {alpha: y * alpha}), stays_passive())
+    stable = conjunct(passive_is_stable(), STABLE)
+    softened = closed(inst(stable, {alpha: y * alpha}), stays_passive())
     bounds = damped(below), margins(below), not_negative(assume(whole(d)))
     found = closed(softened, *bounds)
     drifting = {alpha: S.One, beta: S.Zero, gamma: S.Zero, delta: S.One, d: S.Zero, y: S.Zero}
     easy = drifting | {y: S.One}
     page.settle(
         "s5b-soft-contacts",
-        for_all(symbols, [*given, held, below], weakened(found, *given)),
+        for_all(symbols, [*given, held, below], add_assum(found, *given)),
         example=example(
             easy, [*given, held, below], *(met(easy, [S.Half]), stands(easy), fact(whole(S.Zero)))
         ),
@@ -115,7 +115,7 @@ def stands(point):
     """The wall of a point is stable."""
     loop = at_point(point)
     zeros = loop.conclusion.of[1].of[0]
-    return applied(loop, roots_inside(zeros, z, {}))
+    return mp(loop, roots_inside(zeros, z, {}))
 
 
 def falls(point):
@@ -140,4 +140,4 @@ def lacks(point):
     frequency = pi / (point[d] + 1)
     inside = [fact(r.at({omega: frequency})) for r in below.body.of[0].of]
     there = at(assume(below), {omega: frequency}, *inside)
-    return absurd(there, number(negated(there.conclusion)), below)
+    return not_intro(there, number(negated(there.conclusion)), below)

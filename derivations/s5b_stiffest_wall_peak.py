@@ -18,7 +18,7 @@ from symhaptic.notation import gamma
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.ranges import STIFF
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import widened
+from symhaptic.proof.theorems.kernel import disj
 from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.tactics import counterexample
 
@@ -50,7 +50,7 @@ def derive(page):
     claim = CLAIMED["s5b-eta-grows"](())
     _, [springs], then = taken_apart(claim)
     point = {gamma: STIFF}
-    sprung = widened(identity(STIFF, STIFF), springs.at(point))
+    sprung = disj(identity(STIFF, STIFF), springs.at(point))
     page.settle(
         "s5b-eta-grows",
         near_one(),

@@ -22,7 +22,7 @@ from symhaptic.notation import d, delta, gamma
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.stability import HEAVIER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened, widened
+from symhaptic.proof.theorems.kernel import add_assum, conj, disj
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
@@ -60,10 +60,10 @@ def derive(page):
     every, ranges, then = taken_apart(claim)
     point = {gamma: S.Zero, delta: Rational(1, 100), HEAVIER: Rational(1, 50), d: S.Zero}
     short = SHORT.at(point)
-    undelayed = widened(conjoined(*(number(p) for p in short.of[0].of)), short)
+    undelayed = disj(conj(*(number(p) for p in short.of[0].of)), short)
     page.settle(
         "s5a-smaller-delta",
-        for_all(every, [*ranges, SHORT], weakened(further(), *ranges)),
+        for_all(every, [*ranges, SHORT], add_assum(further(), *ranges)),
         example=example(point, [*ranges, SHORT], undelayed),
         unless=[counterexample(claim, FAR, nearer(then.at(FAR)), not_short(), but=SHORT)],
         shows=r"at $d=200$ the two stiffnesses differ by 0.4\% for $\delta=0.01$ and by 1.4\% for "

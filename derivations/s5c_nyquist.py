@@ -21,13 +21,13 @@ from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    discharged,
-    placed,
-    substituted,
-    weakened,
+    conj,
+    disch,
+    inst,
+    mp,
+    subst,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, number
 from symhaptic.proof.theorems.tactics import closed, either_way, example, for_all, over, positive
@@ -86,7 +86,7 @@ def _frequency(page, frequency):
     point = {m: S.One, b: S.Zero, k: S.One, omega: S.One}
     page.settle(
         "eq28",
-        for_all(symbols, given, weakened(same, *given)),
+        for_all(symbols, given, add_assum(same, *given)),
         Eq(omega, frequency),
         example=example(point, given),
     )
@@ -99,16 +99,16 @@ def _four(mass):
 def _in_units(page, turns):
     """(29): the same with Table I; the square is divided by that of the period."""
     symbols, given, same = taken_apart(CLAIMED["eq29"]((Eq(omega, turns / T),)))
-    unit = placed(swings(), {b: delta * m / T, k: gamma * m / T**2})
+    unit = inst(swings(), {b: delta * m / T, k: gamma * m / T**2})
     angle = by_its_square(gamma - delta**2 / 4)
-    angle = placed(angle, {omega: omega * T})
+    angle = inst(angle, {omega: omega * T})
     apart = positive(Ne(T, 0), T > 0), positive(Ne(m, 0), m > 0)
     root, turned = angle.conclusion.of
     value, swinging = same.of
     square = unit.conclusion.of[1]
-    there = applied(angle, combined(root, [assume(value), T]))
-    there = applied(unit, combined(square, [there, 1 / T**2]))
-    back = applied(angle, combined(turned, [applied(unit, assume(swinging)), T**2]))
+    there = mp(angle, combined(root, [assume(value), T]))
+    there = mp(unit, combined(square, [there, 1 / T**2]))
+    back = mp(angle, combined(turned, [mp(unit, assume(swinging)), T**2]))
     back = combined(value, [back, 1 / T])
     both = either_way(there, back, value, swinging)
     both = closed(
@@ -120,7 +120,7 @@ def _in_units(page, turns):
     point = {m: S.One, T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
     page.settle(
         "eq29",
-        for_all(symbols, given, weakened(both, *given)),
+        for_all(symbols, given, add_assum(both, *given)),
         Eq(omega, turns / T),
         example=example(point, given),
     )
@@ -130,9 +130,9 @@ def _up_to_nyquist(page, turns):
     """(30): the frequency (29), where it is real, and Nyquist's."""
     symbols, given, both = taken_apart(CLAIMED["eq30"]((turns**2 <= pi**2,)))
     swinging, calm = both.of
-    same = discharged(up_to_nyquist(), swinging.of[0])
+    same = disch(up_to_nyquist(), swinging.of[0])
     slow = positive(calm.of[1], calm.of[0], number(Relation(S.Zero, "<", pi**2)))
-    found = weakened(conjoined(same, discharged(slow, calm.of[0])), *given)
+    found = add_assum(conj(same, disch(slow, calm.of[0])), *given)
     point = {T: S.One, gamma: S.One, delta: S.Zero, omega: S.One}
     page.settle(
         "eq30",
@@ -151,12 +151,12 @@ def _undamped(page):
     stiff = combined(spring, [root, sqrt(gamma) + pi])
     place = Relation(sqrt(delta), "=", pi)
     root = combined(Eq(pi**2, gamma), [assume(spring), -1])
-    root = substituted(place, delta, identity(sqrt(pi**2), pi), root)
+    root = subst(place, delta, identity(sqrt(pi**2), pi), root)
     fast = combined(reached, [root, 1], [law, T])
     same = closed(either_way(stiff, fast, reached, spring), period)
     page.settle(
         "s5c-nyquist-spring",
-        for_all(symbols, given, weakened(same, *given)),
+        for_all(symbols, given, add_assum(same, *given)),
         example=example({T: S.One, omega: S.One, gamma: S.One}, given),
         note="with damping it is $\\gamma=\\pi^2+\\frac14\\delta^2$",
     )

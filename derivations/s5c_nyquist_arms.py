@@ -21,13 +21,13 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    applied,
+    add_assum,
     assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
+    conj,
+    conjunct,
+    inst,
+    mp,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.tactics import (
@@ -78,11 +78,11 @@ def arms(page):
     size = combined(x > 0, [above(S.One / 1000, S.Zero)], [largest, -1])
     lower = over((gamma - 9500 * x) / x >= 0, positive(gamma - 9500 * x >= 0, [lower]), size)
     upper = over((10000 * x - gamma) / x > 0, positive(10000 * x - gamma > 0, [upper]), size)
-    found = conjoined(combined(near.of[0], [lower]), combined(near.of[1], [upper]))
+    found = conj(combined(near.of[0], [lower]), combined(near.of[1], [upper]))
     found = closed(found, positive(Ne(x, 0), [size]))
     page.settle(
         "s5c-human-10000",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example({gamma: pi**2, delta: S.Zero, x: Rational(1, 1000)}, given),
         enclosed=True,
         value=1000 * pi**2,
@@ -115,7 +115,7 @@ def human(page):
     symbols, given, about = taken_apart(claim)
     alike = Eq(k_H * T**2 / m, Rational(1, 1000))
     low, high = about.of
-    arm, spring = assume(alike), applied(spring_of_nyquist(), assume(given[-1]))
+    arm, spring = assume(alike), mp(spring_of_nyquist(), assume(given[-1]))
     lower = combined(
         low,
         [scale(), above(pi**2, Rational(19, 2))],
@@ -130,12 +130,12 @@ def human(page):
         [arm, -10500 * m / T**2],
         [spring, S.One],
     )
-    found = closed(conjoined(lower, upper), *divisors(), damped())
+    found = closed(conj(lower, upper), *divisors(), damped())
     point = {**DEVICE, b: S.Zero, k: spring_of(m).subs(DEVICE), k_H: HOGAN[k_H]}
     same = point | {k_H: S(100)}
     page.settle(
         "s6-human-10000",
-        for_all(symbols, [*given, alike], weakened(found, *given)),
+        for_all(symbols, [*given, alike], add_assum(found, *given)),
         example=example(same, [*given, alike], swung(same)),
         unless=[counterexample(claim, point, swung(point), soft(about.at(point)), but=alike)],
         shows=r"the 987\,000 N/m of Example 5.1 are 1740 times the stiffness of an arm of 568 N/m",
@@ -145,14 +145,14 @@ def human(page):
 
 def swung(point):
     """The device of a point swings with the Nyquist frequency."""
-    there = placed(spring_of_nyquist(), {s: point[s] for s in (m, b, k, T)})
-    return applied(closed(there, *map(fact, there.hypotheses)), fact(there.conclusion.of[0]))
+    there = inst(spring_of_nyquist(), {s: point[s] for s in (m, b, k, T)})
+    return mp(closed(there, *map(fact, there.hypotheses)), fact(there.conclusion.of[0]))
 
 
 def soft(about):
     """A spring is not that stiff: less than 9500 times."""
     low = about.of[0]
-    return absurd(part(assume(about), low), number(negated(low)), about)
+    return not_intro(conjunct(assume(about), low), number(negated(low)), about)
 
 
 def spring_of(mass):

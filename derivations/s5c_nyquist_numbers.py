@@ -24,10 +24,10 @@ from symhaptic.proof import box
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import (
+    add_assum,
     assume,
-    conjoined,
-    discharged,
-    weakened,
+    conj,
+    disch,
 )
 from symhaptic.proof.theorems.leaves import combined, on_box
 from symhaptic.proof.theorems.tactics import (
@@ -73,11 +73,11 @@ def example_(page, spring):
     )
     symbols, given, then = taken_apart(CLAIMED["eq31"]((Eq(k, spring),)))
     _, rounds = then.of
-    about = discharged(rounded(spring, rounds.of[1]), rounds.of[0])
+    about = disch(rounded(spring, rounds.of[1]), rounds.of[0])
     point = {m: S.One, b: S.Zero, k: S.One, T: S.One}
     page.settle(
         "eq31",
-        for_all(symbols, given, weakened(conjoined(spring_of_nyquist(), about), *given)),
+        for_all(symbols, given, add_assum(conj(spring_of_nyquist(), about), *given)),
         Eq(k, spring),
         example=example(point, given),
         enclosed=True,
@@ -104,7 +104,7 @@ def marginal(page, spring):
     about = rounded(spring, rounds)
     page.settle(
         "s5c-marginal-b",
-        for_all(symbols, given, weakened(closed(conjoined(less, about), *divisors()), *given)),
+        for_all(symbols, given, add_assum(closed(conj(less, about), *divisors()), *given)),
         example=example({m: S.One, b: S.Zero, T: S.One}, given),
         note=r"less than $1.02\cdot10^{-5}$ inside (23)",
     )
@@ -126,4 +126,4 @@ def rounded(spring, claim):
     upper = combined(
         high, [above(987490, 100000 * pi**2)], [Rational(5, 2), most, room], [same, S.One]
     )
-    return discharged(closed(conjoined(lower, upper), *divisors()), values)
+    return disch(closed(conj(lower, upper), *divisors()), values)

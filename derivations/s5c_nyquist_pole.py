@@ -15,7 +15,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import kept_at_minus_one, q
 from symhaptic.proof.theorems.familiar import held_by_a_pole
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.tactics import example, fact, for_all
 
@@ -56,10 +56,10 @@ def derive(page):
     once = {alpha: S.One, beta: S.Zero, delta: S.One, l: S.One, q: S.One}
     symbols, given, _ = taken_apart(kept_at_minus_one())
     held = held_by_a_pole(pole, number(Relation(S.One, "<=", S.One)))
-    kept = for_all(symbols, given, weakened(conjoined(pole, held), *given))
+    kept = for_all(symbols, given, add_assum(conj(pole, held), *given))
     page.settle(
         "s5c-undamped-limit",
-        conjoined(kept, split(), triangle()),
+        conj(kept, split(), triangle()),
         note="the pole for every delay of $\\ell/q$ periods, the factor for whole delays, the "
         "region for $d=0$; for other delays no region is shown",
     )
@@ -71,7 +71,7 @@ def derive(page):
     symbols, given, _ = taken_apart(CLAIMED["s5c-pole-inside"](()))
     page.settle(
         "s5c-pole-inside",
-        for_all(symbols, given, weakened(conjoined(damped, *inside()), *given)),
+        for_all(symbols, given, add_assum(conj(damped, *inside()), *given)),
         example=example(once, given, fact(whole(S.One))),
         note=r"at the Nyquist frequency it is $-e^{-\delta/2}$, whatever wall and delay",
     )

@@ -14,7 +14,7 @@ from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, fact, for_all
 
 
@@ -77,7 +77,7 @@ def settled(page):
     point = {gamma: S.Zero, delta: S.Zero, d: S(10), FASTER: S.One}
     page.settle(
         "s6-faster-sampling",
-        for_all(symbols, [*ranges, SLOW], weakened(gained(), *ranges)),
+        for_all(symbols, [*ranges, SLOW], add_assum(gained(), *ranges)),
         example=example(point, [*ranges, SLOW], slow(point)),
         unless=[counterexample(stated, SOON, much(then.at(SOON)), not_slow(), but=SLOW)],
         shows=r"at $d=1$, where the delay is twice the half period of the hold, sampling a hundred "

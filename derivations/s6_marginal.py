@@ -14,7 +14,7 @@ from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import CHANGES
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all, not_all
 
 PARTS = {
@@ -87,7 +87,7 @@ def damping(page):
     denial = none_pushes(then.at(point), tuple(wall.values()), stable_at(wall | point))
     page.settle(
         id,
-        for_all(symbols, [*known_of, AT_ONCE], weakened(theorem, *known_of)),
+        for_all(symbols, [*known_of, AT_ONCE], add_assum(theorem, *known_of)),
         example=example({gamma: S.Zero, delta: S.Zero, d: S.Zero}, [*known_of, AT_ONCE]),
         unless=[counterexample(claim, point, denial, but=AT_ONCE)],
         shows=r"at $d=49$, $\gamma=(\pi/100)^2$ no wall that does not pull is stable without "
@@ -102,13 +102,13 @@ def spring(page):
     claim = CLAIMED[id](())
     symbols, known_of, then = taken_apart(claim)
     free: dict = {gamma: S.Zero}
-    theorem = conjoined(by_a_factor(then.of[0], free, {}), by_a_factor(then.of[1], {}, free))
+    theorem = conj(by_a_factor(then.of[0], free, {}), by_a_factor(then.of[1], {}, free))
     point = {**LONG, delta: S.Zero}
     wall = {alpha: Rational(1, 5000), beta: Rational(47, 2500)}
     denial = none_pushes(then.of[1].at(point), tuple(wall.values()), stable_at(wall | point | free))
     page.settle(
         id,
-        for_all(symbols, [*known_of, AT_ONCE], weakened(theorem, *known_of)),
+        for_all(symbols, [*known_of, AT_ONCE], add_assum(theorem, *known_of)),
         example=example({gamma: S.Zero, delta: S.Zero, d: S.Zero}, [*known_of, AT_ONCE]),
         unless=[counterexample(claim, point, not_all(then.at(point), denial), but=AT_ONCE)],
         shows=r"at $d=49$ without damping the spring $\gamma=(\pi/100)^2$ excludes every wall that "

@@ -26,7 +26,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import HEAVY, STIFFER, STRONGER
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import absurd, applied, assume, conjoined, part, weakened
+from symhaptic.proof.theorems.kernel import add_assum, assume, conj, conjunct, mp, not_intro
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 STILL = dict.fromkeys((b, k, d), S.Zero) | {T: S.One, m: S.One}
@@ -51,7 +51,7 @@ def derive(page):
     settled(
         page,
         "s6-sampling",
-        conjoined(passive, free_mass(faster, FASTER)),
+        conj(passive, free_mass(faster, FASTER)),
         [_grown(point | {y: S(2)}, S(4), S(2)) for point in (BRAKED, SPRUNG)],
         shows="at twice the rate the wall $\\alpha=0.713$ of a damper of 0.02 is lost, as for four "
         "times the stiffness",
@@ -64,7 +64,7 @@ def derive(page):
     settled(
         page,
         "s6-mass",
-        conjoined(free_mass(heavier, HELD), no_mass_differs(m, HEAVY)),
+        conj(free_mass(heavier, HELD), no_mass_differs(m, HEAVY)),
         [
             _grown(BRAKED | {HEAVY: S(2)}, S(2), S(2)),
             _grown(SPRUNG | {HEAVY: S(4)}, S(4), S(4)),
@@ -90,7 +90,7 @@ def performance(page):
     point = STILL | {K: S.One, B: S.One, HEAVY: S(2), STIFFER: S(2)}
     page.settle(
         "s6-performance",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         example=example(point, given),
         note="if wall, damper and spring grow with the mass the loop moves as before",
     )
@@ -122,7 +122,7 @@ def settled(page, id, found, cases, **words):
     same = one | {b: S.Zero}
     page.settle(
         id,
-        for_all(symbols, [*given, *NOTHING], weakened(found, *given)),
+        for_all(symbols, [*given, *NOTHING], add_assum(found, *given)),
         example=example(same, [*given, *NOTHING]),
         unless=[one_sided(claim, values, order) for order, values in enumerate(cases)],
         **words,
@@ -135,6 +135,6 @@ def one_sided(claim, values, order):
     same = next(p for p in then.of if getattr(p.of[0], "name", "") == STABLE.name)
     loops = [dict(zip(LOOP, p.terms, strict=True)) for p in same.of]
     stable, lost = loops if order == 0 else loops[::-1]
-    there = applied(part(assume(then), same), stable_at(stable))
-    differ = absurd(there, unstable_at(lost), then)
+    there = mp(conjunct(assume(then), same), stable_at(stable))
+    differ = not_intro(there, unstable_at(lost), then)
     return counterexample(claim, values, differ, holds=[NOTHING[1 - order]], but=NOTHING[order])

@@ -13,7 +13,7 @@ from symhaptic.model import fractional, plant
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant
 from symhaptic.notation import c, delta, epsilon, gamma, l, m_0, m_1, m_2, z
-from symhaptic.proof.theorems.kernel import conjoined
+from symhaptic.proof.theorems.kernel import conj
 
 
 def derive(page):
@@ -83,7 +83,7 @@ def derive(page):
     page.lemma(
         "A constant force does not feel the delay, and at both ends of the fraction the device is "
         "the undelayed one",
-        conjoined(*numbers_of_a_late_device()),
+        conj(*numbers_of_a_late_device()),
         because="so that $P(1)=1/\\gamma$ stays, and a full period is one more $z^{-1}$",
     )
     free = fractional.late(plant.normalised(Parts(stiffness=False, damping=False)))

@@ -35,7 +35,7 @@ from symhaptic.notation import (
     y,
     z,
 )
-from symhaptic.proof.theorems.kernel import placed
+from symhaptic.proof.theorems.kernel import inst
 from symhaptic.proof.theorems.tactics import closed, example, one
 
 
@@ -109,7 +109,7 @@ def derive(page):
         claim=late_passive_walls_are_stable(),
     )
     point = {alpha: S.Zero, beta: DAMPED, gamma: S.One, delta: S.One, l: S.Zero, epsilon: S.Half}
-    damped = placed(passive_with(S.Zero, DAMPED), {b: S.One, T: S.One})
+    damped = inst(passive_with(S.Zero, DAMPED), {b: S.One, T: S.One})
     page.settle(
         "fractional-passive-is-stable",
         found,

@@ -11,7 +11,7 @@ from symhaptic.notation import delta, gamma
 from symhaptic.paper.propositions.slips import END, ENDS, within
 from symhaptic.proof.theorems.familiar import square
 from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import conjoined, weakened
+from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import either_way, example, for_all, positive
 
@@ -34,7 +34,7 @@ def derive(page):
     thirty, limit = same.of
     share = Rational(1, 4)
     both = either_way(positive(limit, [thirty]), positive(thirty, [limit]), thirty, limit)
-    found = conjoined(
+    found = conj(
         both,
         combined(low, [share, square(delta)]),
         positive(high, [share, delta <= END, delta >= 0], [share * END, delta <= END]),
@@ -42,7 +42,7 @@ def derive(page):
     beyond = {gamma: ENDS[1], delta: S.Zero}
     page.settle(
         "s5c-interval",
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         instead=meant,
         corrected=(r"\gamma\le\pi^2+\tfrac14\delta^2\in[\pi^2,\pi^2+0.0001]",),
         example=example(beyond, given),

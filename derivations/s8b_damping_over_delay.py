@@ -11,7 +11,7 @@ from symhaptic.book.lemmas.circulation import damping_over_delay, outside
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 RULE = "rules:damping-over-delay"
@@ -36,7 +36,7 @@ def derive(page):
     page.lemma("Without delay the wall $K=1$, $B=3$ of $m=T=b=1$ is not stable", outside(braked))
     page.settle(
         RULE,
-        for_all(symbols, [*given, RANGE], weakened(found, *given)),
+        for_all(symbols, [*given, RANGE], add_assum(found, *given)),
         example=example(wall | {B: -Rational(1, 10)}, [*given, RANGE]),
         unless=[counterexample(claim, wall | {B: S(3)}, outside(braked), but=RANGE)],
         shows="$m=T=b=1$ without delay: $B=3$ allows $K<8$, and $K=1$ is unstable",

@@ -10,7 +10,7 @@ from symhaptic.book.lemmas.circulation import NOTHING, never_undamped, outside
 from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, every, example, for_all
 
 RULE = "rules:two-masses"
@@ -31,7 +31,7 @@ def derive(page):
     given = [*given, *NOTHING]
     page.settle(
         RULE,
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         instead=every(symbols, given, found.conclusion),
         corrected=[r"\text{no}\ K>0\ \text{is stable for}\ b=k=B=d=0"],
         misprint=False,

@@ -11,7 +11,7 @@ from symhaptic.book.sources import CLAIMED, STATEMENTS
 from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m
 from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import weakened
+from symhaptic.proof.theorems.kernel import add_assum
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 RULE = "rules:damped-contact"
@@ -45,7 +45,7 @@ def derive(page):
     page.lemma("The wall $K=B=1$ of $m=T=1$ has a root outside the circle", outside(driven))
     page.settle(
         RULE,
-        for_all(symbols, given, weakened(found, *given)),
+        for_all(symbols, given, add_assum(found, *given)),
         corrected=[RIGHT],
         misprint=False,
         example=example(WALL | {K: S.Half}, given),

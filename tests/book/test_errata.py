@@ -12,6 +12,8 @@ from symhaptic.book.sources import PAPER
 from symhaptic.book.tex.errata import OTHERS, by_importance, errata
 from symhaptic.proof.verdict import Kind
 
+pytestmark = pytest.mark.ci
+
 WRONG = {Kind.QUALIFIED, Kind.MISPRINT, Kind.REFUTED, Kind.SLIP}
 
 

@@ -65,29 +65,34 @@ def alive(mark):
     return [command for command in found if command]  # what is dead but not waited for has none
 
 
-SWALLOWED = """
+AWKWARD = """
 import os, signal, time
 import symhaptic.__main__ as commands
+def end():
+    os.kill(os.getpid(), {number})
+    time.sleep(0.01)
 class Held:
     def __del__(self):
-        os.kill(os.getpid(), {number})
-        time.sleep(0.01)
+        end()
 import symhaptic.cli.main
-def command():
+def finaliser():
     Held()
     time.sleep(30)
-symhaptic.cli.main.main = command
+def text():
+    exec("end()")
+symhaptic.cli.main.main = {place}
 commands.main()
 """
 
 
+@pytest.mark.parametrize("place", ["finaliser", "text"])
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
-def test_a_signal_that_comes_in_a_finaliser_is_not_lost(number):
-    """Python ignores what is raised there."""
-    code = SWALLOWED.format(number=int(number))
+def test_a_signal_that_comes_at_an_awkward_place_ends_the_command(number, place, tmp_path):
+    """Python ignores what a finaliser raises, and remembers what is raised in `exec`."""
+    (tmp_path / "awkward.py").write_text(AWKWARD.format(number=int(number), place=place))
     done = subprocess.run(
-        [sys.executable, "-c", code], env=os.environ | {"PYTHONPATH": str(HOME)}, timeout=20,
-        capture_output=True, text=True, check=False,
+        [sys.executable, "-m", "awkward"], env=os.environ | {"PYTHONPATH": str(HOME)}, timeout=20,
+        capture_output=True, text=True, check=False, cwd=tmp_path,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (128 + number, "symhaptic: interrupted\n")
 

@@ -11,7 +11,7 @@ from symhaptic.paper.reading import read
 from symhaptic.proof.constants import Unmeasured
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.theorems.judge import Judged
-from symhaptic.proof.theorems.kernel import general
+from symhaptic.proof.theorems.kernel import gen
 from symhaptic.proof.theorems.leaves import identity
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all, positive
 from symhaptic.proof.verdict import Kind, Unfounded
@@ -86,7 +86,7 @@ def concluded(printed):
 
 
 SQUARED = read("(x + 1)^2 = x^2 + 2x + 1")
-IDENTITY = general(identity((x + 1) ** 2, x**2 + 2 * x + 1), x)
+IDENTITY = gen(identity((x + 1) ** 2, x**2 + 2 * x + 1), x)
 HALF = read("(x + 1)^2 = x^2 + x + 1")
 
 

@@ -35,17 +35,17 @@ from symhaptic.proof.theorems.analysis import (
 from symhaptic.proof.theorems.definitions import gains, loop, loop_substituted
 from symhaptic.proof.theorems.familiar import axiom
 from symhaptic.proof.theorems.kernel import (
-    absurd,
     assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    instance,
-    placed,
-    substituted,
-    unfolded,
-    witnessed,
+    conj,
+    disch,
+    disj_cases,
+    exists,
+    gen,
+    inst,
+    not_intro,
+    spec,
+    subst,
+    undisch,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -85,12 +85,12 @@ def cases():
     cover = axiom("order", 0, x)
     right = combined(x**2 >= 0, [assume(Relation(S.Zero, "<", x))] * 2)
     left = combined(x**2 >= 0, [combined(-x >= 0, [assume(x <= 0)])] * 2)
-    return by_cases(cover, right, left)
+    return disj_cases(cover, right, left)
 
 
 def sum_of_whole():
     start = is_whole(S.Zero)
-    step = discharged(is_whole(n + 1, assume(whole(n))), whole(n), whole(n))
+    step = disch(is_whole(n + 1, assume(whole(n))), whole(n), whole(n))
     return induction(whole(n), n, start, step)
 
 
@@ -108,7 +108,7 @@ def chosen_number():
     from symhaptic.notation.proposition import Exists
 
     wanted = Exists((y,), proposition(y > 1))
-    return witnessed(less(S.One, S(2)), wanted, {y: S(2)})
+    return exists(less(S.One, S(2)), wanted, {y: S(2)})
 
 
 def sine_at_a_quotient():
@@ -116,7 +116,7 @@ def sine_at_a_quotient():
     from symhaptic.notation.proposition import Exists
 
     wanted = Exists((y,), proposition(sin(x * y) > 0))
-    return witnessed(assume(proposition(sin(n) > 0)), wanted, {y: n / x})
+    return exists(assume(proposition(sin(n) > 0)), wanted, {y: n / x})
 
 
 def known_device():
@@ -147,7 +147,7 @@ ATTACKS = {
         [("sqrt(3)", "sqrt(0)"), ("- 1/(1", "- 3/(1")],
     ),
     "the case of one case": (
-        lambda: by_cases(
+        lambda: disj_cases(
             assume(Or((proposition(x > 1),))),
             combined(x > 0, [assume(x > 1)], [S.One]),
         ),
@@ -245,15 +245,13 @@ ATTACKS = {
     "induction": (sum_of_whole, [("(whole (n)) -> ", "")]),
     "cases": (cases, [("0 <= x^2", "0 < x^2"), ("0 <= x^2", "1 <= x^2")]),
     "an instance": (
-        lambda: unfolded(
-            instance(
-                general(discharged(combined(2 * x > 0, [2, assume(x > 0)]), x > 0), x), {x: y + 1}
-            )
+        lambda: undisch(
+            spec(gen(disch(combined(2 * x > 0, [2, assume(x > 0)]), x > 0), x), {x: y + 1})
         ),
         [("(0 < y + 1) -> ", ""), ("0 < 2*y + 2", "0 < 2*y - 2")],
     ),
     "an instance at the angle 0": (
-        lambda: instance(
+        lambda: spec(
             assume(
                 ForAll(
                     (x,),
@@ -265,11 +263,11 @@ ATTACKS = {
         [("n + y <> 0", "n - y <> 0"), ("(0 <= x)", "(1 <= x)"), ("Ci*x", "Ci*(x + 1)")],
     ),
     "a symbol replaced": (
-        lambda: placed(combined(2 * x > 0, [2, assume(x > 0)]), {x: y**2}),
+        lambda: inst(combined(2 * x > 0, [2, assume(x > 0)]), {x: y**2}),
         [("(0 < y^2) -> ", ""), ("0 < 2*y^2", "0 < 2*y")],
     ),
     "equals for equals": (
-        lambda: substituted(
+        lambda: subst(
             proposition(y > 1), y, assume(proposition(x > 1)), assume(Relation(x, "=", n))
         ),
         [("(x = n) -> ", ""), ("(1 < n)", "(2 < n)")],
@@ -280,7 +278,7 @@ ATTACKS = {
         [("sin(x*y)", "sin(2*x*y)"), ("(0 < sin(n)) -> ", ""), ("sin(x*y)", "cos(x*y)")],
     ),
     "a contradiction": (
-        lambda: absurd(assume(x < y), assume(y <= x), x < y),
+        lambda: not_intro(assume(x < y), assume(y <= x), x < y),
         [("(y <= x) -> ", ""), ("y <= x", "x <= y")],
     ),
     "a motion that gains": (
@@ -324,7 +322,7 @@ ATTACKS = {
         [("(0 <> y)", "(0 <= y)"), ("*Cexp(Ci*x) <> 0", "*Cexp(Ci*x) <> y")],
     ),
     "complex equals": (
-        lambda: substituted(
+        lambda: subst(
             Relation(z, "!=", S.Zero),
             z,
             assume(Relation(X, "!=", S.Zero)),
@@ -337,15 +335,15 @@ ATTACKS = {
         [("-cos", "cos"), ("-cos(PI/(y", "-cos(2*PI/(y"), ("= -cos", "= sin")],
     ),
     "an angle that has a known sine": (
-        lambda: placed(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 4}),
+        lambda: inst(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 4}),
         [("(0 < y) -> ", ""), ("y + sqrt(2)/2", "y + sqrt(2)/3"), ("(sqrt(2)/2 <", "(sqrt(3)/2 <")],
     ),
     "a sine a quarter further": (
-        lambda: placed(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 2 - n}),
+        lambda: inst(combined(sin(x) < sin(x) + y, [assume(y > 0)]), {x: pi / 2 - n}),
         [("y + cos(n)", "y - cos(n)"), ("(cos(n) <", "(sin(n) <")],
     ),
     "equals in a sine": (
-        lambda: substituted(
+        lambda: subst(
             proposition(x < sin(2 * y)),
             y,
             assume(proposition(x < 1)),
@@ -445,7 +443,7 @@ ATTACKS = {
         ],
     ),
     "a cosine at a slope": (
-        lambda: placed(
+        lambda: inst(
             combined(cos(x) < cos(x) + y, [assume(y > 0)]), {x: 2 * atan(Rational(1, 3)) / 2}
         ),
         [("y + 3*sqrt(10)/10", "y + 2*sqrt(10)/10"), ("(0 < y) -> ", "")],
@@ -540,7 +538,7 @@ ATTACKS = {
         [("y < 1", "x < 1"), ("-1 < y", "0 < y"), ("z^3", "z")],
     ),
     "a conjunction": (
-        lambda: conjoined(assume(x > 0), assume(y > 0)),
+        lambda: conj(assume(x > 0), assume(y > 0)),
         [("(0 < x) -> ", ""), ("-> ((0 < x)", "-> ((1 < x)")],
     ),
 }

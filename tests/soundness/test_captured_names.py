@@ -15,16 +15,16 @@ from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
-    absurd,
-    anything,
+    add_assum,
     assume,
-    discharged,
-    general,
-    instance,
-    placed,
-    substituted,
-    unfolded,
-    weakened,
+    contr,
+    disch,
+    gen,
+    inst,
+    not_intro,
+    spec,
+    subst,
+    undisch,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, number, tends
 from symhaptic.proof.theorems.roots import (
@@ -43,7 +43,7 @@ v, q, t, x, y, w = sp.symbols("v q t x y w")
 
 def zero_at(place: sp.Expr) -> Theorem:
     """-1 < place < 1 |- all zeros of z - place lie inside."""
-    return unfolded(instance(known("linear"), {axiom_x: place}))
+    return undisch(spec(known("linear"), {axiom_x: place}))
 
 
 def test_a_product_does_not_capture() -> None:
@@ -57,7 +57,7 @@ def test_a_product_does_not_capture() -> None:
 def never(*claims: sp.Expr) -> list[Theorem]:
     """That these are not zero, from what knows of neither q nor t."""
     some = (Relation(claim, "!=", S.Zero) for claim in claims)
-    return [instance(assume(ForAll((q, t), claim)), {q: q, t: t}) for claim in some]
+    return [spec(assume(ForAll((q, t), claim)), {q: q, t: t}) for claim in some]
 
 
 def test_a_path_does_not_capture() -> None:
@@ -107,8 +107,8 @@ def test_a_loop_of_z_is_not_one_of_its_bound_symbol(values: tuple[sp.Expr, ...])
 def test_what_a_predicate_binds_is_not_the_symbol_of_that_name() -> None:
     # all zeros of x lie inside, and that says nothing of the x in 1/x
     inside = Predicate("stable", (x,), (x,))
-    claim = general(discharged(weakened(identity(x, x), inside), inside), x)
-    assert instance(claim, {x: 1 / y}).hypotheses == {Relation(y, "!=", S.Zero)}
+    claim = gen(disch(add_assum(identity(x, x), inside), inside), x)
+    assert spec(claim, {x: 1 / y}).hypotheses == {Relation(y, "!=", S.Zero)}
 
 
 CANCELS = (x**2 - 1) / (4 * (x - 1))
@@ -152,8 +152,8 @@ def test_a_path_is_along_a_symbol() -> None:
 def test_an_end_of_an_interval_does_not_know_what_runs_through_it() -> None:
     # x - 1 is positive for 0 < x < x - 1, where there is no x at all, and tends to -1 at 0
     never = combined(Relation(S.Zero, "<", S.NegativeOne), [assume(x < x - 1)])
-    empty = absurd(never, number(Relation(S.NegativeOne, "<", S.Zero)))
-    positive = weakened(anything(empty, x > 1), x > 0)
+    empty = not_intro(never, number(Relation(S.NegativeOne, "<", S.Zero)))
+    positive = add_assum(contr(empty, x > 1), x > 0)
     difference = positive.conclusion.terms[1] - positive.conclusion.terms[0]
     start = tends(difference, x, 0, -1)
     with pytest.raises(NoTerm, match="bound"):
@@ -165,13 +165,13 @@ def test_a_divisor_is_not_kept_by_a_bound_symbol_of_its_name() -> None:
     two = (2 * x - 2 * w) / (x - w)
     claim = Relation(two + 1 / y, "=", 2 + 1 / y)
     same = combined(Relation(two, "=", S(2)), [assume(claim)])
-    nowhere = substituted(
+    nowhere = subst(
         Relation((2 * v - 2 * w) / (v - w), "=", S(2)), v, same, assume(Relation(x, "=", w))
     )
     assert nowhere.conclusion == FALSE
-    denied = general(reductio(nowhere, claim), y)
+    denied = gen(reductio(nowhere, claim), y)
     assert denied.conclusion == ForAll((y,), Not((claim,)))
-    found = placed(denied, {x: w + y})
+    found = inst(denied, {x: w + y})
     assert found.conclusion == ForAll((t,), Not((Relation(2 + 1 / t, "=", 2 + 1 / t),)))
     assert Relation(y, "!=", S.Zero) in found.hypotheses
 

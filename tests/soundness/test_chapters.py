@@ -24,12 +24,12 @@ from symhaptic.proof.enclosed import enclosed, value
 from symhaptic.proof.roots import NoSuchRoot, zero
 from symhaptic.proof.theorems.axioms import known
 from symhaptic.proof.theorems.kernel import (
-    absurd,
-    anything,
     assume,
-    conjoined,
-    discharged,
-    equivalent,
+    conj,
+    contr,
+    disch,
+    imp_antisym,
+    not_intro,
 )
 from symhaptic.proof.theorems.leaves import broken, combined, number
 from symhaptic.proof.theorems.tactics import denied, example, for_all, positive
@@ -332,15 +332,15 @@ def _never():
 def _from_nothing():
     """0 = 1 => 0 = 2."""
     premise = assume(ZERO_IS_ONE)
-    return discharged(combined(Relation(S.Zero, "=", S(2)), [premise, S(2)]), ZERO_IS_ONE)
+    return disch(combined(Relation(S.Zero, "=", S(2)), [premise, S(2)]), ZERO_IS_ONE)
 
 
 def _iff():
     """0 = 1 <=> -1 is whole."""
     not_whole, apart = broken(-1), number(sp.Ne(0, 1, evaluate=False))
-    there = anything(absurd(assume(ZERO_IS_ONE), apart), whole(-1))
-    back = anything(absurd(assume(whole(-1)), not_whole), ZERO_IS_ONE)
-    return equivalent(discharged(there, ZERO_IS_ONE), discharged(back, whole(-1)))
+    there = contr(not_intro(assume(ZERO_IS_ONE), apart), whole(-1))
+    back = contr(not_intro(assume(whole(-1)), not_whole), ZERO_IS_ONE)
+    return imp_antisym(disch(there, ZERO_IS_ONE), disch(back, whole(-1)))
 
 
 CLAIMS = [
@@ -350,7 +350,7 @@ CLAIMS = [
     (
         "0 = 2",
         And((Implies((ZERO_IS_ONE, Relation(S.Zero, "=", S(2)))),)),
-        lambda: conjoined(_from_nothing()),
+        lambda: conj(_from_nothing()),
     ),
     (
         "K < 0",
@@ -377,7 +377,7 @@ def test_a_claim_may_add(page):
     claim = ForAll((x,), implied([x > 1], And((proposition(x > 0), proposition(x**2 > 0)))))
     page.state("mine", "more", "x > 0", claim=claim)
     first = positive(x > 0, x > 1, [1])
-    both = conjoined(first, positive(x**2 > 0, [first, first]))
+    both = conj(first, positive(x**2 > 0, [first, first]))
     verdict = page.settle("mine", for_all([x], [x > 1], both), example=example({x: 2}, [x > 1]))
     assert verdict.kind == "proved"
 

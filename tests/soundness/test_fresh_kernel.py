@@ -67,23 +67,23 @@ from symhaptic.proof.theorems.definitions import gains, loop, loop_substituted
 from symhaptic.proof.theorems.energy import stored, toeplitz
 from symhaptic.proof.theorems.kernel import (
     NotShown,
-    absurd,
-    anything,
-    applied,
     assume,
-    by_cases,
-    chosen,
-    cut,
-    discharged,
-    equivalent,
-    general,
-    instance,
-    part,
-    placed,
-    substituted,
-    unfolded,
-    widened,
-    witnessed,
+    choose,
+    conjunct,
+    contr,
+    disch,
+    disj,
+    disj_cases,
+    exists,
+    gen,
+    imp_antisym,
+    inst,
+    mp,
+    not_intro,
+    prove_hyp,
+    spec,
+    subst,
+    undisch,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -279,81 +279,77 @@ DECIDERS = {
 """What deciders know: identities, numbers, signs, whole numbers, boxes."""
 
 LOGIC = {
-    "discharged nothing": lambda: discharged(assume(UP)),
-    "cut wrong": lambda: cut(assume(UP), assume(DOWN)),
-    "applied wrong": lambda: applied(assume(Implies((UP, DOWN))), assume(DOWN)),
-    "applied converse": lambda: applied(assume(Implies((UP, DOWN))), assume(Not((DOWN,)))),
-    "applied or": lambda: applied(assume(Implies((UP, DOWN))), assume(Or((UP, DOWN)))),
-    "applied part": lambda: applied(assume(Implies((And((UP, DOWN)), FALSE))), assume(UP)),
-    "part of or": lambda: part(assume(Or((UP, DOWN))), UP),
-    "part of not": lambda: part(assume(Not((And((UP, DOWN)),))), UP),
-    "widened": lambda: widened(assume(UP), Or((DOWN, DOWN))),
-    "cases none": lambda: by_cases(assume(Or(()))),
-    "cases few": lambda: by_cases(assume(Or((UP, DOWN))), assume(UP)),
-    "cases other": lambda: by_cases(assume(Or((UP, DOWN))), assume(UP), assume(DOWN)),
-    "absurd weak": lambda: absurd(assume(Relation(x, "<=", y)), assume(Relation(y, "<=", x))),
-    "absurd same": lambda: absurd(assume(UP), assume(UP)),
-    "absurd weak neq": lambda: absurd(assume(Relation(x, "<=", y)), assume(Relation(x, "!=", y))),
-    "absurd le eq": lambda: absurd(assume(Relation(x, "<=", y)), assume(Relation(x, "=", y))),
-    "absurd scaled": lambda: absurd(assume(below(S.Zero, x)), assume(below(S.Zero, -x))),
-    "anything": lambda: anything(assume(UP), FALSE),
-    "anything or": lambda: anything(assume(Or((FALSE,))), UP),
-    "equivalent": lambda: equivalent(assume(Implies((UP, DOWN))), assume(Implies((UP, DOWN)))),
-    "equivalent not": lambda: equivalent(assume(Implies((UP, DOWN))), assume(UP)),
-    "general hyp": lambda: general(assume(UP), x),
-    "general expr": lambda: general(identity(x, x), x + 1),
-    "instance exists": lambda: instance(assume(Exists((x,), UP)), {x: y}),
-    "instance complex": lambda: instance(
-        assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: I}
+    "discharged nothing": lambda: disch(assume(UP)),
+    "cut wrong": lambda: prove_hyp(assume(UP), assume(DOWN)),
+    "applied wrong": lambda: mp(assume(Implies((UP, DOWN))), assume(DOWN)),
+    "applied converse": lambda: mp(assume(Implies((UP, DOWN))), assume(Not((DOWN,)))),
+    "applied or": lambda: mp(assume(Implies((UP, DOWN))), assume(Or((UP, DOWN)))),
+    "applied part": lambda: mp(assume(Implies((And((UP, DOWN)), FALSE))), assume(UP)),
+    "part of or": lambda: conjunct(assume(Or((UP, DOWN))), UP),
+    "part of not": lambda: conjunct(assume(Not((And((UP, DOWN)),))), UP),
+    "widened": lambda: disj(assume(UP), Or((DOWN, DOWN))),
+    "cases none": lambda: disj_cases(assume(Or(()))),
+    "cases few": lambda: disj_cases(assume(Or((UP, DOWN))), assume(UP)),
+    "cases other": lambda: disj_cases(assume(Or((UP, DOWN))), assume(UP), assume(DOWN)),
+    "absurd weak": lambda: not_intro(assume(Relation(x, "<=", y)), assume(Relation(y, "<=", x))),
+    "absurd same": lambda: not_intro(assume(UP), assume(UP)),
+    "absurd weak neq": lambda: not_intro(
+        assume(Relation(x, "<=", y)), assume(Relation(x, "!=", y))
     ),
-    "instance z": lambda: instance(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: z}),
-    "instance sqrt": lambda: instance(
-        assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: sqrt(y)}
-    ),
-    "instance log": lambda: instance(
-        assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: log(y)}
-    ),
-    "instance f": lambda: instance(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: f(y)}),
-    "instance other": lambda: instance(assume(ForAll((x,), UP)), {y: x}),
-    "instance few": lambda: instance(assume(ForAll((x, y), UP)), {x: S.Zero}),
-    "instance oo": lambda: instance(assume(ForAll((x,), UP)), {x: oo}),
-    "instance weak premise": lambda: instance(
+    "absurd le eq": lambda: not_intro(assume(Relation(x, "<=", y)), assume(Relation(x, "=", y))),
+    "absurd scaled": lambda: not_intro(assume(below(S.Zero, x)), assume(below(S.Zero, -x))),
+    "anything": lambda: contr(assume(UP), FALSE),
+    "anything or": lambda: contr(assume(Or((FALSE,))), UP),
+    "equivalent": lambda: imp_antisym(assume(Implies((UP, DOWN))), assume(Implies((UP, DOWN)))),
+    "equivalent not": lambda: imp_antisym(assume(Implies((UP, DOWN))), assume(UP)),
+    "general hyp": lambda: gen(assume(UP), x),
+    "general expr": lambda: gen(identity(x, x), x + 1),
+    "instance exists": lambda: spec(assume(Exists((x,), UP)), {x: y}),
+    "instance complex": lambda: spec(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: I}),
+    "instance z": lambda: spec(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: z}),
+    "instance sqrt": lambda: spec(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: sqrt(y)}),
+    "instance log": lambda: spec(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: log(y)}),
+    "instance f": lambda: spec(assume(ForAll((x,), Relation(S.Zero, "<=", x**2))), {x: f(y)}),
+    "instance other": lambda: spec(assume(ForAll((x,), UP)), {y: x}),
+    "instance few": lambda: spec(assume(ForAll((x, y), UP)), {x: S.Zero}),
+    "instance oo": lambda: spec(assume(ForAll((x,), UP)), {x: oo}),
+    "instance weak premise": lambda: spec(
         assume(ForAll((x,), Implies((Relation(x, "!=", S.Zero), Relation(S.Zero, "<", x**2))))),
         {x: I},
     ),
-    "placed complex": lambda: placed(assume(UP), {x: I}),
-    "witness empty": lambda: witnessed(assume(UP), Exists((x,), UP), {}),
-    "witness complex": lambda: witnessed(
+    "placed complex": lambda: inst(assume(UP), {x: I}),
+    "witness empty": lambda: exists(assume(UP), Exists((x,), UP), {}),
+    "witness complex": lambda: exists(
         identity(I**2, -1), Exists((x,), Relation(x**2, "=", -S.One)), {x: I}
     ),
-    "witness other": lambda: witnessed(
+    "witness other": lambda: exists(
         assume(below(S.Zero, y)), Exists((x,), below(x, S.Zero)), {x: y}
     ),
-    "witness forall": lambda: witnessed(
+    "witness forall": lambda: exists(
         assume(below(S.Zero, y)), ForAll((x,), below(S.Zero, x)), {x: y}
     ),
-    "witness partly": lambda: witnessed(assume(UP), Exists((x,), below(x, x)), {x: y}),
-    "witness no value": lambda: witnessed(
+    "witness partly": lambda: exists(assume(UP), Exists((x,), below(x, x)), {x: y}),
+    "witness no value": lambda: exists(
         identity(0, 0), Exists((x,), Relation(kept(Mul, 0, 1 / x), "=", S.Zero)), {x: S.Zero}
     ),
-    "chosen said": lambda: chosen(assume(Exists((x,), below(S.Zero, x))), assume(below(S.Zero, x))),
-    "chosen more": lambda: chosen(
+    "chosen said": lambda: choose(assume(Exists((x,), below(S.Zero, x))), assume(below(S.Zero, x))),
+    "chosen more": lambda: choose(
         assume(Exists((x,), below(S.Zero, x))),
         combined(below(y, S.Zero), [assume(below(x, S.Zero))], [assume(below(y, x))]),
     ),
-    "chosen forall": lambda: chosen(assume(ForAll((x,), below(S.Zero, x))), assume(UP)),
-    "unfolded": lambda: unfolded(assume(Iff((UP, DOWN)))),
-    "unfolded not": lambda: unfolded(assume(Not((Implies((UP, DOWN)),)))),
-    "substituted other": lambda: substituted(
+    "chosen forall": lambda: choose(assume(ForAll((x,), below(S.Zero, x))), assume(UP)),
+    "unfolded": lambda: undisch(assume(Iff((UP, DOWN)))),
+    "unfolded not": lambda: undisch(assume(Not((Implies((UP, DOWN)),)))),
+    "substituted other": lambda: subst(
         below(x, y), x, assume(below(w, y)), assume(Relation(u, "=", q))
     ),
-    "substituted neq": lambda: substituted(
+    "substituted neq": lambda: subst(
         below(x, y), x, assume(below(w, y)), assume(Relation(w, "!=", q))
     ),
-    "substituted bound": lambda: substituted(
+    "substituted bound": lambda: subst(
         ForAll((x,), below(x, y)), x, assume(below(w, y)), assume(Relation(w, "=", q))
     ),
-    "substituted complex": lambda: substituted(
+    "substituted complex": lambda: subst(
         below(S.Zero, x**2), x, assume(below(S.Zero, w**2)), assume(Relation(w, "=", I))
     ),
     "known": lambda: known("0 = 1"),
@@ -516,7 +512,7 @@ ANALYSIS = {
         below(n, S(5)),
         n,
         number(below(0, 5)),
-        discharged(assume(below(n + 2, S(5))), And((whole(n), below(n, S(5))))),
+        disch(assume(below(n + 2, S(5))), And((whole(n), below(n, S(5))))),
     ),
     "induction hyp": lambda: induction(
         below(n, S(5)),
@@ -617,7 +613,7 @@ def test_an_answer_without_a_value_is_none():
     right = held(ans=S.Half)  # by hand: X (z - 1)^2 = (z + 1)/2 at z = 3
     wrong = held(ans=kept(Mul, S.Half, w, 1 / w))
     assert Relation(w, "!=", S.Zero) in wrong.hypotheses
-    there = placed(wrong, {w: S.Zero})
+    there = inst(wrong, {w: S.Zero})
     assert Relation(S.Zero, "!=", S.Zero) in there.hypotheses
     assert right.hypotheses == {whole(0)}
 
@@ -631,7 +627,7 @@ def test_of_a_product_that_keeps_the_divisor_nothing_is_asked():
 def test_two_symbols_are_not_printed_as_one():
     """For all x there is a y with x < y; of y that is not printed as y < y."""
     larger = assume(ForAll((x,), Exists((y,), below(x, y))))
-    assert written(instance(larger, {x: y}).conclusion) == r"\exists\,y':\ y<y'"
+    assert written(spec(larger, {x: y}).conclusion) == r"\exists\,y':\ y<y'"
     twice = Exists((sp.Dummy("x"),), ForAll((sp.Dummy("x"),), Relation(S.Zero, "=", S.Zero)))
     assert written(twice) == r"\exists\,x:\ \forall\,x':\ 0=0"
 

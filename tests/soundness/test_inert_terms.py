@@ -21,10 +21,10 @@ from symhaptic.proof.theorems.definedness import conditions, real
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     assume,
-    discharged,
-    general,
-    instance,
-    placed,
+    disch,
+    gen,
+    inst,
+    spec,
 )
 from symhaptic.proof.theorems.leaves import combined, identity, mirrored
 from symhaptic.proof.theorems.roots import first_minors
@@ -38,7 +38,7 @@ def test_a_dummy_with_an_assumption_is_no_term(assumed: dict[str, bool]) -> None
     # |p| is p at once for SymPy, so that 0 <= |p| would be 0 <= p, and that for all p
     p = sp.Dummy("p", **assumed)
     with pytest.raises(NoTerm, match="carries assumptions"):
-        instance(known("Abs"), {axiom_x: p})
+        spec(known("Abs"), {axiom_x: p})
     with pytest.raises(NoTerm, match="carries assumptions"):
         term(sp.Function("f", **assumed)(x))
     assert term(sp.Dummy("p")).is_Symbol
@@ -84,7 +84,7 @@ def test_a_divisor_stays_whatever_sympy_would_make_of_it(lost: sp.Expr, at: int)
     assert tree(lost).shown == lost
     # under a quantifier 0/x = 0, false at x = 0, would be equal to 0 = 0
     assert ForAll((x,), claim) != ForAll((m,), Relation(lost.xreplace({x: m}), "=", S.Zero))
-    there = placed(assume(claim), {x: m})
+    there = inst(assume(claim), {x: m})
     point = {m: S(at), y: S.NegativeOne}
     assert any(_false(h.at(point)) for h in there.hypotheses)
 
@@ -110,7 +110,7 @@ def test_a_bound_symbol_is_renamed_and_nothing_else_happens(name: str) -> None:
         assert ForAll((v,), Relation(root, "=", S.One)) != claim
     # x becomes v: the bound symbol gives way, and the divisor stays or the rule refuses
     try:
-        moved = instance(assume(ForAll((x,), claim)), {x: v}).conclusion
+        moved = spec(assume(ForAll((x,), claim)), {x: v}).conclusion
     except NotShown:
         return
     assert conditions(moved.body.left)
@@ -121,7 +121,7 @@ def test_a_symbolic_degree_is_a_whole_number() -> None:
     inside = assume(Predicate("stable", (z,), (z ** (m + 1),)))
     shown = first_minors(inside, 1)
     assert {whole(m), whole(m + 1)} <= shown.hypotheses
-    there = placed(shown, {m: -S.One})
+    there = inst(shown, {m: -S.One})
     assert whole(-S.One) in there.hypotheses
     with pytest.raises(NotShown):
         fact(whole(-S.One))
@@ -149,11 +149,11 @@ def test_a_bound_symbol_is_known_by_its_place() -> None:
 def test_a_step_of_an_induction_keeps_its_divisors() -> None:
     # (2n - 2)/(n - 1) = 2 is false at n = 1, where it divides by zero; of n + 1 SymPy says 2 = 2
     claim = Relation((2 * n - 2) / (n - 1), "=", S(2))
-    step = discharged(identity(2, 2), both([whole(n), claim]))
+    step = disch(identity(2, 2), both([whole(n), claim]))
     with pytest.raises(NotShown, match="a divisor of"):
         induction(claim, n, identity(2, 2), step)
     kept = Relation(2 * n + m, "=", m + n + n)
-    step = discharged(identity(*(kept.at({n: n + 1}).terms)), both([whole(n), kept]))
+    step = disch(identity(*(kept.at({n: n + 1}).terms)), both([whole(n), kept]))
     assert induction(kept, n, identity(m, m), step).conclusion == kept
 
 
@@ -173,7 +173,7 @@ IMAGINARY = sp.im(sp.exp(I * x), evaluate=False)
 def test_what_is_not_real_everywhere_is_not_real_by_its_form(expr: sp.Expr) -> None:
     assert not real(expr)
     with pytest.raises(NotShown, match="not real by its form"):
-        instance(known("square"), {axiom_x: expr})
+        spec(known("square"), {axiom_x: expr})
 
 
 @pytest.mark.parametrize("side", [IMAGINARY, sp.Abs(sp.log(x) + I)])
@@ -201,7 +201,7 @@ def test_what_is_bound_is_a_symbol() -> None:
         with pytest.raises(NoTerm, match="no symbol that could be bound"):
             ForAll((wrong,), Relation(wrong, "=", S.One))
     with pytest.raises(NotShown, match="is about"):
-        general(assume(Relation(other, "=", S.One)), other)
+        gen(assume(Relation(other, "=", S.One)), other)
     with pytest.raises(NoTerm, match="carries assumptions"):
         ForAll((sp.Symbol("x", real=True),), Relation(x, "=", x))
 
@@ -214,11 +214,11 @@ def test_a_power_of_zero_may_have_a_value_where_a_divisor_has_none() -> None:
     assert Relation(x, "!=", S.Zero) in found.hypotheses
     # neither is it lost where a divisor becomes the base of such a power
     beside = Relation(S.Zero, "<=", x**y + m / n)
-    moved = placed(assume(beside), {n: x, m: S.Zero})
+    moved = inst(assume(beside), {n: x, m: S.Zero})
     assert moved.conclusion == Relation(S.Zero, "<=", x**y)
     assert Relation(x, "!=", S.Zero) in moved.hypotheses
     # a power that stays as it is keeps what it had
-    kept = placed(assume(Relation(S.Zero, "<=", x**y + m)), {m: n})
+    kept = inst(assume(Relation(S.Zero, "<=", x**y + m)), {m: n})
     assert kept.hypotheses == {Relation(S.Zero, "<=", x**y + n)}
 
 
@@ -226,4 +226,4 @@ def test_no_power_of_a_bound_symbol_is_lost() -> None:
     # for all x: 0 <= x^m + x^n is false at x = 0 for n < 0
     claim = ForAll((x,), Relation(S.Zero, "<=", x**m + y * x**n))
     with pytest.raises(NotShown, match="lost under its quantifier"):
-        placed(assume(claim), {y: S.Zero})
+        inst(assume(claim), {y: S.Zero})

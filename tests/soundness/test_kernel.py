@@ -30,24 +30,24 @@ from symhaptic.proof.theorems.familiar import ordered, square
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
-    absurd,
-    anything,
-    applied,
     assume,
-    by_cases,
-    chosen,
-    conjoined,
-    cut,
-    discharged,
-    equivalent,
-    general,
-    instance,
-    part,
-    placed,
-    substituted,
-    unfolded,
-    widened,
-    witnessed,
+    choose,
+    conj,
+    conjunct,
+    contr,
+    disch,
+    disj,
+    disj_cases,
+    exists,
+    gen,
+    imp_antisym,
+    inst,
+    mp,
+    not_intro,
+    prove_hyp,
+    spec,
+    subst,
+    undisch,
 )
 from symhaptic.proof.theorems.leaves import (
     combined,
@@ -82,14 +82,14 @@ def test_no_theorem_hides_from_what_rests_on_it() -> None:
 
 def test_what_a_theorem_says_does_not_change_with_a_list() -> None:
     parts, bound = [ONE.conclusion], [x]
-    known = part(ONE, And(parts))  # type: ignore[arg-type]
-    there = witnessed(ONE, Exists(bound, ONE.conclusion), {x: S.One})  # type: ignore[arg-type]
+    known = conjunct(ONE, And(parts))  # type: ignore[arg-type]
+    there = exists(ONE, Exists(bound, ONE.conclusion), {x: S.One})  # type: ignore[arg-type]
     parts.append(FALSE)
     bound.append(y)
     assert known.conclusion == And((ONE.conclusion,))
     assert there.conclusion == Exists((x,), ONE.conclusion)
     with pytest.raises(NotShown):
-        part(known, FALSE)
+        conjunct(known, FALSE)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_what_is_joined_are_so_many_propositions(make) -> None:
 
 def test_the_same_rule_of_the_same_is_the_same_theorem() -> None:
     def derived(x: sp.Symbol) -> Theorem:
-        return general(number(sp.Lt(3, 4, evaluate=False)), x)
+        return gen(number(sp.Lt(3, 4, evaluate=False)), x)
 
     one, same, other = derived(x), derived(x), derived(y)
     assert one is same
@@ -118,8 +118,8 @@ def test_the_same_rule_of_the_same_is_the_same_theorem() -> None:
     # named otherwise, it can be asked for by that name only
     assert (one.conclusion.over, other.conclusion.over) == ((x,), (y,))
     with pytest.raises(NotShown):
-        instance(other, {x: S.Zero})
-    assert instance(other, {y: S.Zero}) is not instance(one, {x: S.Zero})
+        spec(other, {x: S.Zero})
+    assert spec(other, {y: S.Zero}) is not spec(one, {x: S.Zero})
 
 
 def test_a_number_of_another_kind_is_another_argument() -> None:
@@ -221,25 +221,25 @@ def test_a_hypothesis_does_not_become_weaker_when_sympy_cancels() -> None:
     The symbols are this test's own: a term x/x that was read before stays as it was written.
     """
     x, y = sp.symbols("x_here y_here")
-    nonzero = placed(assume(sp.Eq(y / x, 1)), {y: x})
+    nonzero = inst(assume(sp.Eq(y / x, 1)), {y: x})
     assert Relation(x, "!=", S.Zero) in nonzero.hypotheses
-    assert Relation(S.Zero, "!=", S.Zero) in placed(nonzero, {x: S.Zero}).hypotheses
+    assert Relation(S.Zero, "!=", S.Zero) in inst(nonzero, {x: S.Zero}).hypotheses
 
 
 def test_a_divisor_lost_under_a_quantifier_is_refused() -> None:
     w = sp.Symbol("w")
     claim = ForAll((w,), proposition(sp.Eq(y * w / w**2, 1)))
     with pytest.raises(NotShown):
-        placed(assume(claim), {y: S.Zero})
+        inst(assume(claim), {y: S.Zero})
 
 
 def test_no_complex_term_for_a_real_symbol() -> None:
-    positive = general(square(x), x)
+    positive = gen(square(x), x)
     for value in (sp.I, z, sp.sqrt(y), exp(sp.I * y)):
         with pytest.raises(NotShown):
-            instance(positive, {x: value})
+            spec(positive, {x: value})
         with pytest.raises(NotShown):
-            placed(square(x), {x: value})
+            inst(square(x), {x: value})
 
 
 # -- logic ----------------------------------------------------------------------------------
@@ -248,26 +248,26 @@ def test_no_complex_term_for_a_real_symbol() -> None:
 def test_rules_of_logic_refuse_what_does_not_follow() -> None:
     p, q = assume(x > 0), assume(y > 0)
     refused = [
-        lambda: discharged(p),
-        lambda: applied(discharged(p, x > 0), q),
-        lambda: applied(p, q),
-        lambda: part(conjoined(p, q), x > 1),
-        lambda: widened(p, Or((proposition(y > 0), proposition(y < 0)))),
-        lambda: widened(p, And((proposition(x > 0),))),
-        lambda: by_cases(ordered(x, S.Zero), p),
-        lambda: by_cases(ordered(x, S.Zero), p, q),
-        lambda: by_cases(p, p),
-        lambda: absurd(p, q),
-        lambda: absurd(p, assume(x > -1)),
+        lambda: disch(p),
+        lambda: mp(disch(p, x > 0), q),
+        lambda: mp(p, q),
+        lambda: conjunct(conj(p, q), x > 1),
+        lambda: disj(p, Or((proposition(y > 0), proposition(y < 0)))),
+        lambda: disj(p, And((proposition(x > 0),))),
+        lambda: disj_cases(ordered(x, S.Zero), p),
+        lambda: disj_cases(ordered(x, S.Zero), p, q),
+        lambda: disj_cases(p, p),
+        lambda: not_intro(p, q),
+        lambda: not_intro(p, assume(x > -1)),
         lambda: denied(p, x > -1),
         lambda: denied(assume(x >= 0), x > 0),
-        lambda: anything(p, x < 0),
-        lambda: equivalent(discharged(p, x > 0), discharged(q, x > 0)),
-        lambda: general(p, x),
-        lambda: instance(p, {x: S.One}),
-        lambda: cut(p, q),
-        lambda: unfolded(p),
-        lambda: chosen(p, q),
+        lambda: contr(p, x < 0),
+        lambda: imp_antisym(disch(p, x > 0), disch(q, x > 0)),
+        lambda: gen(p, x),
+        lambda: spec(p, {x: S.One}),
+        lambda: prove_hyp(p, q),
+        lambda: undisch(p),
+        lambda: choose(p, q),
     ]
     for wrong in refused:
         with pytest.raises(NotShown):
@@ -276,64 +276,64 @@ def test_rules_of_logic_refuse_what_does_not_follow() -> None:
 
 def test_a_witness_has_a_value_for_each_bound_symbol_and_for_no_other() -> None:
     """z = 2 and x = 1 at (1, 2) is no reason for an x with z = 2, whatever z is."""
-    both = conjoined(identity(S(2), 2), identity(S.One, 1))
+    both = conj(identity(S(2), 2), identity(S.One, 1))
     wanted = Exists((x,), And((proposition(sp.Eq(z, 2)), proposition(sp.Eq(x, 1)))))
     for values in ({x: S.One, z: S(2)}, {z: S(2)}, {}):
         with pytest.raises(NotShown, match="no value for each"):
-            witnessed(both, wanted, values)
+            exists(both, wanted, values)
     with pytest.raises(NotShown, match="no value for each"):
-        witnessed(ONE, ONE.conclusion, {})
+        exists(ONE, ONE.conclusion, {})
 
 
 def test_what_is_substituted_into_is_what_was_shown() -> None:
     """0 < 1 and x = y say nothing of x < 1."""
     equation = assume(sp.Eq(x, y))
     with pytest.raises(NotShown, match="is not"):
-        substituted(Relation(z, "<", S.One), z, ONE, equation)
+        subst(Relation(z, "<", S.One), z, ONE, equation)
     with pytest.raises(NotShown, match="no relation with ="):
-        substituted(Relation(S.Zero, "<=", z), z, assume(x >= 0), assume(x < y))
+        subst(Relation(S.Zero, "<=", z), z, assume(x >= 0), assume(x < y))
 
 
 def test_a_case_may_use_its_own_disjunct_only() -> None:
     cover = ordered(x, S.Zero)
     claim = proposition(x**2 >= 0)
-    one, other = square(x), kernel.weakened(square(x), x < 1)
-    found = by_cases(cover, one, other)
+    one, other = square(x), kernel.add_assum(square(x), x < 1)
+    found = disj_cases(cover, one, other)
     assert proposition(x < 1) in found.hypotheses
     assert found.conclusion == claim
 
 
 def test_of_no_case_nothing_follows() -> None:
     with pytest.raises(NotShown, match="one theorem for each case"):
-        by_cases(assume(FALSE))
+        disj_cases(assume(FALSE))
 
 
 def test_a_denied_relation_need_not_be_the_opposite_one() -> None:
     """not a < b holds where a has no value; b <= a does not follow."""
     with pytest.raises(NotShown):
-        absurd(assume(Not((proposition(1 / x < y),))), assume(Not((proposition(y <= 1 / x),))))
+        not_intro(assume(Not((proposition(1 / x < y),))), assume(Not((proposition(y <= 1 / x),))))
 
 
 def test_existence_is_shown_by_real_values_and_says_no_more() -> None:
     claim = Exists((x,), proposition(x**2 < 0))
     with pytest.raises(NotShown):
-        witnessed(number(sp.Lt(-1, 0, evaluate=False)), claim, {x: sp.I})
+        exists(number(sp.Lt(-1, 0, evaluate=False)), claim, {x: sp.I})
     with pytest.raises(NotShown):
-        witnessed(ONE, claim, {x: S.One})
+        exists(ONE, claim, {x: S.One})
     existence = assume(Exists((x,), proposition(x > y)))
     with pytest.raises(NotShown):
-        chosen(existence, assume(x > y))
+        choose(existence, assume(x > y))
 
 
 def test_order_of_quantifiers() -> None:
     """That each y has a larger x is not that one x is larger than every y."""
     each = ForAll((y,), Exists((x,), proposition(x > y)))
-    there = instance(assume(each), {y: y})
+    there = spec(assume(each), {y: y})
     larger = assume(x > y)
     with pytest.raises(NotShown):
-        general(larger, y)
+        gen(larger, y)
     with pytest.raises(NotShown):
-        chosen(there, discharged(larger, x > y) and larger)
+        choose(there, disch(larger, x > y) and larger)
 
 
 def test_a_theorem_knows_what_it_rests_on() -> None:
@@ -352,7 +352,7 @@ def test_reductio_needs_falsehood() -> None:
         tactics.reductio(assume(x > 0), x > 0)
 
 
-@pytest.mark.parametrize("rule", [conjoined, lambda made: part(made, FALSE), unfolded])
+@pytest.mark.parametrize("rule", [conj, lambda made: conjunct(made, FALSE), undisch])
 def test_only_what_a_rule_made_is_a_theorem(rule):
     made = SimpleNamespace(hypotheses=frozenset(), conclusion=FALSE)
     with pytest.raises(NotShown, match="is no theorem"):

@@ -46,7 +46,7 @@ from symhaptic.proof.theorems.familiar import (
     whole_delay,
     with_rest,
 )
-from symhaptic.proof.theorems.kernel import NotShown, assume, discharged, weakened
+from symhaptic.proof.theorems.kernel import NotShown, add_assum, assume, disch
 from symhaptic.proof.theorems.leaves import (
     broken,
     combined,
@@ -265,7 +265,7 @@ def test_increasing() -> None:
         lambda: increases(x**2, x, -S.One, S.One, slope),
         lambda: increases(x**3, x, S.Zero, S.One, slope),
         lambda: increases(x**2, x, S.Zero, S.One, positive(2 * x >= 0, [2, x >= 0])),
-        lambda: increases(x**2, x, S.Zero, S.One, weakened(slope, x < y)),
+        lambda: increases(x**2, x, S.Zero, S.One, add_assum(slope, x < y)),
         # the tangent rises on both sides of its pole
         lambda: increases(
             sp.tan(x), x, S.Zero, pi, positive(1 + sp.tan(x) ** 2 > 0, [ONE], [square(sp.tan(x))])
@@ -291,7 +291,7 @@ def test_growing_from_one_value_to_another() -> None:
         lambda: grows(y**2, y, S.Zero, sp.I, slope),
         lambda: grows(y**3, y, S.Zero, x, slope),
         lambda: grows(-1 / y, y, -S.One, S.One, pole),
-        lambda: grows(y**2, y, S.Zero, x, weakened(slope, y < 1)),
+        lambda: grows(y**2, y, S.Zero, x, add_assum(slope, y < 1)),
     )
     # a divisor that vanishes at an end stays open, also where SymPy cancels it there
     beyond = positive(y > 0, x > 0, y > x)
@@ -310,7 +310,7 @@ def test_weak_in_the_limit() -> None:
         lambda: in_the_limit(inside, x, S.Zero, S(2), end),
         lambda: in_the_limit(inside, x, S.Zero, S.One, tends(x, x, S.Zero, S.Zero)),
         lambda: in_the_limit(assume(Ne(x, 0)), x, S.Zero, S.One, end),
-        lambda: in_the_limit(weakened(inside, x < y), x, S.Zero, S.One, end),
+        lambda: in_the_limit(add_assum(inside, x < y), x, S.Zero, S.One, end),
     )
 
 
@@ -341,7 +341,7 @@ def test_between_two_signs_lies_a_zero() -> None:
     refused(
         lambda: crosses_zero(*pole),
         lambda: crosses_zero(*pole, assume(Ne(x, 0))),
-        lambda: crosses_zero(*pole, weakened(assume(Ne(x, 0)), x < y)),
+        lambda: crosses_zero(*pole, add_assum(assume(Ne(x, 0)), x < y)),
         # as does a step
         lambda: crosses_zero(tends(x / sp.Abs(x), x, -S.One, -S.One), high),
         # of two functions, or of one that is not real
@@ -378,17 +378,17 @@ def test_induction() -> None:
     claim = proposition(n * (n + 1) >= 0)
     start = number(Relation(S.Zero, "<=", S.Zero))
     following = claim.at({n: n + 1})
-    step = discharged(assume(following), both([whole(n), claim]))
+    step = disch(assume(following), both([whole(n), claim]))
     refused(lambda: induction(claim, n, start, step))  # the step assumes what it shows
     refused(lambda: induction(claim, n, step, start))
 
 
 def test_an_induction_begins_and_goes_on_with_its_claim() -> None:
     claim, other = proposition(n >= 0), Relation(S.Zero, "<=", S.Zero)
-    step = discharged(positive(n + 1 >= 0, [n >= 0], [ONE]), both([whole(n), claim]))
+    step = disch(positive(n + 1 >= 0, [n >= 0], [ONE]), both([whole(n), claim]))
     start = number(other)
     assert induction(claim, n, start, step).conclusion == claim
-    wrong = discharged(assume(other), both([whole(n), other]))
+    wrong = disch(assume(other), both([whole(n), other]))
     for begun, gone in ((ONE, step), (start, wrong), (start, start), (step, step)):
         with pytest.raises(NotShown, match="another claim"):
             induction(claim, n, begun, gone)

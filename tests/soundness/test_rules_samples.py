@@ -26,7 +26,7 @@ from symhaptic.proof.theorems.familiar import (
     shifted,
 )
 from symhaptic.proof.theorems.judge import Case
-from symhaptic.proof.theorems.kernel import NotShown, applied, assume, conjoined, instance, placed
+from symhaptic.proof.theorems.kernel import NotShown, assume, conj, inst, mp, spec
 from symhaptic.proof.theorems.leaves import number
 from symhaptic.proof.theorems.roots import degree, not_of_degree
 from symhaptic.proof.theorems.samples import (
@@ -57,7 +57,7 @@ def test_a_free_mass_answers_as_newton_says() -> None:
     """Held for a second, 1 N moves 1 kg by 1/2 m: (z + 1)/(2 (z - 1)^2) at z = 2."""
     given = law(at=S(2), found=Rational(3, 2))
     steps = [fact(p) for p in given.conclusion.of[1].of]
-    found = closed(applied(given, conjoined(*steps)), fact(whole(S.Zero)))
+    found = closed(mp(given, conj(*steps)), fact(whole(S.Zero)))
     assert not found.hypotheses
     assert found.conclusion == answers(1 / s**2, s, 2, Rational(3, 2), 1)
 
@@ -248,7 +248,7 @@ def test_zero_to_an_unknown_power_may_have_a_value() -> None:
 def test_a_divisor_that_is_lost_is_no_proof() -> None:
     """1/(1 + 1/x) has no value at 0, though SymPy says 0."""
     claim = assume(ForAll((x,), Relation(1 / (1 + 1 / x), "=", x)))
-    found = instance(claim, {x: S.Zero})
+    found = spec(claim, {x: S.Zero})
     assert FALSE in found.hypotheses or Relation(0, "!=", 0) in found.hypotheses
 
 
@@ -259,10 +259,10 @@ def test_a_power_is_kept_by_its_base_only() -> None:
     """
     x, y = symbols("x_here y_here")
     claim = assume(Relation(1 / (x**2 + y), "=", x))
-    assert proposition(Ne(x**2, 0)) not in placed(claim, {y: S.Zero}).hypotheses
-    lost = placed(assume(Relation(x * (x + y) / (x + y * 1), "=", x)), {y: S.Zero})
+    assert proposition(Ne(x**2, 0)) not in inst(claim, {y: S.Zero}).hypotheses
+    lost = inst(assume(Relation(x * (x + y) / (x + y * 1), "=", x)), {y: S.Zero})
     assert proposition(Ne(x, 0)) not in lost.hypotheses  # SymPy cancelled before: never a divisor
-    lost = placed(assume(Relation(x / (x + y), "=", 1)), {y: S.Zero})
+    lost = inst(assume(Relation(x / (x + y), "=", 1)), {y: S.Zero})
     assert proposition(Ne(x, 0)) in lost.hypotheses
 
 

@@ -30,8 +30,14 @@ from symhaptic.notation.terms import NoTerm
 from symhaptic.proof.points import Point, outside, points
 from symhaptic.proof.theorems.definedness import conditions
 from symhaptic.proof.theorems.judge import Case, Judged
-from symhaptic.proof.theorems.kernel import NotShown, Theorem, assume, conjoined, substituted
-from symhaptic.proof.theorems.kernel import weakened as add_assum
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    add_assum,
+    assume,
+    conj,
+    subst,
+)
 from symhaptic.proof.theorems.leaves import combined, identity
 from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
@@ -103,7 +109,7 @@ class Print:
 
     def theorem(self) -> Theorem:
         """The claim as a theorem; raises :class:`NotShown` if it is no identity."""
-        shown = conjoined(*map(self._shown, range(len(self.printed))))
+        shown = conj(*map(self._shown, range(len(self.printed))))
         shown = shown if len(self.printed) > 1 else self._shown(0)
         if not shown.hypotheses <= set(self.given):
             raise NotShown("it holds only where more is defined than the print")
@@ -118,7 +124,7 @@ class Print:
         for (name, meaning), before in zip(self.used[::-1], self.stages[-2::-1], strict=True):
             known = assume(Relation(name, "=", meaning))
             equation = combined(Relation(meaning, "=", name), [known, sp.S.NegativeOne])
-            found = substituted(_put(before[number], {name: place}), place, found, equation)
+            found = subst(_put(before[number], {name: place}), place, found, equation)
         return found
 
     def example(self) -> Case | None:

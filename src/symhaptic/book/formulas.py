@@ -25,8 +25,8 @@ from symhaptic.proof.verdict import Verdict
 class Formula:
     """One formula of the paper.
 
-    ``printed`` is the transcription, misprints included; ``derived`` what the package derives in
-    its place.  Both are tuples, of one relation per printed line or vector component.
+    ``printed`` is the formula as published, misprints included; ``derived`` is the formula that the
+    package derives.  Both are tuples with one relation per published line or vector component.
     """
 
     id: str
@@ -47,7 +47,7 @@ class Formula:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """The unit of each printed line, or what is wrong with its units."""
+        """The unit of each published line, or the error in its units."""
         units = []
         for part in self.printed:
             try:
@@ -58,10 +58,10 @@ class Formula:
 
     @property
     def stable(self) -> tuple[sp.Expr, ...]:
-        """The form that keeps its digits, of dimensionless arguments; empty where there is none.
+        """The numerically stable form in dimensionless arguments; empty if there is none.
 
-        Entire functions of the package stand in it; ``symhaptic.forms.entire.written_out`` writes
-        them out.  A polynomial, such as (18), has one for each whole delay, and none here.
+        It contains entire functions of the package, which ``symhaptic.forms.entire.written_out``
+        writes out.  A polynomial, such as (18), has a form for each integer delay, and none here.
         """
         named = (name for name, ids in FORMS_OF.items() if self.id in ids)
         every = (name for name in named if name not in FOR_ONE_DELAY)
@@ -82,9 +82,9 @@ def _settled(path: Path) -> dict[str, tuple[Printed, Verdict]]:
 
 
 def formula(id: str) -> Formula:
-    """The formula with this id, such as ``"eq11"``; runs its derivation when first called.
+    """Return the formula with this id, such as ``"eq11"``; the first call runs its derivation.
 
-    Raises :class:`ValueError` for an id that has no printed or derived form.
+    Raises :class:`ValueError` for an id without a published or derived formula.
 
     >>> eq6 = formula("eq6")
     >>> eq6.derived[0], str(eq6.verdict.kind), eq6.units

@@ -26,7 +26,7 @@ from symhaptic.proof.enclosed import Source
 from symhaptic.proof.settle import Settlement
 from symhaptic.proof.shape import Form, parts
 from symhaptic.proof.theorems.judge import Case, Judged, concludes, of_print
-from symhaptic.proof.theorems.kernel import NotShown, Theorem, conjoined
+from symhaptic.proof.theorems.kernel import NotShown, Theorem, conj
 from symhaptic.proof.verdict import Kind, Verdict
 
 
@@ -101,7 +101,7 @@ class Page(Steps):
             point = dict(unless) if isinstance(unless, Mapping) else None
             return self._follows(statement, forms, point, corrected, value, note)
         judged = Judged(
-            theorem=theorems[0] if len(theorems) == 1 else conjoined(*theorems),
+            theorem=theorems[0] if len(theorems) == 1 else conj(*theorems),
             example=example,
             unless=tuple(unless or ()),
             corrected=None if corrected is None else tuple(corrected),

@@ -10,11 +10,11 @@ import multiprocessing
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import ForkContext, SpawnContext
 from pathlib import Path
-from typing import NoReturn, TypeAlias, TypeVar
+from typing import Generic, NoReturn, TypeAlias, TypeVar
 
 from symhaptic.book import SELDOM
 from symhaptic.book.chapters import BadChapter, folder
@@ -24,8 +24,12 @@ from symhaptic.book.processes import end_with_parent
 MOST = 4
 """Workers unless told otherwise: each has a computer algebra system in memory."""
 
-FORKED = "fork" if sys.platform.startswith("linux") else "spawn"
+_FORKED = sys.platform.startswith("linux")
 """A forked worker has imported SymPy already; elsewhere than on Linux forking is not safe."""
+
+_CONTEXT: ForkContext | SpawnContext = (
+    multiprocessing.get_context("fork") if _FORKED else multiprocessing.get_context("spawn")
+)
 
 PAUSE = 0.5
 """Seconds between two reports of progress."""
@@ -72,29 +76,72 @@ def each(
     """Yield the number and the result of each derivation as they finish."""
     shipped = folder().resolve()
     own = [i for i, path in enumerate(paths) if path.resolve().parent != shipped]
-    waiting = [i for i in range(len(paths)) if i not in own]
-    running: dict[Future[Result | BadChapter], int] = {}
-    apart: dict[int, ProcessPoolExecutor] = {}
-    done = 0
-    with ExitStack() as pools:
-        if waiting:
-            pool = pools.enter_context(_pool(min(workers, len(waiting)), FORKED))
-            pools.callback(pool.shutdown, cancel_futures=True)
-            running = {pool.submit(_run, work, paths[i]): i for i in waiting}
-        while running or own:
-            while own and len(apart) < workers:
-                i = own.pop(0)
-                apart[i] = pools.enter_context(_pool(1, "spawn"))
-                running[apart[i].submit(_run, work, paths[i])] = i
-            told(done, paths[min(running.values())])
-            for future in wait(running, PAUSE, FIRST_COMPLETED).done:
-                i, done = running.pop(future), done + 1
-                if i in apart:
-                    apart.pop(i).shutdown()
-                try:
-                    yield i, future.result()
-                except BrokenProcessPool:
-                    yield i, BadChapter(paths[i], "its process ended without a result")
+    jobs = [*own, *(i for i in range(len(paths)) if i not in own)]
+    gc.freeze()
+    with ExitStack() as ends:
+        # forked while this process has no thread whose locks they would inherit
+        alone = {i: _Worker(work, ends) for i in own}
+        idle = [_Worker(work, ends) for _ in range(min(workers, len(paths) - len(own)))]
+        running: dict[Connection, tuple[int, _Worker[Result]]] = {}
+        while running or jobs:
+            while jobs and len(running) < workers:
+                i = jobs.pop(0)
+                worker = alone[i] if i in alone else idle.pop()
+                running[worker.give(paths[i])] = i, worker
+            told(len(paths) - len(jobs) - len(running), paths[min(i for i, _ in running.values())])
+            ready = wait(list(running), PAUSE)
+            for pipe in [one for one in running if one in ready]:
+                i, worker = running.pop(pipe)
+                result = worker.result(paths[i])
+                if i in alone:
+                    worker.end()
+                else:
+                    idle.append(worker if worker.process.is_alive() else _Worker(work, ends))
+                yield i, result
+
+
+class _Worker(Generic[Result]):
+    """A process that works on chapters, one after the other."""
+
+    def __init__(self, work: Callable[[Path], Result], ends: ExitStack) -> None:
+        self.pipe, self._theirs = _CONTEXT.Pipe()
+        self.process = _CONTEXT.Process(target=_serve, args=(work, self._theirs))
+        ends.callback(self.end)
+        if _FORKED:
+            self._start()
+
+    def _start(self) -> None:
+        self.process.start()
+        self._theirs.close()
+
+    def give(self, path: Path) -> Connection:
+        """Begin with a chapter, and return what will be readable at its end."""
+        if self.process.pid is None:
+            self._start()
+        self.pipe.send(path)
+        return self.pipe
+
+    def result(self, path: Path) -> Result | BadChapter:
+        try:
+            found: Result | BadChapter = self.pipe.recv()
+        except EOFError:
+            self.end()
+            found = BadChapter(path, "its process ended without a result")
+        return found
+
+    def end(self) -> None:
+        if self.process.pid is not None:
+            self.process.kill()
+            self.process.join()
+
+
+def _serve(work: Callable[[Path], Result], pipe: Connection) -> None:
+    """Work on the chapters that come through a pipe; what they print goes to stderr."""
+    end_with_parent()
+    gc.set_threshold(SELDOM)
+    os.dup2(2, 1)
+    while True:
+        pipe.send(_run(work, pipe.recv()))
 
 
 def _run(work: Callable[[Path], Result], path: Path) -> Result | BadChapter:
@@ -105,15 +152,3 @@ def _run(work: Callable[[Path], Result], path: Path) -> Result | BadChapter:
         return wrong
     except KeyboardInterrupt:  # raised by the chapter: the keyboard's does not reach a worker
         return BadChapter(path, "KeyboardInterrupt: no message")
-
-
-def _pool(size: int, how: str) -> ProcessPoolExecutor:
-    gc.freeze()
-    return ProcessPoolExecutor(size, multiprocessing.get_context(how), _begin)
-
-
-def _begin() -> None:
-    """Prepare a worker: it ends with its parent, and what a chapter prints goes to stderr."""
-    end_with_parent()
-    gc.set_threshold(SELDOM)
-    os.dup2(2, 1)

@@ -19,6 +19,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from subprocess import PIPE, CompletedProcess, Popen
 from typing import Any
+from uuid import uuid4
 
 
 def end_with_parent(*pipes: Connection) -> None:
@@ -47,7 +48,7 @@ for _ in range(100):  # a program that is being killed may still write there
         break
     time.sleep(0.05)
 for parent in sys.argv[2:]:
-    if not os.listdir(parent):
+    if os.path.isdir(parent) and not os.listdir(parent):
         os.rmdir(parent)
 """
 
@@ -72,11 +73,12 @@ def _held(what: str, *arguments: str | Path, **options: Any) -> Popen[str]:
 def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[Path]:
     """Make a temporary folder, which is removed at the end; so is a new parent that stays empty."""
     new = [] if parent is None or parent.exists() else [parent]
-    if parent is not None:
-        parent.mkdir(parents=True, exist_ok=True)
-    made = tempfile.mkdtemp(prefix=prefix, dir=parent)
-    with _held(_FOLDER, made, *new):
-        yield Path(made)
+    made = (parent or Path(tempfile.gettempdir())) / f"{prefix}{uuid4().hex}"
+    with _held(_FOLDER, made, *new):  # it holds the folder before there is one
+        if parent is not None:
+            parent.mkdir(parents=True, exist_ok=True)
+        made.mkdir(0o700)
+        yield made
 
 
 @contextmanager

@@ -215,8 +215,8 @@ def _words(line: str) -> list[str]:
     try:
         words = shlex.split(line)
     except ValueError as wrong:
-        raise ValueError(f"--command {line}: {wrong}; give a program and its words") from None
+        raise ValueError(f"--command {line}: {wrong}; give a program and its arguments") from None
     if not words or shutil.which(words[0]) is None:
         found = repr(words[0]) if words else "an empty line"
-        raise ValueError(f"--command {line}: {found} is no program; give one and its words")
+        raise ValueError(f"--command {line}: {found} is no program; give one and its arguments")
     return words

@@ -36,27 +36,32 @@ class CheckFormat(StrEnum):
 @app.command()
 def check(
     formula: Annotated[
-        str | None, typer.Option("--formula", metavar="ID", help="--list names all.")
+        str | None, typer.Option("--formula", metavar="ID", help="One of the names in --list.")
     ] = None,
     python: Annotated[
         str | None,
-        typer.Option("--python", metavar="MODULE:NAME", help="A Python function, which is run."),
+        typer.Option("--python", metavar="MODULE:NAME", help="A Python function; it is run."),
     ] = None,
     library: Annotated[
         str | None,
         typer.Option(
             "--library",
             metavar="FILE:NAME",
-            help="A C function: doubles by value, several results by pointers behind them.",
+            help="A C function: doubles by value, then pointers for several results.",
         ),
     ] = None,
     command: Annotated[
         str | None,
         typer.Option(
-            "--command", metavar="CMD", help="Reads a line of numbers, writes one of results."
+            "--command",
+            metavar="CMD",
+            help="A program that reads lines of numbers and prints lines of results.",
         ),
     ] = None,
-    ulp: Annotated[float, typer.Option("--ulp", metavar="N", help="Largest error allowed.")] = 8,
+    ulp: Annotated[
+        float,
+        typer.Option("--ulp", metavar="N", help="Largest error, in units in the last place."),
+    ] = 8,
     points: Annotated[
         int | None,
         typer.Option(
@@ -64,37 +69,41 @@ def check(
             metavar="N",
             min=1,
             max=_MOST,
-            help="How many; 10000, or as many as the function computes in 5 s, if not given.",
+            help="Number of points. Default: 10000, or as many as the function computes in 5 s.",
         ),
     ] = None,
     over: Annotated[
         list[str] | None,
-        typer.Option("--over", metavar="X=LOW:HIGH", help="A narrower range; again for others."),
+        typer.Option("--over", metavar="X=LOW:HIGH", help="Range of an argument; repeatable."),
     ] = None,
     timeout: Annotated[
-        float, typer.Option("--timeout", metavar="S", help="Seconds that your function may take.")
+        float, typer.Option("--timeout", metavar="S", help="Time limit of your function in s.")
     ] = 60,
     memory: Annotated[
-        float, typer.Option("--memory", metavar="GIB", help="Memory that your function may take.")
+        float,
+        typer.Option("--memory", metavar="GIB", help="Memory limit of your function in GiB."),
     ] = 4,
     arguments: Annotated[
         str | None,
-        typer.Option("--arguments", metavar="X,...", help="The order that your function has."),
+        typer.Option("--arguments", metavar="X,...", help="Arguments in your function's order."),
     ] = None,
     format: Annotated[
         CheckFormat,
         typer.Option(
             "--format",
-            help="text, github (annotation), junit, json or table (CSV; without a function: of "
+            help="text, github (annotation), junit, json or table (CSV; without a function, only "
             "points and exact values).",
         ),
     ] = CheckFormat.text,
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+        Path | None, typer.Option("-o", metavar="FILE", help="Write to FILE, not to the screen.")
     ] = None,
     listing: Annotated[bool, typer.Option("--list", help="Print what can be checked.")] = False,
 ) -> None:
-    """Check a function of your own against exact values: 0 agrees, 1 differs, 2 bad usage."""
+    """Compare your function with exact values.
+
+    Exit status: 0 if it agrees, 1 if it differs, 2 for bad usage.
+    """
     from symhaptic.check import told
     from symhaptic.check.callers import Theirs, python_name
     from symhaptic.check.compare import POINTS, compared

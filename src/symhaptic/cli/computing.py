@@ -37,7 +37,10 @@ def bench(
         "reports/bench"
     ),
 ) -> None:
-    """Measure speed against error; write bench.json, tables and, with Matplotlib, plots."""
+    """Measure speed against error.
+
+    Write bench.json, tables and, if Matplotlib is installed, plots.
+    """
     import os
 
     folder_allowed(output)
@@ -66,14 +69,14 @@ def trace(
     gamma: Annotated[str, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m.")],
     delta: Annotated[str, typer.Option("--delta", metavar="D", help="Damping b T/m.")],
     delay: Annotated[
-        str, typer.Option("--delay", metavar="d", help="Delay in periods, fractions exact.")
+        str, typer.Option("--delay", metavar="d", help="Delay in periods, may be fractional.")
     ],
     format: Annotated[
         TraceFormat | None,
-        typer.Option("--format", help="What to write; as FILE ends, or csv, if not given."),
+        typer.Option("--format", help="Default: the ending of FILE, or csv."),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+        Path | None, typer.Option("-o", metavar="FILE", help="Write to FILE, not to the screen.")
     ] = None,
 ) -> None:
     """Trace the stable region of the (alpha, beta) plane."""
@@ -116,22 +119,27 @@ class JuryFormat(StrEnum):
 
 @app.command()
 def jury(
-    delay: Annotated[str, typer.Argument(metavar="DELAY", help="Whole sampling periods.")],
+    delay: Annotated[
+        str, typer.Argument(metavar="DELAY", help="Integer number of sampling periods.")
+    ],
     gamma: Annotated[
         str | None, typer.Option("--gamma", metavar="G", help="Stiffness k T^2/m of the device.")
     ] = None,
     delta: Annotated[
         str | None, typer.Option("--delta", metavar="D", help="Damping b T/m of the device.")
     ] = None,
-    format: Annotated[JuryFormat, typer.Option("--format", help="How to print.")] = JuryFormat.text,
+    format: Annotated[JuryFormat, typer.Option("--format", help="Form of the output.")] = (
+        JuryFormat.text
+    ),
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+        Path | None, typer.Option("-o", metavar="FILE", help="Write to FILE, not to the screen.")
     ] = None,
 ) -> None:
-    """Print Jury's inequalities, which hold together exactly where a wall is stable.
+    """Print Jury's inequalities.
 
-    They are in alpha = K T^2/m, beta = B T/m and the numbers n_1, n_0, a and e of the sampled
-    device; with --gamma and --delta in alpha and beta alone, coefficients rounded to 15 digits.
+    The loop is stable if and only if all of them hold.  They contain alpha = K T^2/m,
+    beta = B T/m and the numbers n_1, n_0, a and e of the sampled device.  With --gamma and --delta
+    they contain only alpha and beta, with coefficients rounded to 15 digits.
     """
     import json
 
@@ -168,7 +176,7 @@ def jury(
 def export(
     formulas: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[FORMULA]...", help="Functions, or eq11 and such; all if none."),
+        typer.Argument(metavar="[FORMULA]...", help="Functions or equations (eq11). Default: all."),
     ] = None,
     target: Annotated[
         str | None,
@@ -178,37 +186,37 @@ def export(
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", metavar="DIR", help="Folder to write; haptic-TARGET if none."),
+        typer.Option("-o", metavar="DIR", help="Folder of the export. Default: haptic-TARGET."),
     ] = None,
     scene: Annotated[
         list[str] | None,
         typer.Option(
             "--scene",
             metavar="NO-PART,...",
-            help="What the loop lacks: no-stiffness,no-damping,no-virtual-damping,no-delay.",
+            help="Parts to leave out: no-stiffness,no-damping,no-virtual-damping,no-delay.",
         ),
     ] = None,
     delay: Annotated[
         int | None,
         typer.Option(
-            "--delay", metavar="D", help="Whole periods, where one delay has to be chosen."
+            "--delay", metavar="D", help="Periods (integer), for functions of one fixed delay."
         ),
     ] = None,
     whole_delays: Annotated[
-        bool, typer.Option("--whole-delays", help="Leave out what fractional delays need.")
+        bool, typer.Option("--whole-delays", help="Export code for integer delays only.")
     ] = False,
     precision: Annotated[
         str | None,
-        typer.Option("--precision", help="double, or single where the language has it."),
+        typer.Option("--precision", help="double, or single if the language has it."),
     ] = None,
     derivative: Annotated[
         list[str] | None,
-        typer.Option("--derivative", metavar="X,...", help="Arguments to differentiate by, too."),
+        typer.Option("--derivative", metavar="X,...", help="Add derivatives by these arguments."),
     ] = None,
     name: Annotated[str, typer.Option("--name", help="Name of the module.")] = "haptic",
     listing: Annotated[bool, typer.Option("--list", help="Print what can be exported.")] = False,
 ) -> None:
-    """Write stable forms as source code that stands alone, with test vectors and a self-test."""
+    """Write formulas as source code that needs nothing else, with test vectors and a self-test."""
     from symhaptic.export import request
     from symhaptic.export.target import Refused
     from symhaptic.export.targets import TARGETS
@@ -241,10 +249,10 @@ def export(
 @app.command()
 def kernels(
     check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail where a kernel is stale.")
+        bool, typer.Option("--check", help="Write nothing; fail if a kernel is stale.")
     ] = False,
 ) -> None:
-    """Write the package's own numeric functions from the stable forms."""
+    """Write the package's own numeric functions (developers)."""
     from symhaptic.export import kernels as own
 
     if not check:

@@ -63,55 +63,56 @@ def verify(
         list[str] | None,
         typer.Argument(
             metavar="[ID]...",
-            help="Statements, such as eq11; if none is given, all, or those of --derivation.",
+            help="Statements, such as eq11. Default: all, or those of --derivation.",
         ),
     ] = None,
-    format: Annotated[ListFormat, typer.Option("--format", help="How to print.")] = (
+    format: Annotated[ListFormat, typer.Option("--format", help="Form of the output.")] = (
         ListFormat.text
     ),
     output: Annotated[
-        Path | None, typer.Option("-o", metavar="FILE", help="Write there instead of printing.")
+        Path | None, typer.Option("-o", metavar="FILE", help="Write to FILE, not to the screen.")
     ] = None,
     strict: Annotated[
         bool,
         typer.Option(
             "--strict",
-            help="Fail on what no chapter settles, on undecided or external where no ledger says "
-            "so, and on another print, condition, correction or counterexample than the ledger's.",
+            help="Also fail if a statement has no verdict, or is undecided or external and the "
+            "ledger does not say so, or if its formula, condition, correction or counterexample "
+            "differs from the ledger (the file of committed verdicts).",
         ),
     ] = False,
     workers: Annotated[
         int | None,
-        typer.Option(min=1, metavar="N", help="Processes side by side; up to 4 if not given."),
+        typer.Option(min=1, metavar="N", help="Number of processes. Default: up to 4."),
     ] = None,
     derivation: Derivations = None,
     source: SourceFolder = None,
     listed: Annotated[
         bool,
-        typer.Option("--list", help="Name the statements, where each stands and what it says."),
+        typer.Option("--list", help="List the statements with their places and contents."),
     ] = False,
     rocq: Annotated[
         Path | None,
         typer.Option(
-            "--rocq", metavar="DIR", help="Write theorems for Rocq there; have it check them."
+            "--rocq", metavar="DIR", help="Write the theorems for Rocq to DIR and check them."
         ),
     ] = None,
     as_recorded: Annotated[
         bool,
         typer.Option(
             "--as-recorded",
-            help="With --rocq: whole what the record has whole, and ID; leaves alone of the rest; "
-            "what Rocq did not accept of the same text is left open.",
+            help="With --rocq: check completely only ID and the chapters that the record has "
+            "whole. Check only the basic steps (leaves) of the others, without those that Rocq "
+            "refused before.",
         ),
     ] = False,
 ) -> None:
-    """Decide the paper's statements; fail where a verdict is not the committed one.
+    """Prove or refute the paper's statements; fail if a verdict differs from the committed one.
 
-    Of statements that are named the paper's own words, our reading and the proposition are printed
-    before the verdict.
+    For each ID, print the paper's own words, our reading and the proposition before the verdict.
 
-    With --derivation those that your own chapters settle, or what is named.  With --source those
-    of your own source, whose committed verdicts are in ledger.json beside it.
+    With --derivation, verify the statements of your own chapters, or ID.  With --source, verify
+    those of your own source; its committed verdicts are in DIR/ledger.json.
     """
     # SymPy, which reads this when it is imported, then forgets nothing while a chapter is run
     os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
@@ -125,7 +126,7 @@ def verify(
 
     writable(output)
     if source is not None and (derivation or listed):
-        refuse(f"--source {source}: is for itself; leave --derivation and --list out")
+        refuse(f"--source {source}: does not go with --derivation or --list; leave these out")
     if as_recorded and (rocq is None or source is not None):
         refuse("--as-recorded: is for the paper's statements and --rocq DIR; give that alone")
     if listed:
@@ -152,7 +153,7 @@ def verify(
         refuse(f"-o {output}: is what is read here; another file is allowed")
     if rocq is not None:
         if format is ListFormat.junit:
-            refuse("--format junit: is for verdicts; with --rocq allowed are text and json")
+            refuse("--format junit: does not go with --rocq; give text or json")
         folder_allowed(rocq, "--rocq")
         as_json = format is ListFormat.json
         paths = own + (others if as_recorded else shipped)
@@ -189,8 +190,9 @@ def verify(
     for path in own if source is None and surprises else []:
         if (path.parent / chapters.SOURCE_FILE).is_file():
             typer.echo(
-                f"symhaptic: {path} is a chapter of a source, asked here whether what it settles "
-                f"holds; `symhaptic verify --source {path.parent}` compares with its ledger",
+                f"symhaptic: {path} is a chapter of a source; --derivation only requires that its "
+                f"statements hold. `symhaptic verify --source {path.parent}` compares "
+                "with its ledger",
                 err=True,
             )
     text = {
@@ -231,9 +233,9 @@ def name_statements(
     from symhaptic.book import listing
 
     if format is ListFormat.junit:
-        refuse("--format junit: nothing is run with --list; allowed are text and json")
+        refuse("--format junit: does not go with --list, which runs nothing; give text or json")
     if derivation:
-        refuse(f"--derivation {derivation[0]}: a chapter is not run with --list; leave one out")
+        refuse(f"--derivation {derivation[0]}: --list runs no chapter; leave one of them out")
     records = {record["id"]: record for record in listing.statements()}
     for id in ids:
         if id not in records:

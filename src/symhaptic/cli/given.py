@@ -14,13 +14,13 @@ if TYPE_CHECKING:
 
 Derivations = Annotated[
     list[Path] | None,
-    typer.Option("--derivation", metavar="FILE", help="A chapter of your own; may be repeated."),
+    typer.Option("--derivation", metavar="FILE", help="A chapter of your own; repeatable."),
 ]
 
 SourceFolder = Annotated[
     Path | None,
     typer.Option(
-        "--source", metavar="DIR", help="A folder of your own: source.py, and chapters beside it."
+        "--source", metavar="DIR", help="Your own source: a folder with source.py and chapters."
     ),
 ]
 

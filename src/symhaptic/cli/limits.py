@@ -40,23 +40,25 @@ def limits(
         Path,
         typer.Argument(
             metavar="FILE",
-            help="TOML: device, or mass, damping; sampling_period, delay; [arm], [arms], [wall].",
+            help="TOML file with device (or mass, damping), sampling_period, delay; [arm], [arms], "
+            "[wall].",
         ),
     ],
     format: Annotated[
         LimitsFormat | None,
-        typer.Option("--format", help="What to write; text, or as FILE ends, if not given."),
+        typer.Option("--format", help="Default: the ending of FILE, or text."),
     ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", metavar="FILE", help="Write there: a picture beside what is printed, or that."
+            "-o", metavar="FILE", help="Write to FILE. Pictures do not replace the printed limits."
         ),
     ] = None,
 ) -> None:
-    """Print which walls are stable with the device and its arm, and passive with the device alone.
+    """Print the limits of stable and passive walls for a device.
 
-    With [arms], a range of arms, also prove which walls are stable for every one of them.
+    The arm counts for stability, not for passivity.  With [arms], a range of arms, also prove which
+    walls are stable for every arm of the range.
     """
     from symhaptic.book.listing import replace
     from symhaptic.bounds.safe.find import NothingSafe

@@ -18,26 +18,25 @@ def mutants(
         typer.Option(
             "-o",
             metavar="FILE",
-            help="Where to write; without chapters of your own, reports/mutants.json.",
+            help="Write the record to FILE. Default for the paper: reports/mutants.json.",
         ),
     ] = None,
-    workers: Annotated[int, typer.Option("--workers", min=1, help="Processes at a time.")] = 2,
+    workers: Annotated[int, typer.Option("--workers", min=1, help="Number of processes.")] = 2,
     derivation: Derivations = None,
     source: SourceFolder = None,
     check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail where the file is stale.")
+        bool, typer.Option("--check", help="Write nothing; fail if the file is stale.")
     ] = False,
 ) -> None:
-    """Change every statement and table in one place; fail where a wrong one is not refused.
+    """Change every statement and table in one place; fail if a wrong change is accepted.
 
-    With --derivation those of your chapters are changed, with --source those of your own source,
-    and not the paper's.
+    With --derivation or --source, change the statements of your own chapters or source instead.
     """
     from symhaptic.book import chapters, listing
     from symhaptic.book.mutation import trials
 
     if source is not None and derivation:
-        refuse(f"--source {source}: is for itself; leave --derivation out")
+        refuse(f"--source {source}: does not go with --derivation; leave one of them out")
     own = own_chapters(derivation) if source is None else chapters_in(source)
     output = output or (None if own else Path("reports/mutants.json"))
     if check and output is None:

@@ -32,30 +32,30 @@ def report(
         ReportFormat | None,
         typer.Option(
             "--format",
-            help="tex, pdf or html; if not given, the book as tex, and as pdf and html as far as "
-            "what makes them is installed.",
+            help="Default: the book as tex, and as pdf and html if their programs are installed.",
         ),
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", metavar="DIR", help="Folder of the report; reports if not given."),
+        typer.Option("-o", metavar="DIR", help="Folder of the report. Default: reports."),
     ] = None,
     check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail where the text there is stale.")
+        bool, typer.Option("--check", help="Write nothing; fail if the text in DIR is stale.")
     ] = False,
     chapter: Annotated[
         list[str] | None,
         typer.Option(
             "--chapter",
             metavar="NAME",
-            help="This chapter alone, to be \\input with symhaptic.sty; may be repeated.",
+            help="Write only this chapter, for \\input with symhaptic.sty; repeatable.",
         ),
     ] = None,
     standalone: Annotated[
         bool,
         typer.Option(
             "--standalone",
-            help="With --chapter: also chapters.tex, to compile; of html one file each.",
+            help="With --chapter: also write chapters.tex, which compiles by itself; in html, one "
+            "file per chapter.",
         ),
     ] = False,
     listing: Annotated[bool, typer.Option("--list", help="Print the chapters' names.")] = False,
@@ -64,7 +64,8 @@ def report(
 ) -> None:
     """Write the derivations as LaTeX chapters and a book, and as a web site.
 
-    With --source the chapters of your own source, each to be \\input, and chapters.tex with all.
+    With --source, write the chapters of your own source for \\input, and chapters.tex, which
+    contains them all.
     """
     from symhaptic.book import chapters as library
     from symhaptic.book.figures.drawings import Drawings
@@ -85,7 +86,7 @@ def report(
     paths = in_parts(library.shipped(), lambda path: path.stem) + own_chapters(derivation)
     if source is not None:
         if derivation:
-            refuse(f"--source {source}: is for itself; leave --derivation out")
+            refuse(f"--source {source}: does not go with --derivation; leave one of them out")
         paths = chapters_in(source)
         chapter, standalone = chapter or [path.stem for path in paths], True
     if listing:
@@ -97,13 +98,13 @@ def report(
     if format is ReportFormat.pdf and not can and not check:
         refuse(f"--format pdf: {tex.NO_TEX}")
     if standalone and not chapter:
-        refuse("--standalone: is for chapters; --chapter NAME names them")
+        refuse("--standalone: needs --chapter NAME")
     some = [named(name, paths) for name in dict.fromkeys(chapter or [])]
     pdf = format is ReportFormat.pdf if some else can and format in (None, ReportFormat.pdf)
     html = format is ReportFormat.html or (format is None and not some and site.can())
     only_html = format is ReportFormat.html
     if only_html and check:
-        refuse("--format html: is made anew each time; --check is for LaTeX")
+        refuse("--format html: does not go with --check, which compares LaTeX; leave one out")
     single = only_html and standalone
     alone = standalone or pdf
     try:
@@ -121,7 +122,7 @@ def report(
                 if html and not single:
                     site.allowed(output / "site")
             elif not output.is_dir():
-                refuse(f"-o {output}: is no folder; with --check the folder of a report is allowed")
+                refuse(f"-o {output}: is no folder; with --check give the folder of a report")
             chapters = chapters_of(some or paths, nothing if check or some else drawings.begin)
             stale([entry for one in chapters for entry in of_chapter(one)])
             numbered = [(paths.index(one.path) + 1, one) for one in chapters]

@@ -68,37 +68,37 @@ class Criterion:
 
 
 def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> tuple[Boolean, ...]:
-    r"""Return Jury's inequalities, which hold together exactly where the loop is stable.
+    r"""Return Jury's inequalities; the loop is stable if and only if all of them hold.
 
     Parameters
     ----------
     delay : int
-        The delay d in sampling periods, a whole number from 0 to 20.
+        The delay d in sampling periods, an integer from 0 to 20.
     gamma, delta : float, optional
-        The device in numbers, gamma = k T^2/m and delta = b T/m.  Give both or none.
+        Numbers of the device, gamma = k T^2/m and delta = b T/m.  Give both or none.
 
     Returns
     -------
     tuple of sympy relations
         Strict inequalities ``polynomial > 0`` in alpha = K T^2/m, beta = B T/m and the four
-        numbers n_1, n_0, a and e of the sampled device, which :func:`symhaptic.discretize` gives.
-        No polynomial has a fraction in it; each is factored and collected in alpha and beta.  For
-        a device in numbers each coefficient is rounded to 15 digits.  The half planes come first,
-        then the minors; there are d + 4, without those that hold for all walls.
+        numbers n_1, n_0, a and e of the sampled device, which :func:`symhaptic.discretize` returns.
+        No polynomial contains a fraction; each is factored and collected in alpha and beta.  If
+        gamma and delta are given, each coefficient is rounded to 15 digits.  The half planes come
+        first, then the minors.  There are d + 4 inequalities, less those that hold for all walls.
 
     Raises
     ------
     ValueError
-        If ``delay`` is no whole number, negative or above 20, and if the device is impossible or
-        one that no other function takes: gamma above 1e15, or delta above 1e70.
+        If ``delay`` is no integer from 0 to 20, the device is impossible, or gamma is above 1e15 or
+        delta above 1e70, which no function takes.
 
     Notes
     -----
-    They are those of Anderson and Jury, *A simplified Schur-Cohn test*, IEEE Trans. Automatic
-    Control 18(2), 1973, for the characteristic polynomial
+    The inequalities are from Anderson and Jury, *A simplified Schur-Cohn test*, IEEE Trans.
+    Automatic Control 18(2), 1973, for the characteristic polynomial
     :math:`z^{d+1}(z^2-az+e)+(n_1z+n_0)((\alpha+\beta)z-\beta)`; derived in chapter s4d_jury.  The
-    largest polynomial has 9 terms for d = 0, 57 for d = 2 and 3505 for d = 8.  Up to d = 8 they
-    take less than some two seconds, with each further period twice as long.  For a longer or a
+    largest polynomial has 9 terms for d = 0, 57 for d = 2 and 3505 for d = 8.  Up to d = 8 the call
+    takes less than some two seconds; each further period doubles the time.  For a longer or a
     fractional delay use :func:`symhaptic.is_stable` or :func:`symhaptic.stability_boundary`.
 
     Examples
@@ -109,7 +109,7 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     -a + alpha*(-n_0 + n_1) + beta*(2*n_0 + 2*n_1) - e + 3 > 0
     a + alpha*(n_0 - n_1) + beta*(2*n_0 - 2*n_1) + e + 1 > 0
 
-    Of a free mass, whose third inequality holds for all walls:
+    For a free mass, the third inequality holds for all walls and is left out:
 
     >>> jury(0, gamma=0, delta=0)
     (1.0*alpha > 0, 2.0*beta > 0, -0.25*alpha*beta - 0.5*alpha - 0.5*beta**2 + 1.0*beta > 0)

@@ -131,13 +131,13 @@ def stability_boundary(
 ) -> tuple[Array, Array]:
     """The wall (alpha, beta) that puts a characteristic root at exp(j theta), 0 < theta < pi.
 
-    For the plant ``gamma`` = k T^2/m >= 0, ``delta`` = b T/m >= 0 and a delay of ``delay`` >= 0
-    periods; exact for fractions (modified z-transform), or with ``sheet="principal"`` the paper's
-    z^-d = exp(-j d theta).  Arrays broadcast.  Not every point borders the stable region: see
-    :func:`symhaptic.stable_region`.  Derived in chapter s4d_explicit_boundary; the paper finds
-    these points by a grid.
+    Takes the plant ``gamma`` = k T^2/m >= 0, ``delta`` = b T/m >= 0 and a delay of ``delay`` >= 0
+    periods; arrays broadcast.  Fractional delays are exact (modified z-transform);
+    ``sheet="principal"`` uses the paper's z^-d = exp(-j d theta).  Not every point lies on the
+    border of the stable region, see :func:`symhaptic.stable_region`.  Derived in chapter
+    s4d_explicit_boundary; the paper finds these points by a grid.
 
-    Raises :class:`ValueError` for theta outside (0, pi) and an impossible plant or delay; NaN
+    Raises :class:`ValueError` for theta outside (0, pi) and an impossible plant or delay.  NaN
     gives NaN, and so does an angle at which no force reaches the device.
 
     >>> alpha, beta = stability_boundary(1.0, 0.0, 0.0, 1)

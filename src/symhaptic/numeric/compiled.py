@@ -66,10 +66,10 @@ def kernels_used() -> str:
 
 
 def show_config() -> None:
-    """Print which kernels work on NumPy's arrays, and NumPy's version.
+    """Print which kernels compute NumPy's arrays, and NumPy's version.
 
-    The kernels are ``compiled`` where the install found a compiler or a wheel brought them; else
-    they are the slower ``array`` kernels, which give the same within rounding.
+    The kernels are ``compiled`` if the install found a compiler or used a wheel.  Otherwise they
+    are the slower ``array`` kernels, which give the same results within rounding.
 
     >>> show_config()  # doctest: +ELLIPSIS
     kernels: ...

@@ -8,7 +8,7 @@ from symhaptic.numeric.arguments import Array
 
 
 class Extremum(NamedTuple):
-    """The wall that reaches farthest, and the angle theta = omega T at which it does so."""
+    """An extreme wall (alpha, beta) of a boundary, and its angle theta = omega T."""
 
     alpha: Array
     beta: Array

@@ -86,7 +86,7 @@ class Given:
             rows = work(*(to_numpy(v) for v in self.values))
             return tuple(self.own(row) for row in rows)
         if not is_jax_array(first):
-            raise ValueError("arrays that are traced: are not allowed here; JAX arrays are")
+            raise ValueError("traced arrays are not allowed here, except those of JAX")
         jax = sys.modules["jax"]
         like = jax.ShapeDtypeStruct(arguments.together(*self.values), first.dtype)
 

@@ -16,16 +16,17 @@ from symhaptic.numeric.given import Given
 def linear_limit(beta: ArrayLike, delta: ArrayLike, delay: ArrayLike) -> Array:
     """alpha = (beta + delta)/(delay + 1/2), the stiffness at which (25) is an equality.
 
-    Damping over delay, half a period of hold included; arrays broadcast.  For whole delays it is
-    the straight part of the passivity boundary, -delta <= beta <= delta d/(2d + 3); for a
-    fractional one it allows walls there that are not passive (chapter s6e_fractional_region).
+    The limit is damping over delay; the hold adds half a period to the delay.  Arrays broadcast.
+    For integer delays it is the straight part of the passivity boundary,
+    -delta <= beta <= delta d/(2d + 3).  For a fractional delay it allows walls there that are not
+    passive (chapter s6e_fractional_region).
 
-    As a stability condition it is what the exact boundary tends to for small alpha and delta.  For
-    delays of 0 and 1 and an arm's spring and damping, (23), it is safe up to a crossing near
+    The exact stability boundary approaches this limit for small alpha and delta.  For
+    delays of 0 and 1 and an arm's spring and damping, (23), the limit is safe up to a crossing near
 
         alpha = delta (6 (delay + 1)^2 + 1)/((delay + 1) (2 delay + 1) (2 delay + 3))
 
-    and above it the limit is unstable; without damping all of it is (chapters s4e_line_*).
+    and unstable above it; without damping all of it is unstable (chapters s4e_line_*).
 
     Raises :class:`ValueError` for an infinite ``beta`` and for a negative or infinite ``delta``
     or ``delay``; NaN gives NaN.

@@ -51,13 +51,13 @@ def _needed(xp: Any, alpha: Any, beta: Any, steps: Any, part: Any) -> Any:
 def passivity_margin(
     alpha: ArrayLike, beta: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> Array:
-    r"""Physical damping minus the damping that the wall needs at its worst angle.
+    r"""Physical damping minus the damping that the wall requires at its worst angle.
 
-    For the wall ``alpha`` = K T^2/m, ``beta`` = B T/m, the damping ``delta`` = b T/m >= 0 and
-    ``delay`` >= 0 periods, whole or fractional; arrays broadcast.  No motion whatever extracts
-    energy where the margin is not negative.  A wall with ``alpha`` < 0 gives away more the farther
-    it is pushed, and no damping is enough: its margin is -inf.  With ``sheet="principal"`` the
-    damping that (5) of the paper asks for; both agree for whole delays.  Derived in chapter
+    Takes the wall ``alpha`` = K T^2/m, ``beta`` = B T/m, the damping ``delta`` = b T/m >= 0 and
+    ``delay`` >= 0 periods, integer or fractional; arrays broadcast.  If the margin is not negative,
+    no motion extracts energy.  A wall with ``alpha`` < 0 delivers more energy the farther it is
+    pushed, so no damping is enough: its margin is -inf.  ``sheet="principal"`` uses the required
+    damping of (5) of the paper; both agree for integer delays.  Derived in chapter
     s6d_fractional_passivity.
 
     Raises :class:`ValueError` for an infinite wall, a negative or infinite ``delta`` or ``delay``;
@@ -89,16 +89,16 @@ def passivity_margin_at(
     delay: ArrayLike,
     sheet: str = "exact",
 ) -> Array:
-    r"""Physical damping minus the damping that the wall needs at the angle ``theta`` = omega T.
+    r"""Physical damping minus the damping that the wall requires at the angle ``theta`` = omega T.
 
-    For 0 < ``theta`` < pi, the wall ``alpha``, ``beta``, the damping ``delta`` >= 0 and ``delay``
-    >= 0 periods, whole or fractional; arrays broadcast.  For whole delays and with
-    ``sheet="principal"``
+    Takes 0 < ``theta`` < pi, the wall ``alpha``, ``beta``, the damping ``delta`` >= 0 and ``delay``
+    >= 0 periods, integer or fractional; arrays broadcast.  For integer delays and with
+    ``sheet="principal"`` the margin is, by (5) of the paper,
 
-        delta - alpha sin((delay + 1/2) theta)/(2 sin(theta/2)) + beta cos((delay + 1) theta),
+        delta - alpha sin((delay + 1/2) theta)/(2 sin(theta/2)) + beta cos((delay + 1) theta).
 
-    (5) of the paper.  Its smallest value is :func:`passivity_margin` where alpha >= 0.  For a
-    fractional delay it is the margin of the worst motion at this angle, exact for the sampled loop;
+    If alpha >= 0, its smallest value over theta is :func:`passivity_margin`.  For a fractional
+    delay it is the margin of the worst motion at this angle, exact for the sampled loop; derived in
     chapter s6d_fractional_passivity.
 
     Raises :class:`ValueError` for an angle outside (0, pi), an infinite wall, a negative or
@@ -126,12 +126,14 @@ def is_passive(
 ) -> NDArray[np.bool_]:
     """Whether no motion can extract energy: the margin is not negative, and NaN is not passive.
 
-    On the boundary no motion gains energy either; the strict sign of the paper's (4) leaves it
-    out.  Arguments and errors as for :func:`passivity_margin`.
+    Walls on the boundary are passive, too; the strict sign of the paper's (4) excludes them.
+    Arguments and errors as for :func:`passivity_margin`.
 
     >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, False, False]
     """
+    if sheet == "exact":  # left out, it takes the short way
+        return passivity_margin(alpha, beta, delta, delay) >= 0
     return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
 
 
@@ -152,16 +154,18 @@ def _printed(xp: Any, theta: Any, delay: Any) -> tuple[Any, Any]:
 def passivity_boundary(
     omega: ArrayLike, delta: ArrayLike, delay: ArrayLike, sheet: str = "exact"
 ) -> tuple[Array, Array]:
-    """The wall (alpha, beta) that is just passive, and whose worst angle is ``omega`` = omega T.
+    """The wall (alpha, beta) on the passivity boundary with the worst angle ``omega`` = omega T.
 
-    For 0 < ``omega`` < pi, ``delta`` >= 0 and ``delay`` >= 0; arrays broadcast.  For whole delays
-    and with ``sheet="principal"`` this is (27) of the paper.  It ends where the stiffness vanishes,
-    for these at pi/(delay + 1), and is NaN beyond: there (27) still gives walls, but not one of
-    them is passive.  At omega -> 0 there is more boundary, from (0, -delta) to the limit of this
-    curve: all walls with worst angle 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) =
+    Takes 0 < ``omega`` < pi, ``delta`` >= 0 and ``delay`` >= 0; arrays broadcast.  For integer
+    delays and with ``sheet="principal"`` the curve is (27) of the paper.  It ends where the
+    stiffness vanishes, in these cases at pi/(delay + 1), and is NaN beyond: there (27) gives walls
+    that are not passive.
+
+    Two more pieces complete the boundary.  The walls with worst angle 0 lie between (0, -delta) and
+    the limit of the curve at omega -> 0, on alpha (delay + 1/2) + e alpha^2/(4 delta) =
     delta + beta with e = part (1 - part) for the fractional part of the delay.  For delays up to
-    2/9 of a period it does not end before pi, and there is more from its limit to
-    (0, delta/(1 - delay)): all walls with worst angle pi, on beta + alpha/2 = delta/(1 - delay).
+    2/9 of a period the curve does not end before pi; the walls with worst angle pi lie between its
+    limit there and (0, delta/(1 - delay)), on beta + alpha/2 = delta/(1 - delay).
 
     Raises :class:`ValueError` for an angle, damping or delay outside its range; NaN gives NaN.
 
@@ -190,9 +194,9 @@ def passivity_boundary(
 def max_passive_stiffness(delta: ArrayLike, delay: ArrayLike, sheet: str = "exact") -> Extremum:
     r"""The passive wall of largest stiffness, and its worst angle.
 
-    For whole delays and with ``sheet="principal"`` (11) of the paper, alpha =
-    2 delta tan(pi/(4 (delay + 1))), in its stable form; arrays broadcast.  Without delay every
-    angle is equally bad for this wall, and theta is pi/2.
+    For integer delays and with ``sheet="principal"`` this is the stable form of (11) of the paper,
+    alpha = 2 delta tan(pi/(4 (delay + 1))); arrays broadcast.  Without delay all angles
+    are equally bad for this wall, and theta is pi/2.
 
     Raises :class:`ValueError` for a negative or infinite damping or delay; NaN gives NaN.
 

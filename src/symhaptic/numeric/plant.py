@@ -186,12 +186,12 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 
     P(z) = (n1 z + n0)/(z^2 - a z + e) in units of T^2/m, for the physical stiffness
     ``gamma`` = k T^2/m >= 0 and the damping ``delta`` = b T/m >= 0; arrays broadcast.  Derived in
-    chapter s4b_normalisation; the paper's (14), which is 0/0 where this is not.
+    chapter s4b_normalisation.  This is the paper's (14) without its cases of 0/0.
 
-    n1, which is never negative, is right to 2 last places, also where the device has just swung k
-    turns and it nearly vanishes, ``gamma`` = (2 pi k)^2.  n0 changes its sign there, at ``delta``
-    near (sqrt(gamma) - 2 pi k)^2, and is right to 2 last places and ``delta`` times that of
-    n1 + n0.  A last place of ``gamma`` itself moves both by far more.
+    n1 is never negative and is right to 2 last places, also near ``gamma`` = (2 pi k)^2, where it
+    nearly vanishes.  n0 changes its sign there, at ``delta`` near (sqrt(gamma) - 2 pi k)^2.  Its
+    error is at most 2 of its last places plus ``delta`` times those of n1 + n0.  Changing ``gamma``
+    by one last place moves both by far more.
 
     Raises :class:`ValueError` for a negative or infinite argument; NaN gives NaN.
 
@@ -207,14 +207,14 @@ def discretize(gamma: ArrayLike, delta: ArrayLike) -> tuple[Array, Array, Array,
 def discretize_fractional(
     gamma: ArrayLike, delta: ArrayLike, epsilon: ArrayLike
 ) -> tuple[Array, Array, Array, Array, Array]:
-    """The same of a device behind ``epsilon`` periods of delay, 0 <= epsilon < 1: m2, m1, m0, a, e.
+    """Exact discrete equivalent of the device with a fractional delay: m2, m1, m0, a, e.
 
-    P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m, by the modified z-transform:
-    the hold's old value still acts for a part of each period.  Arrays broadcast.  Derived in
-    chapter s6a_fractional_plant.
+    P(z) = (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e)) in units of T^2/m, for a delay of ``epsilon``
+    periods, 0 <= epsilon < 1, by the modified z-transform: the previous value of the hold acts for
+    a part of each period.  Arrays broadcast.  Derived in chapter s6a_fractional_plant.
 
-    Raises :class:`ValueError` for a negative or infinite ``gamma`` or ``delta`` and a fraction
-    that is none; NaN gives NaN.
+    Raises :class:`ValueError` for a negative or infinite ``gamma`` or ``delta``, and for
+    ``epsilon`` outside [0, 1); NaN gives NaN.
 
     >>> [float(x) for x in discretize_fractional(0, 0, 0.5)]
     [0.125, 0.75, 0.125, 2.0, 1.0]

@@ -189,17 +189,20 @@ def unstable_roots(
     """Number of characteristic roots outside the unit circle; the cost does not grow with delay.
 
     Dimensionless wall ``alpha``, ``beta``, plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0
-    in periods, whole or fractional (exact, by the modified z-transform); arrays broadcast.  With
-    ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.  A count is
-    that of these very numbers, or -1: where a root is so close to the circle that rounding does
-    not tell on which side, and where squares vanish, as of walls with
-    ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
-    ``0 < max(abs(alpha), gamma) < 2**-400``; of NaN, too.  On the principal sheet it is -1 where
-    a wall some thousand last places away has another one.  Numbers in single precision are
-    computed with in double, where the array's library has it.
+    in periods, integer or fractional (exact, by the modified z-transform); arrays broadcast.  With
+    ``sheet="principal"`` a fractional delay is the paper's z^-d on the principal sheet.
 
-    Inside ``jax.jit`` every branch is compiled, which takes XLA some ten seconds; outside of it
-    nothing is.  ``torch.compile`` breaks its graph here.
+    The count is exact for the given floats, or -1 if it is not known:
+
+    * if a root is so close to the circle that rounding cannot decide on which side it is;
+    * if squares underflow: ``abs(alpha) + abs(beta) + 1 - exp(-delta) < 2**-400`` or
+      ``0 < max(abs(alpha), gamma) < 2**-400``;
+    * if an argument is NaN;
+    * on the principal sheet, if a wall some thousand last places away has another count.
+
+    Arrays in single precision are computed in double, if their library has it.  Inside ``jax.jit``
+    every branch is compiled, which takes XLA some ten seconds; outside of it nothing is compiled.
+    ``torch.compile`` breaks its graph here.
 
     Raises :class:`ValueError` for an infinite wall and an impossible plant or delay.
 
@@ -252,11 +255,10 @@ def is_stable(
 ) -> NDArray[np.bool_]:
     """Whether all characteristic roots lie inside the unit circle; see :func:`unstable_roots`.
 
-    On the line alpha = -gamma a root lies at 1, an undamped device without a wall keeps on
-    swinging, and one that makes whole half swings in a period does so with every wall: none of
-    them is stable, and neither is what is not known: where the count of unstable roots is -1.  So
-    a loop that is said to be stable is; one that is not said to be may be stable, but only next
-    to the boundary.
+    True is always right.  False is wrong only for some stable loops very close to the boundary,
+    where the count of unstable roots is -1 (not known).  Loops with a root on the circle are not
+    stable: on the line alpha = -gamma, for an undamped device without a wall, and for an undamped
+    device with omega_d T at a multiple of pi, whatever the wall.
 
     >>> is_stable([0.03, 0.003], 0.05, 0.001, 0.02, 5).tolist()
     [False, True]
@@ -273,9 +275,9 @@ def characteristic_polynomial(
     """Coefficients of the monic characteristic polynomial, highest power first.
 
     z^(d+1) (z^2 - a z + e) + (n1 z + n0) ((alpha+beta) z - beta), of degree d + 3, for one wall
-    and a whole delay d >= 0.  Derived in chapter s4b_polynomial ((18) of the paper, monic).
+    and an integer delay d >= 0.  Derived in chapter s4b_polynomial ((18) of the paper, monic).
 
-    Raises :class:`ValueError` for a delay that is not whole and for impossible arguments.
+    Raises :class:`ValueError` for a delay that is not an integer and for impossible arguments.
 
     >>> characteristic_polynomial(0.5, 1.0, 0.0, 0.0, 0).tolist()
     [1.0, -1.25, 1.25, -0.5]

@@ -20,12 +20,13 @@ _LIMIT = 100_000
 
 
 def enclose(expr: Expr | int, digits: int = 20) -> arb | acb:
-    """A ball that contains the value of a constant, its radius below ``10**-digits`` of the value.
+    """Return an interval (ball) that contains the value of a constant.
 
-    A python-flint ``arb``, or ``acb`` for a complex number; zero is recognised by the normal form.
-    Raises :class:`ValueError` for what is no constant, and where no precision reaches the digits
-    (an expression that is undefined, or zero without the normal form knowing it), and
-    :class:`TypeError` for text, which is not read: SymPy would run it as a program.
+    Its radius is below ``10**-digits`` of the value.  The result is a python-flint ``arb``, or
+    ``acb`` for a complex number.  The normal form recognises zero.  Raises :class:`ValueError` if
+    the expression is no constant or no precision reaches the digits (it is undefined, or it is zero
+    and the normal form does not recognise this), and :class:`TypeError` for text, because SymPy
+    would run it as a program.
 
     >>> print(enclose(sp.sqrt(2) - 1, 30).str(30))
     [0.414213562373095048801688724210 +/- 3.02e-31]
@@ -84,12 +85,12 @@ def _is_zero(expr: Expr) -> bool:
 
 
 def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEPS) -> Largest:
-    """Two bounds of the largest value on a box, and where it is nearly reached.
+    """Bound the largest value of an expression on a box.
 
-    ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value not below
+    ``upper - lower`` is at most ``10**-digits``; ``where`` is a point with a value of at least
     ``lower``.  The result is a certificate that :func:`symhaptic.recheck` checks again.  Raises
-    :class:`ValueError` where the expression is not defined and real on the whole box, where there
-    is no largest value, or where to find it would need more than so many ``steps`` of arithmetic.
+    :class:`ValueError` if the expression is not defined and real on the whole box, has no largest
+    value, or needs more than ``steps`` steps of arithmetic.
 
     >>> x, y = sp.symbols("x y")
     >>> found = enclose_maximum(x*y*(1 - x*y), {x: (0, 1), y: (0, 1)}, digits=4)

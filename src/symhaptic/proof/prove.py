@@ -27,22 +27,24 @@ from symhaptic.proof.verdict import Kind, Verdict
 def prove(lhs: Form, rhs: Form | Ends | None = None, *, steps: int = STEPS) -> Verdict:
     r"""Decide whether two formulas are the same, or whether an inequality holds on a box.
 
-    ``prove(lhs, rhs)`` compares formulas, vectors or relations; equality holds wherever both sides
-    are defined, for real values of the symbols and any real exponent, and there is such a point;
-    symbols that are called as those of ``symhaptic.notation`` refute in the domains that they have
-    there, such as ``y`` in [0, 1].  ``prove(relation, box)`` takes an inequality and a closed
-    interval for each of its symbols, ``{x: (0, 1)}``; both of its sides, as they are written, must
-    be defined and real on the whole box, its ends included.
+    ``prove(lhs, rhs)`` compares formulas, vectors or relations.  They are equal if both sides agree
+    wherever both are defined, for real values of the symbols and any real exponent, and such a
+    point exists.  A counterexample respects the domains of ``symhaptic.notation`` for symbols that
+    have a name there, such as ``y`` in [0, 1].
 
-    Symbols of one name are one symbol, of which all is assumed that is of any of them.
+    ``prove(relation, box)`` takes an inequality and a closed interval for each of its symbols,
+    ``{x: (0, 1)}``.  Both sides, as written, must be defined and real on the whole box, ends
+    included.
 
-    Returns a :class:`Verdict` that is true only for what is settled: *proved* with the field in
-    which the difference is zero, *enclosed* with a ``certificate`` that
-    :func:`symhaptic.recheck` has checked again.  What is false is *refuted*, with a point that was
-    confirmed; *undecided* is neither, and not true.  An inequality that is touched, such as
-    :math:`x^2\ge0` on [-1, 1], is undecided: balls cannot see an equality.  So is what would need
-    more than so many ``steps`` of arithmetic.  Raises :class:`TypeError` and :class:`ValueError`
-    for what is no formula, relation or box; text is none, for SymPy would run it as a program.
+    Symbols with the same name are one symbol with the assumptions of all of them.
+
+    Returns a :class:`Verdict`.  It is true if it is *proved*, with the field in which the
+    difference is zero, or *enclosed*, with a ``certificate`` that :func:`symhaptic.recheck` has
+    checked again.  It is false if it is *refuted*, with a confirmed counterexample, or *undecided*.
+    An inequality that holds with equality at a point, such as :math:`x^2\ge0` on [-1, 1], is
+    undecided, because interval arithmetic cannot prove an equality.  So is one that needs more than
+    ``steps`` steps of arithmetic.  Raises :class:`TypeError` or :class:`ValueError` if an argument
+    is no formula, relation or box.  Text is refused, because SymPy would run it as a program.
 
     >>> from sympy.abc import x
     >>> bool(prove(sp.tan(x/2), sp.sin(x)/(1 + sp.cos(x))))

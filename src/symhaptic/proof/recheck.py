@@ -48,7 +48,7 @@ def confirm(certificates: Iterable[Certificate]) -> None:
 
 
 def recheck(certificate: Certificate) -> bool:
-    """Whether a certificate shows what it says.
+    """Check a certificate again, by a second and simpler routine.
 
     >>> from symhaptic.proof.box import positive
     >>> x = sp.Symbol("x")

@@ -34,10 +34,10 @@ class Unfounded(ValueError):
 
 @dataclass(frozen=True)
 class Verdict:
-    """A verdict with its grounds.  True in a condition only when the statement is right.
+    """A verdict with its reasons.  As a truth value, true only if the statement is right.
 
     ``condition`` and ``corrected`` are LaTeX; ``counterexample`` gives a value to each symbol and
-    is empty if nothing has to be chosen.
+    is empty if there is no symbol.
     """
 
     kind: Kind

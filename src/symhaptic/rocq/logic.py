@@ -49,20 +49,20 @@ def _given(parts: tuple[Any, ...]) -> Proposition:
 
 
 @shows
-def weakened(proof: Proof, theorem: Theorem) -> None:
+def add_assum(proof: Proof, theorem: Theorem) -> None:
     """Hypotheses that are not used are left out."""
     proof.say(f"finish {proof.have(theorem.premises[0])}.")
 
 
 @shows
-def discharged(proof: Proof, theorem: Theorem) -> None:
+def disch(proof: Proof, theorem: Theorem) -> None:
     """The hypothesis is brought in, and the premise has it."""
     _assumed(proof, _given(theorem.given[1:]))
     proof.say(f"finish {proof.have(theorem.premises[0])}.")
 
 
 @shows
-def cut(proof: Proof, theorem: Theorem) -> None:
+def prove_hyp(proof: Proof, theorem: Theorem) -> None:
     """What lemmas conclude is known before the theorem is used."""
     first, *lemmas = premises(theorem)
     for lemma in lemmas:
@@ -71,7 +71,7 @@ def cut(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def applied(proof: Proof, theorem: Theorem) -> None:
+def mp(proof: Proof, theorem: Theorem) -> None:
     """An implication is a function; an equivalence a pair of them."""
     implication, given = theorem.premises
     found, known = proof.keep(implication), proof.keep(given)
@@ -91,20 +91,20 @@ def applied(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def conjoined(proof: Proof, theorem: Theorem) -> None:
+def conj(proof: Proof, theorem: Theorem) -> None:
     """A proof of a conjunction is made of those of its parts."""
     proof.say(f"finish {proof.joined([proof.have(p) for p in theorem.premises])}.")
 
 
 @shows
-def part(proof: Proof, theorem: Theorem) -> None:
+def conjunct(proof: Proof, theorem: Theorem) -> None:
     """A part of a conjunction is one of its components."""
     proof.keep(theorem.premises[0])
     proof.say(f"finish {proof.find(theorem.conclusion)}.")
 
 
 @shows
-def widened(proof: Proof, theorem: Theorem) -> None:
+def disj(proof: Proof, theorem: Theorem) -> None:
     """A disjunction is proved on one of its sides."""
     wanted, known = theorem.conclusion, theorem.premises[0]
     assert isinstance(wanted, Or)
@@ -118,7 +118,7 @@ def widened(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def by_cases(proof: Proof, theorem: Theorem) -> None:
+def disj_cases(proof: Proof, theorem: Theorem) -> None:
     """A disjunction is taken apart, and each case has its own proof."""
     cover, *cases = theorem.premises
     claim = cover.conclusion
@@ -138,7 +138,7 @@ def by_cases(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def absurd(proof: Proof, theorem: Theorem) -> None:
+def not_intro(proof: Proof, theorem: Theorem) -> None:
     """What contradicts itself proves falsehood."""
     one, other = theorem.premises
     if theorem.given[2:]:
@@ -147,20 +147,20 @@ def absurd(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def anything(proof: Proof, theorem: Theorem) -> None:
+def contr(proof: Proof, theorem: Theorem) -> None:
     """Falsehood has no case."""
     proof.say(f"destruct {proof.have(theorem.premises[0])}.")
 
 
 @shows
-def equivalent(proof: Proof, theorem: Theorem) -> None:
+def imp_antisym(proof: Proof, theorem: Theorem) -> None:
     """Both directions."""
     there, back = theorem.premises
     proof.say("split.", f"- finish {proof.have(there)}.", f"- finish {proof.have(back)}.")
 
 
 @shows
-def general(proof: Proof, theorem: Theorem) -> None:
+def gen(proof: Proof, theorem: Theorem) -> None:
     """A symbol is brought in that nothing is known of."""
     claim = theorem.conclusion
     assert isinstance(claim, ForAll)
@@ -223,7 +223,7 @@ def evaluated(functions: Iterable[Expr], values: Terms, names: Names) -> list[st
 
 
 @shows
-def instance(proof: Proof, theorem: Theorem) -> None:
+def spec(proof: Proof, theorem: Theorem) -> None:
     """What holds for all holds for a term, in the form that SymPy gives it."""
     (premise,), values = theorem.premises, theorem.given[1]
     claim = premise.conclusion
@@ -249,7 +249,7 @@ def instance(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def unfolded(proof: Proof, theorem: Theorem) -> None:
+def undisch(proof: Proof, theorem: Theorem) -> None:
     """An implication is applied to its hypotheses."""
     (premise,) = theorem.premises
     claim = premise.conclusion
@@ -258,7 +258,7 @@ def unfolded(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def placed(proof: Proof, theorem: Theorem) -> None:
+def inst(proof: Proof, theorem: Theorem) -> None:
     """A lemma at terms; its hypotheses are found among those that SymPy made of them."""
     (premise,), values = theorem.premises, theorem.given[1]
     if premise.rule == "assume":
@@ -280,7 +280,7 @@ def placed(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def substituted(proof: Proof, theorem: Theorem) -> None:
+def subst(proof: Proof, theorem: Theorem) -> None:
     """Equals for equals, by the principle of equality."""
     pattern, place, known, equation = (
         proposition(theorem.given[0]),
@@ -315,7 +315,7 @@ def substituted(proof: Proof, theorem: Theorem) -> None:
 
 
 @shows
-def witnessed(proof: Proof, theorem: Theorem) -> None:
+def exists(proof: Proof, theorem: Theorem) -> None:
     """A term that has the property."""
     wanted, values = theorem.conclusion, theorem.given[2]
     assert isinstance(wanted, Exists)
@@ -353,7 +353,7 @@ def _all_parts(claim: Proposition) -> Iterator[Proposition]:
 
 
 @shows
-def chosen(proof: Proof, theorem: Theorem) -> None:
+def choose(proof: Proof, theorem: Theorem) -> None:
     """What exists is given a name."""
     existence, then = theorem.premises
     claim = existence.conclusion

@@ -182,7 +182,7 @@ class Proof:
 
 def premises(theorem: Theorem) -> tuple[Theorem, ...]:
     """What a theorem was made of; lemmas that a tactic took from a set in an order of their own."""
-    fixed = {"cut": 1, "is_whole": 0}.get(theorem.rule, len(theorem.premises))
+    fixed = {"prove_hyp": 1, "is_whole": 0}.get(theorem.rule, len(theorem.premises))
     if len(theorem.premises) < fixed + 2:
         return theorem.premises
     lemmas = sorted(

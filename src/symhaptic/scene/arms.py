@@ -27,8 +27,9 @@ class Arm:
     ``stiffness``  k_H           N/m    >= 0
     =============  ============  =====  ====
 
-    Numbers become float64; quantities of Pint's are converted.  :meth:`of` has the rows of Table
-    II.  Raises :class:`ValueError` for what is negative, infinite, NaN or of another dimension.
+    Numbers become float64; quantities of Pint are converted.  :meth:`of` returns an arm of Table
+    II.  Raises :class:`ValueError` for a value that is negative, infinite, NaN or of the wrong
+    dimension.
 
     >>> Arm.of("Hogan")
     Arm(mass=0.8, damping=5.5, stiffness=568.0, with_device=False)
@@ -49,9 +50,9 @@ class Arm:
 
     @classmethod
     def of(cls, name: str) -> Arm:
-        """The arm of a row of Table II, by its authors as :meth:`names` has them.
+        """The arm in a row of Table II; ``name`` is one of :meth:`names`.
 
-        Raises :class:`ValueError` for a name that is not there.
+        Raises :class:`ValueError` for another name.
 
         >>> Arm.of("Lawrence and Chapel").mass
         0.5
@@ -154,11 +155,10 @@ class ArmRange:
     ``stiffness_per_mass``  k_H/m_H           1/s^2    0 to 1000, by (23) of the paper
     ======================  ================  =======  =====================================
 
-    The range of (23), delta <= 0.02 and gamma <= 0.001 at 1 kHz, is k_H <= 1000/s^2 m_H and
-    b_H <= 20/s m_H at any rate, and so the default; where ``damping`` or ``stiffness`` is given,
-    it takes the place of that by mass.  No arm at all is one of mass 0.  Raises
-    :class:`ValueError` for what is negative, infinite or in the wrong order, and for two ranges
-    of one part.
+    The default is the range (23): delta <= 0.02 and gamma <= 0.001 at 1 kHz mean
+    k_H/m_H <= 1000/s^2 and b_H/m_H <= 20/s at any rate.  ``damping`` or ``stiffness`` replaces the
+    range per mass.  Mass 0 means no arm.  Raises :class:`ValueError` for a value that is negative,
+    infinite or in the wrong order, and for two ranges of one parameter.
 
     >>> ArmRange(mass=(0.5, 2), damping=6, stiffness=(0, 600)).hands
     ((0.5, 2.0), (6.0, 6.0), (0.0, 600.0))
@@ -185,14 +185,14 @@ class ArmRange:
 
     @classmethod
     def around(cls, arms: Iterable[Arm]) -> ArmRange:
-        """The smallest range that has all of some arms in it.
+        """The smallest range that contains all the arms.
 
         >>> ArmRange.around([Arm.of("Hogan"), Arm.of("Lee et al.")]).mass
         (0.15, 0.8)
         """
         some = list(arms) if isinstance(arms, Iterable) else []
         if not some or not all(isinstance(arm, Arm) for arm in some):
-            raise ValueError(f"arms: {shown(arms)} is not allowed; some Arm(...) are")
+            raise ValueError(f"arms: {shown(arms)} is not allowed; give one or more Arm(...)")
         if any(arm.with_device for arm in some):
             raise ValueError(
                 "arms: one that was measured with its device is not allowed in a range"
@@ -205,12 +205,12 @@ class ArmRange:
 
     @property
     def by_mass(self) -> tuple[bool, bool]:
-        """Whether damping and stiffness are those per mass."""
+        """Whether damping and stiffness are given per mass."""
         return self.damping is None, self.stiffness is None
 
     @property
     def hands(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-        """Mass, damping and stiffness, these perhaps per mass, each with its ends."""
+        """Ranges of mass, damping and stiffness; the last two per mass if ``by_mass``."""
         damping = self.damping_per_mass if self.damping is None else self.damping
         stiffness = self.stiffness_per_mass if self.stiffness is None else self.stiffness
         return self.mass, damping, stiffness  # type: ignore[return-value]

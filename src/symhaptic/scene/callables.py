@@ -41,7 +41,7 @@ def lambdify(
     scene: Scene | Parts | str | None = None,
     derivatives: Sequence[str] | str = (),
 ) -> Callable[..., Any]:
-    """Return a function of numbers for a formula.
+    """Return a numerical function for a formula.
 
     Parameters
     ----------
@@ -51,19 +51,19 @@ def lambdify(
         dimensionless parameters of Table I, as (27), (25), (14) and (25): K = alpha m/T^2,
         B = beta m/T.  (31) is its derived form in SI units: T in s, b in Ns/m, m in kg.
     form : {"stable", "derived", "printed"}, optional
-        ``"stable"`` keeps its digits everywhere.  The other two are SymPy's own lambdify of the
+        ``"stable"`` is accurate everywhere.  The other two are SymPy's own lambdify of the
         derived and the published formula.
     modules : {"numpy", "jax", "torch", "cupy", "mpmath"}, optional
         The library of the arrays; arrays of xarray, Dask, pandas and Pint come back as such.
         ``"mpmath"`` returns as many digits as ``mpmath.mp.dps`` says.
     scene : Scene, Parts or str, optional
-        Leaves out the arguments that the scene does not have; a string is written as on the command
-        line (``"no-stiffness,no-delay"``).  If a scene has an arm, gamma and delta of stability are
-        those of device and arm together (``scene.dimensionless``), and delta of passivity is that
-        of the device alone (``scene.device.dimensionless``).
+        The function has no arguments for parts that the scene lacks.  A string is written as on the
+        command line (``"no-stiffness,no-delay"``).  If a scene has an arm, gamma and delta of
+        stability are those of device and arm together (``scene.dimensionless``), and delta of
+        passivity is that of the device alone (``scene.device.dimensionless``).
     derivatives : sequence of str, optional
-        Arguments of a stable form.  Its results are followed by their derivatives with respect to
-        the first of these, then to the next.
+        Arguments of a stable form.  After its results, the function returns their derivatives by
+        the first of these arguments, then by the next.
 
     Returns
     -------
@@ -80,8 +80,8 @@ def lambdify(
 
     Notes
     -----
-    The function can be pickled; another process builds it again.  ``jax.vmap`` maps it.
-    ``torch.vmap`` cannot, because the function looks for NaN; arrays that broadcast do the same.
+    The function can be pickled.  ``jax.vmap`` maps it; ``torch.vmap`` cannot, because the function
+    looks for NaN.  Pass arrays that broadcast instead.
 
     Examples
     --------
@@ -110,11 +110,9 @@ def lambdify(
         form = "derived"
     if form != "stable":
         if derivatives:
-            raise ValueError(
-                f"derivatives: is not allowed with form={form!r}; stable forms have them"
-            )
+            raise ValueError(f"derivatives: is not allowed with form={form!r}; give form='stable'")
         if scene is not None:
-            raise ValueError(f"scene: is not allowed with form={form!r}; stable forms have scenes")
+            raise ValueError(f"scene: is not allowed with form={form!r}; give form='stable'")
         return _Lambdified.of(_of_the_paper(id, form, modules), (id, form, modules))
     parts = _parts(scene)
     try:

@@ -100,7 +100,7 @@ def read(path: Path) -> Device:
         raise BadDevice(f"{path}: [wall] needs K and B")
     if names.get("arm") is not None and arm:
         place = _place(path, text, "arm", next(iter(arm)))
-        raise BadDevice(f"{place} beside name is not allowed; one of them is")
+        raise BadDevice(f"{place} beside name is not allowed; give one of them")
     table = ""
     try:
         known = device if names[""] is None else {**_published(names[""]), **device}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from functools import lru_cache
 from numbers import Real
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -41,6 +42,7 @@ def periods(scene: Scene) -> Fraction:
     return whole if nearest(whole) * period == delay else exact
 
 
+@lru_cache(maxsize=256)
 def dimensionless(scene: Scene) -> Dimensionless:
     """gamma and delta of device and arm together, and the delay in periods."""
     moved = scene.coupled
@@ -77,6 +79,13 @@ def per_unit(mass: Any, period: Any) -> tuple[Any, Any]:
     """T^2/m and T/m, by which a stiffness in N/m and a damping in Ns/m lose their units."""
     scale = period / mass
     return scale * period, scale
+
+
+@lru_cache(maxsize=256)
+def wall_units(scene: Scene) -> tuple[float, float]:
+    """T^2/m and T/m of device and arm together."""
+    stiff, damped = per_unit(scene.coupled.mass, scene.sampling_period)
+    return stiff, damped
 
 
 def limit(scene: Scene, alpha: Any, beta: Any, theta: Any) -> Limit:

@@ -132,14 +132,14 @@ class Scene:
 
     @classmethod
     def of(cls, device: str, **given: Any) -> Scene:
-        """The loop of a published device, by the name that ``Scene.devices()`` has.
+        """Scene with a published device; ``name`` is one of ``Scene.devices()``.
 
-        ``given`` are arguments of :class:`Scene`: the sampling period, the delay, and what nobody
-        publishes of the device; they go before what is published.  Its source, and the wall that
-        its driver recommends, has :meth:`devices`.
+        ``given`` are arguments of :class:`Scene`: the sampling period, the delay, and values of
+        the device that are not published.  They override published values.  :meth:`devices`
+        returns the source, and the wall that the driver recommends.
 
-        Raises :class:`ValueError` for a name that is not there, and where neither ``given`` nor
-        the source has a mass.
+        Raises :class:`ValueError` for an unknown name, and if neither ``given`` nor the source has
+        a mass.
 
         >>> Scene.of("Phantom Premium 1.5", sampling_period=0.001, delay_samples=1.5).damping
         0.005
@@ -158,9 +158,10 @@ class Scene:
 
     @staticmethod
     def devices() -> dict[str, dict[str, float | str | None]]:
-        """What is published of devices: mass in kg, damping in Ns/m, K in N/m, B in Ns/m, source.
+        """Published data of devices: mass in kg, damping in Ns/m, K in N/m, B in Ns/m, source.
 
-        K and B are the largest that a driver or a course recommends; ``None`` is not published.
+        K and B are the largest values that a driver or a course recommends.  ``None`` means not
+        published.
 
         >>> Scene.devices()["Novint Falcon"]["K"]
         3000.0
@@ -197,7 +198,7 @@ class Scene:
 
     @property
     def device(self) -> Scene:
-        """The loop of the device alone, without the arm: the one that passivity counts, (3)."""
+        """The scene of the device without the arm; passivity uses it, (3)."""
         if self.arm is None:
             return self
         alone = copy.copy(self)
@@ -206,7 +207,7 @@ class Scene:
 
     @property
     def coupled(self) -> Coupled:
-        """Mass, damping and stiffness of device and arm together, which stability counts, (2)."""
+        """Mass, damping and stiffness of device and arm together; stability uses them, (2)."""
         from symhaptic.scene.arms import coupled
 
         return coupled(self)
@@ -230,13 +231,13 @@ class Scene:
     def dimensionless(self) -> Dimensionless:
         """gamma, delta and the delay d in periods; 0 for what is not modelled.
 
-        gamma and delta are those of device and arm together, (2), which stability takes.  Passivity
-        takes those of the device alone, ``scene.device.dimensionless``.
+        gamma and delta are those of device and arm together, (2), for stability.  Passivity uses
+        those of the device alone, ``scene.device.dimensionless``.
 
         Raises
         ------
         ValueError
-            If a number is beyond what the functions take.
+            If a number is outside the range of the functions.
         """
         return dimensionless(self)
 
@@ -261,8 +262,9 @@ class Scene:
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
 
-        Numbers give a truth value; arrays, also of other libraries, broadcast.  NaN is not stable.
-        Where numbers are asked for, Pint's quantities give Pint's, in N/m, Ns/m, s or Hz.
+        Returns a truth value for numbers.  Arrays, also of other libraries, broadcast.  NaN is not
+        stable.  For quantities of Pint, methods that return numbers return quantities in N/m,
+        Ns/m, s or Hz.
 
         Raises :class:`ValueError` for an infinite K or B and units that cannot be converted.
 
@@ -277,7 +279,7 @@ class Scene:
     def is_passive(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether no motion of the device extracts energy from walls of ``K`` and ``B``.
 
-        Counts the device alone, (3), whatever arm holds it.  A wall is passive if its
+        Counts the device alone, (3); an arm is ignored.  A wall is passive if its
         :meth:`passivity_margin` is not negative.  Arguments as for :meth:`is_stable`.
 
         >>> Scene(mass=0.1, damping=0.5, sampling_period=0.001).is_passive(999.0, 0.0)  # 2 b/T
@@ -290,8 +292,8 @@ class Scene:
     def passivity_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Damping of the device minus the damping that walls of ``K`` and ``B`` require, in Ns/m.
 
-        Counts the device alone, (3), whatever arm holds it.  Negative for a wall that is not
-        passive, -inf for ``K`` < 0.  Arguments as for :meth:`is_stable`.
+        Counts the device alone, (3); an arm is ignored.  The margin is negative for a wall that is
+        not passive, and -inf for ``K`` < 0.  Arguments as for :meth:`is_stable`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001)
         >>> round(scene.passivity_margin(400.0, 0.0), 9)  # b - K T/2
@@ -302,9 +304,10 @@ class Scene:
         return passivity_margin(self, K, B)
 
     def stability_boundary(self, frequency_hz: ArrayLike) -> tuple[Any, Any]:
-        """K in N/m and B in Ns/m of the walls with which the loop swings at ``frequency_hz``.
+        """K in N/m and B in Ns/m of the walls with which the loop oscillates at ``frequency_hz``.
 
-        For frequencies in Hz between 0 and 1/(2 T); not every such wall borders the stable region.
+        Frequencies are in Hz, between 0 and 1/(2 T).  Not every such wall lies on the border of
+        the stable region.
 
         Raises :class:`ValueError` for other frequencies; NaN gives NaN.
 
@@ -333,7 +336,7 @@ class Scene:
     def passive_region(self) -> PassiveWalls:
         """The passive walls of the (K, B) plane, in N/m and Ns/m: outline, area, maximum stiffness.
 
-        Counts the device alone, (3).  Empty if the device has no damping.
+        Counts the device alone, (3).  The region is empty if the device has no damping.
 
         >>> region = Scene(mass=0.1, damping=0.5, sampling_period=0.001).passive_region()
         >>> round(region.area, 3), region.contains(400.0, 0.2)  # a triangle, b times 2 b/T
@@ -350,10 +353,10 @@ class Scene:
     def max_stable_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
         """Largest stiffness in N/m of a stable wall, of any damping or of the damping ``B``.
 
-        A number, which also knows the virtual damping ``.B`` in Ns/m that it needs and the
-        frequency ``.frequency_hz`` at which the loop begins to swing.  With another damping the
-        limit is lower: with ``B`` in Ns/m it is that of :meth:`limit_at`, a :class:`Limit` of
-        arrays where ``B`` is one.
+        Returns a number with two attributes: the required virtual damping ``.B`` in Ns/m, and
+        ``.frequency_hz``, at which the loop begins to oscillate.  With any other damping the limit
+        is lower; ``B`` in Ns/m gives that of :meth:`limit_at`, for an array ``B`` a
+        :class:`Limit` of arrays.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001)  # 4 (2 - r)(r - 1)/r m/T^2, r = sqrt 2
         >>> stiffest = scene.max_stable_stiffness()
@@ -375,7 +378,7 @@ class Scene:
     def max_passive_stiffness(self, B: ArrayLike | None = None) -> Stiffness | Limit:
         """Largest stiffness in N/m of a passive wall, of any damping or of the damping ``B``.
 
-        Counts the device alone, (3), whatever arm holds it.  Returns a number with the attributes
+        Counts the device alone, (3); an arm is ignored.  Returns a number with the attributes
         ``.B`` in Ns/m and ``.frequency_hz``, the worst frequency.  For an array ``B`` returns a
         :class:`Limit` of arrays, also of xarray, Dask, pandas and Pint.  NaN if no wall of this
         damping is passive.
@@ -400,13 +403,13 @@ class Scene:
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.
 
-        Returns K, ``B`` and the frequency in Hz at which the loop swings there, arrays like ``B``
-        where it is one, also of xarray, Dask, pandas and Pint; K is NaN where no stiffness makes a
-        wall of this damping stable.  It is a supremum, found among the crossings of the explicit
-        boundary; K may also have a lower limit.
+        Returns K, ``B`` and the frequency in Hz at which the loop oscillates at this limit.  For an
+        array ``B``, also of xarray, Dask, pandas and Pint, these are arrays.  K is NaN if no
+        stiffness makes a wall of this damping stable.  K is a supremum, found among the crossings
+        of the explicit boundary; there may also be a lower limit.
 
-        Raises :class:`ValueError` for a ``B`` that is no finite number, and where pieces of the
-        boundary are missed, see :func:`symhaptic.stable_region`.
+        Raises :class:`ValueError` if ``B`` is not a finite number, and if pieces of the boundary
+        are missed, see :func:`symhaptic.stable_region`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(scene.limit_at(B=0.0).K, 1)
@@ -420,9 +423,10 @@ class Scene:
         """Change of the stiffness limit in per cent for a 1 % increase of each parameter.
 
         The limit is :meth:`max_stable_stiffness`, or :meth:`limit_at` if a damping ``B`` in Ns/m is
-        given.  A parameter that is left out or 0 has no entry; those of an arm are ``arm_mass``,
-        ``arm_damping`` and ``arm_stiffness``.  A delay in s stays as it is when the sampling period
-        changes, and a delay in periods changes with it.  Computed by differences, to about 1e-6.
+        given.  A parameter that is left out or 0 has no entry.  The arm's parameters are
+        ``arm_mass``, ``arm_damping`` and ``arm_stiffness``.  When the sampling period changes, a
+        delay given in s stays constant in s, and a delay given in periods stays constant in
+        periods.  Computed by differences, to about 1e-6.
 
         >>> scene = Scene(mass=0.1, sampling_period=0.001, delay_samples=1)
         >>> {name: round(x, 3) for name, x in scene.sensitivity().items()}
@@ -435,7 +439,7 @@ class Scene:
     def describe(self) -> str:
         """The scene and its limits in words, with units.
 
-        With an arm, stability is that of device and arm together and passivity that of the device.
+        Stability counts device and arm together, passivity the device alone.
 
         >>> print(Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015).describe())
         mass             0.1 kg
@@ -470,16 +474,16 @@ class Scene:
     ) -> Axes:
         """Draw the stable and the passive walls over B in Ns/m and K in N/m.
 
-        With an arm, the scene's or ``arm``, the stable walls are those of device and arm together
-        and the passive walls those of the device.  A wall ``K``, ``B`` is marked, with its distance
-        to the stiffness limit.  Draws into ``axes`` of Matplotlib or new ones and returns them.
+        Stable walls count device and arm together (the scene's arm or ``arm``), passive walls the
+        device alone.  If ``K`` and ``B`` are given, marks this wall and its distance to the
+        stiffness limit.  Draws into Matplotlib's ``axes``, or new ones, and returns them.
 
         Raises :class:`ValueError` if only one of ``K`` and ``B`` is given.
         """
         from symhaptic.scene.picture import draw, new_axes
 
         if (K is None) != (B is None):
-            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; both are, or none")
+            raise ValueError(f"K: {K!r} with B={B!r} is not allowed; give both or none")
         wall = None
         if K is not None and B is not None:
             wall = number("K", K, "N/m"), number("B", B, "N*s/m")
@@ -490,22 +494,22 @@ class Scene:
     def safe_walls(self, arm: Arms = None) -> SafeWalls:
         """Walls (K, B) that are proved stable for every arm of a range, and passive walls.
 
-        Proved by enclosure, with a certificate that a second check confirms, for integer and
-        fractional delays up to 60 periods.  The walls are below the true limit: by about 1 % for
-        short delays, by 10 % and more for delays of 5 to 50 ms.  Takes some seconds.
+        The proof encloses the loops by interval arithmetic, and a second check confirms its
+        certificate.  Delays may be integer or fractional, up to 60 periods.  The proved limits are
+        below the true ones: by about 1 % for short delays, by 10 % and more for delays of 5 to
+        50 ms.  Takes some seconds.
 
         Parameters
         ----------
         arm : ArmRange, Arm or several Arms, optional
-            The range of arms; several arms stand for all between them.  If left out, the scene's
-            own arm, or else the range (23) of the paper: 0 to 23 kg, up to 1000 N/m and 20 Ns/m
-            per kg, the device without an arm included.
+            The range of arms; several arms include all arms between them.  If left out, the scene's
+            own arm, or else the range (23) of the paper: 0 kg (no arm) to 23 kg, up to 1000 N/m
+            and 20 Ns/m per kg.
 
         Raises
         ------
         ValueError
-            If ``arm`` is something else or given for a scene that has an arm, and if no wall is
-            proved.
+            If ``arm`` has another type, if the scene already has an arm, or if no wall is proved.
 
         >>> from symhaptic import Arm
         >>> device = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
@@ -530,17 +534,19 @@ class Scene:
     ) -> Simplest:
         """The smallest model whose stiffness limit is proved to be within ``rtol`` of the scene's.
 
-        The limit is :meth:`max_stable_stiffness`, or the largest stable stiffness of walls with
-        the virtual damping ``B`` (Ns/m) where that is given; the error is ``|K_model/K - 1|``.
+        The limit is :meth:`max_stable_stiffness`, or, if ``B`` (Ns/m) is given, the largest stable
+        stiffness with this virtual damping.  The error is ``|K_model/K - 1|``.
         Both K are tips of stability boundaries.  Without delay a tip is proved to be the largest
-        stable stiffness; with one, it is proved that no stable wall is stiffer.
-        Models are, the smallest first: the linear limit (25) (only with ``B``, as it grows with
-        it), the loop without spring and damper, without spring, without damper, and all of it.
+        stable stiffness; with a delay it is proved that no stable wall is stiffer.
+        The models are, the smallest first: the linear limit (25) (only with ``B``, because it
+        grows with ``B``), the loop without spring and damper, without spring, without damper, and
+        the full loop.
 
-        ``mass``, ``damping``, ``stiffness`` and ``B`` take the scene's place: a number, or a range
-        (lowest, highest) over which the bound holds.  Numbers are the decimals that they print as.
-        Bounds are proved by ball arithmetic, for integer delays; what is not proved is infinite,
-        with its reason, and does not count.  All parameters are those of device and arm together.
+        ``mass``, ``damping``, ``stiffness`` and ``B`` override the scene: a number, or a range
+        (lowest, highest) over which the bound holds.  Numbers count as the decimals that they print
+        as.  Bounds are proved by ball (interval) arithmetic, for integer delays.  A model without
+        a proof has an infinite bound, with the reason.  All parameters are those of device and
+        arm together.
 
         Raises :class:`ValueError` for an ``rtol`` that is not > 0 and for an impossible range.
 
@@ -562,7 +568,7 @@ class Scene:
     def to_control(self) -> Any:
         """The sampled device with its arm and its delay, from N to m, for python-control.
 
-        Raises :class:`ModuleNotFoundError` where that is not installed.
+        Raises :class:`ModuleNotFoundError` if python-control is not installed.
         """
         from symhaptic.scene.systems import control_system
 
@@ -588,10 +594,10 @@ class Scene:
     def delay_margin(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Delay in s that may be added until walls of ``K`` (N/m) and ``B`` (Ns/m) are unstable.
 
-        The wall is stable for every delay from the scene's own to that plus the margin.  0 for a
-        wall that is unstable at the scene's delay.  NaN for a wall that is stable there but not at
-        every smaller delay, where the margin is not computed.  See :meth:`max_delay` for the sum
-        of both.  Arguments as for :meth:`is_stable`.
+        The wall is stable for every delay from the scene's own up to its own plus the margin.  The
+        margin is 0 for a wall that is unstable at the scene's delay, and NaN (not computed) for a
+        wall that is stable there but not at every smaller delay.  :meth:`max_delay` returns the
+        total delay.  Arguments as for :meth:`is_stable`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(1000 * scene.delay_margin(K=1000.0, B=5.0), 3)  # ms
@@ -604,8 +610,8 @@ class Scene:
     def max_delay(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Largest delay in s up to which walls of ``K`` (N/m) and ``B`` (Ns/m) are stable.
 
-        The wall is stable for every delay from 0 to this one, whatever delay the scene has.  0 for
-        a wall that is unstable without delay.  Arguments as for :meth:`is_stable`.
+        The wall is stable for every delay from 0 to this one; the scene's own delay is ignored.
+        0 for a wall that is unstable without delay.  Arguments as for :meth:`is_stable`.
 
         >>> scene = Scene(mass=0.1, damping=0.5, sampling_period=0.001, delay=0.0015)
         >>> round(1000 * scene.max_delay(K=1000.0, B=5.0), 3)  # ms

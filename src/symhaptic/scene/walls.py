@@ -19,7 +19,7 @@ from symhaptic.numeric.given import Given
 from symhaptic.numeric.tracing import margin
 from symhaptic.numeric.tracing import region as tracing
 from symhaptic.numeric.tracing.shape import Shape
-from symhaptic.scene.dimensionless import per_unit, units
+from symhaptic.scene.dimensionless import per_unit, units, wall_units
 from symhaptic.scene.limit import Limit
 
 if TYPE_CHECKING:
@@ -32,62 +32,66 @@ if TYPE_CHECKING:
 
 def is_stable(scene: Scene, K: Any, B: Any) -> Any:
     """Whether all characteristic roots lie inside the unit circle."""
-    gamma, delta, delay = scene.dimensionless
-
-    @kept(is_stable=bool)
-    def answer(K: Any, B: Any) -> Any:
-        return stability.is_stable(*_scaled(scene, K, B), gamma, delta, delay)
-
-    return _asked(answer, K, B, bool)
+    return _of_walls(stability.is_stable, scene, scene.dimensionless, K, B, bool)
 
 
 def is_passive(scene: Scene, K: Any, B: Any) -> Any:
     """Whether no motion extracts energy, by the damping of the device alone (3)."""
-    scene = scene.device
-    _, delta, delay = scene.dimensionless
-
-    @kept(is_passive=bool)
-    def answer(K: Any, B: Any) -> Any:
-        return passivity.is_passive(*_scaled(scene, K, B), delta, delay)
-
-    return _asked(answer, K, B, bool)
+    alone = scene.device
+    return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
 
 
 def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
-    scene = scene.device
-    _, delta, delay = scene.dimensionless
-
-    @kept(passivity_margin=float)
-    def answer(K: Any, B: Any) -> Any:
-        found = passivity.passivity_margin(*_scaled(scene, K, B), delta, delay)
-        return found * units(scene.mass, scene.sampling_period)[1]
-
-    return _asked(answer, K, B, float, "N*s/m")
+    alone = scene.device
+    unit = units(alone.mass, alone.sampling_period)[1]
+    args = alone, alone.dimensionless[1:], K, B, float, unit, "N*s/m"
+    return _of_walls(passivity.passivity_margin, *args)
 
 
 def max_delay(scene: Scene, K: Any, B: Any) -> Any:
     """The largest delay in s up to which a wall is stable."""
-    gamma, delta, _ = scene.dimensionless
-
-    @kept(max_delay=float)
-    def answer(K: Any, B: Any) -> Any:
-        found = margin.max_delay(*_scaled(scene, K, B), gamma, delta)
-        return found * scene.sampling_period
-
-    return _asked(answer, K, B, float, "s")
+    args = scene, scene.dimensionless[:2], K, B, float, scene.sampling_period, "s"
+    return _of_walls(margin.max_delay, *args)
 
 
 def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
     """The delay in s that may be added until a wall is unstable."""
-    gamma, delta, delay = scene.dimensionless
+    args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
+    return _of_walls(margin.delay_margin, *args)
 
-    @kept(delay_margin=float)
+
+def _of_walls(
+    function: Callable[..., Any],
+    scene: Scene,
+    loop: tuple[float, ...],
+    K: Any,
+    B: Any,
+    kind: type,
+    size: float = 1.0,
+    unit: str = "",
+) -> Any:
+    """What a function of alpha, beta and ``loop`` tells of walls, times ``size``.
+
+    It has a ``unit`` where it is a number and one of both came with one.
+    """
+    stiff, damped = wall_units(scene)
+    if all(type(x) in (float, int) and -_MOST < x < _MOST for x in (K, B)):
+        found = function(K * stiff, B * damped, *loop)
+        return bool(found) if kind is bool else float(found) * size
+
+    @kept(**{function.__name__: kind})
     def answer(K: Any, B: Any) -> Any:
-        found = margin.delay_margin(*_scaled(scene, K, B), gamma, delta, delay)
-        return found * scene.sampling_period
+        K, B = Given(K=K, B=B).values
+        found = function(K * stiff, B * damped, *loop)
+        return found if kind is bool else found * size
 
-    return _asked(answer, K, B, float, "s")
+    found = _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
+    return with_unit(found, unit, K, B) if unit else found
+
+
+_MOST = 1e15
+"""Plain numbers up to here need no look at what they are."""
 
 
 def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
@@ -108,19 +112,6 @@ def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
 
     K, B = (_one(found, float) for found in answer(in_unit("frequency_hz", frequency_hz, "Hz")))
     return with_unit(K, "N/m", frequency_hz), with_unit(B, "N*s/m", frequency_hz)
-
-
-def _scaled(scene: Scene, K: Any, B: Any) -> tuple[Any, Any]:
-    """alpha and beta."""
-    K, B = Given(K=K, B=B).values
-    stiff, damped = per_unit(scene.coupled.mass, scene.sampling_period)
-    return K * stiff, B * damped
-
-
-def _asked(answer: Callable[..., Any], K: Any, B: Any, kind: type, unit: str = "") -> Any:
-    """The answer, which has a ``unit`` where it is a number and one of both came with one."""
-    found = _one(answer(in_unit("K", K, "N/m"), in_unit("B", B, "N*s/m")), kind)
-    return with_unit(found, unit, K, B) if unit else found
 
 
 def _one(found: Any, kind: type) -> Any:
@@ -205,7 +196,7 @@ def limit_at(scene: Scene, B: Any) -> Limit:
     from symhaptic.numeric.tracing.extremes import stiffest_at
 
     gamma, delta, delay = scene.dimensionless
-    _, scale = per_unit(scene.coupled.mass, scene.sampling_period)
+    _, scale = wall_units(scene)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat

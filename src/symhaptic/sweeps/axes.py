@@ -74,7 +74,7 @@ def plan_of(
     coords = {n: c for n, c in coords.items() if not set(c[0]) & set(along)}
     for taken in {v.name for v in variables} & {*stay, *coords}:
         raise ValueError(f"{taken}: a dimension or coordinate of this name is not allowed; "
-                         "a result is called so")  # fmt: skip
+                         "a result has this name")  # fmt: skip
     plan = Plan(
         work, inputs, {**stay, **gone}, tuple(stay), along, variables,
         lengths_of(stay, gone, _chunks(chunks, stay)),
@@ -106,7 +106,7 @@ def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
 def _of_scene(scene: Scene, work: Work, given: Mapping[str, Any]) -> dict[str, Any]:
     """The given arguments, and the scene's own for the others; masses are those of the device."""
     if "delay" in given and "delay_samples" in given:
-        raise ValueError("delay_samples: beside delay= is not allowed; one of them is")
+        raise ValueError("delay_samples: beside delay= is not allowed; give one of them")
     found: dict[str, Any] = dict(given)
     for name in work.arguments:
         if name == "delay":

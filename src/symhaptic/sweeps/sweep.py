@@ -38,34 +38,37 @@ def sweep(
     lazy: bool | None = None,
     **axes: Any,
 ) -> xarray.Dataset:
-    """A quantity at all points of named axes, as a Dataset with units and meanings.
+    """Compute a quantity at all points of named axes, as a Dataset with units and meanings.
 
-    ``quantity`` is a public function of arrays or its name, such as ``"is_stable"``, and ``axes``
-    are its arguments: numbers, one-dimensional arrays, each a dimension of its argument's name, or
-    xarray's arrays with dimensions of their own (arms whose gamma and delta belong together share
-    one).  With a ``scene`` they are its parts in SI units instead: ``stiffness``, ``damping``,
-    ``mass``, ``sampling_period``, ``delay`` or ``delay_samples``, of a wall ``K`` and ``B``, or
-    ``frequency_hz``; what is not named is the scene's, and results are in N/m, Ns/m, s and Hz.
+    ``quantity`` is a public function of arrays or its name, such as ``"is_stable"``, or a function
+    of your own, which takes arrays by name; processes must be able to import it.
+
+    ``axes`` are the arguments of the quantity: numbers, one-dimensional arrays, or xarray's arrays.
+    A one-dimensional array becomes a dimension with the name of its argument.  xarray's arrays have
+    dimensions of their own; give one shared dimension to gamma and delta of the same arms.
+
+    With a ``scene``, the axes are in SI units instead: ``stiffness``, ``damping``, ``mass``,
+    ``sampling_period``, ``delay`` or ``delay_samples`` of the scene, ``K`` and ``B`` of a wall, or
+    ``frequency_hz``.  The scene provides the other values; results are in N/m, Ns/m, s and Hz.
     ``mass``, ``damping`` and ``stiffness`` are those of the device: stability adds the scene's arm,
-    (2), and passivity counts the device alone, (3).  A function of one's own takes arrays by name,
-    and may run on processes if it can be imported there.
+    (2), and passivity counts the device alone, (3).
 
-    ``reduce`` is what becomes of the dimensions ``over``: ``min``, ``max`` or ``mean`` of numbers,
-    ``all``, ``any``, ``mean`` or ``count`` of truth values, one or several; NaN is not left out.
+    ``reduce`` names one or several reductions of the dimensions ``over``: ``min``, ``max`` or
+    ``mean`` of numbers, ``all``, ``any``, ``mean`` or ``count`` of truth values.  NaN is included.
 
-    The work is cut into blocks of some four million points along the dimensions that stay (or of
-    ``chunks`` points, or lengths by dimension), which ``on`` computes: ``"threads"``, for the
-    kernels release the lock, ``"processes"``, a client of dask.distributed, or any executor of
-    ``concurrent.futures``; ``workers`` is how many threads or processes.  Its bits do not depend
-    on that.  A bar on a terminal shows how far it is.
+    The work is cut into blocks of some four million points along the dimensions that are not
+    reduced; ``chunks`` sets the number of points, or the lengths by dimension.  ``on`` computes the
+    blocks: ``"threads"`` (the kernels release the lock), ``"processes"``, a client of
+    dask.distributed, or any executor of ``concurrent.futures``.  ``workers`` is the number of
+    threads or processes.  The result is the same bit for bit on all of them.
 
-    ``to`` is where it is kept, block by block: a name that ends in ``.zarr``, which may be the
-    address of a store, or in ``.parquet``.  The same call again resumes it after a kill; another
-    call, other code of symhaptic or of the function, and a second writer are refused.
-    With ``lazy`` nothing is computed yet: the arrays are Dask's.  So they are where the result
-    is larger than half of the memory and has no place.
+    ``to`` stores the result block by block: a name or the address of a store that ends in
+    ``.zarr``, or a name that ends in ``.parquet``.  Make the same call again to resume an
+    interrupted sweep.  Another call, changed code of symhaptic or of the function, and a second
+    writer are refused.  ``lazy`` returns Dask arrays and computes nothing yet; this is the default
+    for a result that is larger than half of the memory and is not stored.
 
-    Raises :class:`ValueError` for what cannot be swept so, in one line, before it begins, and
+    Raises :class:`ValueError`, before it begins, if the sweep is impossible, and
     :class:`ModuleNotFoundError` without the extra ``symhaptic[sweep]``.
 
     >>> import numpy as np

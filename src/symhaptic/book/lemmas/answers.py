@@ -2,33 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
-from sympy import Add, Integer, Ne, S, cos, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import T, b, d, omega, theta, z
-from symhaptic.notation.proposition import Relation, whole
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import ANSWER, TAPS
 from symhaptic.proof.theorems.energy import toeplitz
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import combined, is_whole
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    denied,
-    denied_by,
-    follows,
-    for_all,
-    not_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 
 PUSHES = Add(*TAPS) >= 0
 """H(1) >= 0: at rest the environment does not pull."""

@@ -2,37 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import right_of_the_line
 from symhaptic.book.lemmas.more_damped import more_damped_is_stable
 from symhaptic.book.lemmas.outpaced import at_point, on_this_side
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.polygon import all_stable
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import bounds
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import conjuncts, whole
 from symhaptic.paper.propositions import areas
 from symhaptic.paper.propositions.ratio import ARM
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.roots import first_minors
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
 
 ANGLES = {
     1: ("0.54798", "0.55486", "0.67669", "0.79081"),
@@ -54,12 +34,12 @@ PLANT: areas.Wall = (ARM[gamma], ARM[delta])
 def lowest(delay: int) -> Theorem:
     """A first minor of Hurwitz' is positive for every stable wall: linear in alpha and beta."""
     loops = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, S(delay)))
-    loop: Any = part(loops, loops.conclusion.parts[1])
-    zeros = applied(loop, assume(loop.conclusion.of[0]))
+    loop: Any = conjunct(loops, loops.conclusion.parts[1])
+    zeros = mp(loop, assume(loop.conclusion.of[0]))
     found = first_minors(zeros, 1)
     first, second = conjuncts(found.conclusion)
     assert first
-    return closed(part(found, second), fact(whole(S(delay))))
+    return closed(conjunct(found, second), fact(whole(S(delay))))
 
 
 @cache
@@ -88,7 +68,7 @@ def above_the_line(delay: int, side: areas.Side) -> Theorem:
 @cache
 def _right(delay: int) -> Theorem:
     """-gamma < alpha of a stable wall."""
-    return closed(placed(right_of_the_line(), {d: S(delay)}), fact(whole(S(delay))))
+    return closed(inst(right_of_the_line(), {d: S(delay)}), fact(whole(S(delay))))
 
 
 @cache
@@ -102,8 +82,8 @@ def around(delay: int) -> Theorem:
     for side, theorem in zip((low, *others), shown, strict=True):
         share = S.One if side is not low else -low[1]
         known.append(combined(areas.within([side])[0], [share, theorem]))
-    found = of_every_plant(conjoined(*known))
-    there = numbers_known(placed(found, ARM))
+    found = of_every_plant(conj(*known))
+    there = numbers_known(inst(found, ARM))
     claim: Any = areas.in_polygon(delay, areas.outer(delay)).at(ARM)
     return for_all((alpha, beta), [claim.body.of[0]], there)
 
@@ -120,15 +100,15 @@ def delay_takes_area() -> Theorem:
     found = []
     for delay in range(areas.LONGEST):
         *_, less = areas.smaller(delay).of  # type: ignore[attr-defined]
-        found.append(conjoined(inside(delay), around(delay + 1), number(less)))
-    return conjoined(*found)
+        found.append(conj(inside(delay), around(delay + 1), number(less)))
+    return conj(*found)
 
 
 @cache
 def damper_adds() -> Theorem:
     """With more damping all stable walls stay stable, without delay."""
     symbols, given, _ = taken_apart(areas.kept_by_the_damper())
-    return for_all(symbols, given, weakened(more_damped_is_stable(), *given))
+    return for_all(symbols, given, add_assum(more_damped_is_stable(), *given))
 
 
 @cache
@@ -136,9 +116,9 @@ def mass_adds() -> Theorem:
     """Twice the mass: more area of walls (K, B)."""
     _, rectangle, less = areas.grown_with_the_mass().of  # type: ignore[attr-defined]
     heavy = all_stable((areas.HEAVY[gamma], areas.HEAVY[delta]), 0, areas.INSIDE)
-    wall = {name: numbers_known(placed(t, ARM)) for name, t in bounds().items()}
+    wall = {name: numbers_known(inst(t, ARM)) for name, t in bounds().items()}
     softer = positive(areas.AROUND[2][2] - alpha > 0, [wall["left"]], [ARM[gamma]])
     ways = [wall["right"], wall["up"], softer, wall["down"]]
     given, goals = conjuncts(rectangle.body.of[0]), conjuncts(rectangle.body.of[1])
     known = [combined(goal, [way]) for goal, way in zip(goals, ways, strict=True)]
-    return conjoined(heavy, for_all((alpha, beta), given, conjoined(*known)), number(less))
+    return conj(heavy, for_all((alpha, beta), given, conj(*known)), number(less))

@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import Eq, Expr, Ne, S, Symbol
-
-from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
-from symhaptic.notation.proposition import Implies, Or, Proposition, Relation, Terms
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, second
 from symhaptic.paper.propositions.arm import x, y, y_D, y_H
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    substituted,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, fact, one, over, positive
 
 PLAIN = dict.fromkeys((T, m_D, m_H, b_D, b_H, k_H, delta), S.One) | {gamma: S.Half}
 """An arm and a device in ones."""
@@ -47,7 +34,7 @@ def numbers(claim: Proposition) -> Theorem:
         )
     ]
     together = positive(Ne(m, 0), [positive(m > 0, [total], [mass, -S.One])])
-    return closed(conjoined(*found), together, positive(Ne(m_D + m_H, 0), [total]))
+    return closed(conj(*found), together, positive(Ne(m_D + m_H, 0), [total]))
 
 
 p = Symbol("p")
@@ -72,7 +59,7 @@ def weighted(claim: Proposition) -> Theorem:
         [rules[x], -T * own],
         [rules[y], -T * (1 - own)],
     )
-    found = conjoined(
+    found = conj(
         combined(plain, [rules[delta], 1 / T]),
         made,
         positive(above, [shares[0]], [rules[p], -S.One]),
@@ -150,14 +137,14 @@ def limits(claim: Proposition) -> list[Theorem]:
             over(T * y - DAMPER >= 0, shared, mass),
         ],
     )
-    return [*sums, discharged(mean, y_D <= y, y_H <= y)]
+    return [*sums, disch(mean, y_D <= y, y_H <= y)]
 
 
 def in_seconds(claim: Proposition) -> Theorem:
     """A relation between numbers over powers of the second, or one of several."""
     if isinstance(claim, Or):
         case = next(p for p in claim.of if _difference(p)[0] > 0)
-        return widened(in_seconds(case), claim)
+        return disj(in_seconds(case), claim)
     share, power = _difference(claim)
     rate = over(1 / second > 0, one(), second > 0)
     steps = [[share, *[rate] * power]] if share else []
@@ -179,9 +166,9 @@ def in_numbers(claim: Proposition, at: Terms) -> Theorem:
         for name, value in at.items():
             place = Symbol("q")
             turned = combined(Relation(value, "=", name), [assume(Eq(name, value)), -S.One])
-            known = substituted(wanted.at({name: place}), place, known, turned)
+            known = subst(wanted.at({name: place}), place, known, turned)
         found.append(known)
-    return conjoined(*found)
+    return conj(*found)
 
 
 def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:

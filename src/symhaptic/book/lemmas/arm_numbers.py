@@ -2,45 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, S, Symbol, exp, pi
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import linear
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, delta, e, gamma, n_0, n_1, nu, s_1, s_2, u
-from symhaptic.notation.proposition import Implies, Proposition, Relation, both
-from symhaptic.proof.derivative import derivative
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_static,
-    of_device,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    placed,
-    substituted,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    number,
-)
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 HALF = S.Half
 SLOW = Relation(gamma - delta**2 / 4, "<", pi**2)
@@ -73,7 +41,7 @@ def _falls() -> Theorem:
     """0 <= 1 - exp(-delta u) for 0 <= delta, 0 < u."""
     claim = Relation(S.Zero, "<=", 1 - exp(-delta * u))
     lower = positive(-delta * u < 0, [delta > 0, u > 0])
-    rises = placed(_exponential(), {_PLACE: -delta * u})
+    rises = inst(_exponential(), {_PLACE: -delta * u})
     damped = combined(claim, [closed(rises, lower)])
     return damped_or_not(claim, damped, number(Relation(S.Zero, "<=", S.Zero)))
 
@@ -88,8 +56,8 @@ def damped_or_not(claim: Proposition, damped: Theorem, free: Theorem) -> Theorem
     """A claim for 0 <= delta from those for 0 < delta and, with 0 for it, delta = 0."""
     weak = positive(delta >= 0, delta >= 0)
     zero = both_ways(weak, assume(Relation(delta, "<=", S.Zero)))
-    undamped = substituted(claim.at({delta: _PLACE}), _PLACE, free, zero)
-    return by_cases(ordered(S.Zero, delta), damped, undamped)
+    undamped = subst(claim.at({delta: _PLACE}), _PLACE, free, zero)
+    return disj_cases(ordered(S.Zero, delta), damped, undamped)
 
 
 @cache
@@ -138,9 +106,9 @@ def gap(strict: bool = False) -> Theorem:
     claim = Relation(S.Zero, "<=", GAP)
     given = (DEVICE, gamma >= 0, SLOW)
     implied = Implies((both(given), claim))
-    free = discharged(weakened(_undamped(), *(undamped(p) for p in given)), *map(undamped, given))
-    found = damped_or_not(implied, discharged(weakened(damped, *given), *given), free)
-    return unfolded(found)
+    free = disch(add_assum(_undamped(), *(undamped(p) for p in given)), *map(undamped, given))
+    found = damped_or_not(implied, disch(add_assum(damped, *given), *given), free)
+    return undisch(found)
 
 
 def undamped(claim: object) -> Proposition:
@@ -153,7 +121,7 @@ def _damped(spring: Theorem) -> Theorem:
     x = delta * u
     bent = (1 + x / 2) * exp(-x) - 1 + x / 2
     size = closed(over(1 / delta > 0, one(), delta > 0))
-    there = closed(placed(_bent(), {_PLACE: x}), positive(x > 0, [delta > 0, u > 0]))
+    there = closed(inst(_bent(), {_PLACE: x}), positive(x > 0, [delta > 0, u > 0]))
     test = -u * (1 - exp(-x)) - gamma * (1 - u) * bent / delta**2
     first, second = -delta - gamma / 2, gamma / 2 - delta
     kernel = first + second * exp(-x)
@@ -198,7 +166,7 @@ def _undamped() -> Theorem:
     top = 1 - e + gamma * n_0 - gamma / 2 * TOTAL
     spring = assume(gamma >= 0)
     raised = combined(Relation(S.Zero, "<=", top), [HALF, spring, less], [image, S.One])
-    total = placed(together(), {delta: S.Zero})
+    total = inst(together(), {delta: S.Zero})
     return over(undamped(Relation(S.Zero, "<=", GAP)), raised, total)
 
 
@@ -209,8 +177,8 @@ def signs() -> Theorem:
     above = positive(delta + gamma / 2 < NUMBERS[s_1], [gap(strict=True)])
     product = assume(gamma * delta > 0)
     parts = [_positive(s, product) for s in (gamma, delta)]
-    strict = discharged(closed(above, *parts), gamma * delta > 0)
-    return conjoined(*share(), mass(), line, strict)
+    strict = disch(closed(above, *parts), gamma * delta > 0)
+    return conj(*share(), mass(), line, strict)
 
 
 def _positive(of: Symbol, product: Theorem) -> Theorem:

@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Ne, Rational, S
-
-from symhaptic.notation import T, b, delta, m
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.kernel import Theorem
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import one, over, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 
 FIFTIETH = Rational(1, 50)
 """The largest delta of (23)."""

@@ -2,15 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, S, Symbol, cos, exp, sin, tan
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, theta
-from symhaptic.notation.proposition import And, Predicate, Proposition, Relation
 from symhaptic.paper.propositions.stability import (
     SQUARE,
     at_angle,
@@ -18,23 +12,6 @@ from symhaptic.paper.propositions.stability import (
     on_boundary,
     stiffness,
 )
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import device_at_rest, held_steady_state, sign_of, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    mirrored,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, either_way, positive
 
 HALF = S.Half
 
@@ -67,7 +44,7 @@ def explicit_wall(root: Proposition, wall: Proposition, top: Expr, square_: Expr
     zero = assume(root)
     other = mirrored(zero)
     stiff, damped = (assume(p) for p in wall.parts)
-    there = conjoined(
+    there = conj(
         combined(stiff.conclusion, [zero, across], [other, mirror(across)]),
         combined(damped.conclusion, [zero, height], [other, mirror(height)]),
     )
@@ -131,8 +108,8 @@ def begins_there(delay: Expr = d, lower: Expr = S.Zero) -> Theorem:
         equal = closed(combined(Relation(raw, "=", value), [static, -share]), *apart)
         place = Symbol("q")
         pattern = Predicate("limit", (theta,), (expr, start, place))
-        found.append(closed(substituted(pattern, place, limit, equal), *apart))
-    return conjoined(*found)
+        found.append(closed(subst(pattern, place, limit, equal), *apart))
+    return conj(*found)
 
 
 def static_difference() -> Expr:
@@ -143,5 +120,5 @@ def static_difference() -> Expr:
 def at_rest() -> tuple[Theorem, Theorem]:
     """1 - a + e = gamma (n_1 + n_0) and 0 < n_1 + n_0, of a damped device."""
     rest = device_at_rest(assume(DEVICE))
-    static, pushed, _ = (part(rest, claim) for claim in rest.conclusion.parts)
+    static, pushed, _ = (conjunct(rest, claim) for claim in rest.conclusion.parts)
     return static, pushed

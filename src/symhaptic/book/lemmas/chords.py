@@ -5,29 +5,11 @@ Each function takes an angle and gives a theorem, under N > 2, 0 < psi and N psi
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache, wraps
+from functools import wraps
 
-from sympy import Expr, I, S, cos, exp, pi, sin
-
-from symhaptic.notation import N, phi, psi
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.normal import is_zero
-from symhaptic.proof.theorems.analysis import above_its_start, grows, increases
-from symhaptic.proof.theorems.familiar import ordered, rising, sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import (
-    factor,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.proof.theorems.analysis import grows
 
 HALF = S.Half
 PI = number(Relation(S.Zero, "<", pi))
@@ -40,7 +22,7 @@ def anywhere(theorem: Callable[[], Theorem]) -> Callable[..., Theorem]:
     @cache
     @wraps(theorem)
     def there(angle: Expr = psi) -> Theorem:
-        return made() if angle == psi else placed(made(), {psi: angle})
+        return made() if angle == psi else inst(made(), {psi: angle})
 
     return there
 
@@ -150,7 +132,7 @@ def chord_after() -> Theorem:
     turned = closed(sign_of(cos, room - pi), low, high)
     goal = rest.xreplace({phi: psi}) > 0
     late = positive(goal, [sine_of_larger(psi)], [size(), sine(psi), turned])
-    return by_cases(ordered(room, pi), early, late)
+    return disj_cases(ordered(room, pi), early, late)
 
 
 @anywhere
@@ -170,7 +152,7 @@ def bend() -> Theorem:
     rises = increases(rest, phi, S.Zero, pi / N, slope, defined)
     found = above_its_start(closed(rises, *apart), tends(rest, phi, S.Zero, S.Zero))
     found = closed(found, positive(phi < pi / N, [below]), *apart)
-    return placed(found, {phi: psi})
+    return inst(found, {phi: psi})
 
 
 def not_zero(theorem: Theorem) -> Theorem:

@@ -2,44 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, Symbol, cancel, cos, sin
+from sympy import cancel
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import divisors as line_divisors
 from symhaptic.book.lemmas.linear_part import margin_below, shares
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.scaling import moved
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, k, m, theta, z
-from symhaptic.notation.proposition import Relation, whole
+from symhaptic.notation import b
 from symhaptic.proof.theorems.definitions import loop
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, root_outside
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 from symhaptic.rules.claims import EXACT, STABLE, UNITS
 
 HALF = S.Half
@@ -61,9 +34,9 @@ def apart() -> list[Theorem]:
 
 def _stable(margins: Theorem) -> Theorem:
     """A damped wall that pushes, with a margin at every angle, is stable in SI units; d whole."""
-    found = closed(part(passive_is_stable(), EXACT), margins)
+    found = closed(conjunct(passive_is_stable(), EXACT), margins)
     square, ratio = _scales()
-    found = placed(found, UNITS)
+    found = inst(found, UNITS)
     sprung = positive(k * T**2 / m >= 0, [square, k >= 0])
     pushed = positive(K * T**2 / m > 0, [square, K > 0])
     stiff = positive(K * T**2 / m + k * T**2 / m > 0, [square, K > 0], [square, k >= 0])
@@ -79,7 +52,7 @@ def _undelayed_angles() -> tuple[Theorem, Theorem]:
         (cos((place + 1) * theta), cos(theta)),
     )
     found = [
-        substituted(Relation(turned, "=", plain), place, identity(plain, plain), late)
+        subst(Relation(turned, "=", plain), place, identity(plain, plain), late)
         for turned, plain in sides
     ]
     zero = combined(Relation(S.Zero, "=", d), [assume(Eq(d, 0)), -1])
@@ -106,7 +79,7 @@ def twice_the_damping(rule: Any) -> Theorem:
     none = combined(Eq(B * T / m, 0), [assume(Eq(B, 0)), T / m])
     place = Symbol("q")
     now = combined(Relation(S.Zero, "=", d), [assume(Eq(d, 0)), -1])
-    at_once = substituted(whole(place), place, fact(whole(0)), now)
+    at_once = subst(whole(place), place, fact(whole(0)), now)
     return closed(found, enough, none, damped, at_once, *apart())
 
 
@@ -115,7 +88,7 @@ def damping_over_delay(rule: Any) -> Theorem:
     """0 < K < (b + B)/(dT + T/2) is stable for B <= b d/(2d + 3); d whole."""
     units = {K: alpha, B: beta, b: delta, T: S.One}
     room = assume(b + B - K * T * (d + HALF) >= 0)
-    margins = placed(margin_below(room), units)
+    margins = inst(margin_below(room), units)
     margins = closed(margins, fact(Relation(S.Zero, "<", S.One)))
     found = _stable(margins)
     square, _ = _scales()
@@ -151,20 +124,20 @@ NOTHING = [Eq(s, 0) for s in (k, b, d)]
 
 def _inequalities() -> Theorem:
     """The same in SI units."""
-    return closed(placed(free_mass(), {s: UNITS[s] for s in (alpha, beta)}), *apart())
+    return closed(inst(free_mass(), {s: UNITS[s] for s in (alpha, beta)}), *apart())
 
 
 @cache
 def never_undamped() -> Theorem:
     """No stiffness K > 0 keeps a free mass stable without virtual damping."""
     known = [None, None, *map(assume, NOTHING)]
-    there = applied(_inequalities(), moved(assume(STABLE), STILL, known))
-    *_, minor = (part(there, p) for p in there.conclusion.of)  # type: ignore[attr-defined]
+    there = mp(_inequalities(), moved(assume(STABLE), STILL, known))
+    *_, minor = (conjunct(there, p) for p in there.conclusion.of)  # type: ignore[attr-defined]
     least = minor.conclusion.right  # type: ignore[attr-defined]
     spring, none = positive(K * T**2 / m > 0, [_scales()[0], K > 0]), assume(Eq(B, 0))
     rest = cancel((least + K * T**2 / (2 * m)) / B)
     denial = combined(Relation(least, "<=", S.Zero), [HALF, spring], [none, rest])
-    return closed(absurd(minor, denial, STABLE), *apart())
+    return closed(not_intro(minor, denial, STABLE), *apart())
 
 
 @cache
@@ -183,7 +156,7 @@ def damped_contact(rule: Any) -> Theorem:
         fact(four),
         positive(minor, [HALF**2, size, size, T > 0, room]),
     ]
-    still = applied(wanted, conjoined(*shown))
+    still = mp(wanted, conj(*shown))
     known = [None, None, *map(assume, NOTHING)]
     return closed(moved(still, STABLE, known), not_zero(below), *apart())
 

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from sympy import Expr
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Later
 from symhaptic.book.page import Page
 from symhaptic.forms.entire import Entire
 from symhaptic.notation import function
-from symhaptic.notation.proposition import both
-from symhaptic.proof.theorems.kernel import conjoined
 
 
 def statement(form: str) -> str:
@@ -30,7 +25,7 @@ def settle(page: Page, form: str, blocks: Sequence[Later], says: str) -> None:
     """
     page.state(statement(form), says, claim=both(later.block.says() for later in blocks))
     shown = [later.derive() for later in blocks]
-    whole = shown[0] if len(shown) == 1 else conjoined(*shown)
+    whole = shown[0] if len(shown) == 1 else conj(*shown)
     page.settle(
         statement(form), whole, example=None if len(shown) > 1 else blocks[0].block.example()
     )

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Ne, S, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.largest_damping import divisors
 from symhaptic.book.lemmas.passivity import PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.undelayed import passive_in_numbers
-from symhaptic.notation import T, b, omega, theta
-from symhaptic.notation.proposition import Proposition, Terms, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import FIVE, at_every_frequency
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.familiar import strictly
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, part
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, fact, for_all, positive
 
 
 def frequencies_met(frequencies: Any) -> Theorem:
@@ -28,7 +19,7 @@ def frequencies_met(frequencies: Any) -> Theorem:
         positive(angle > 0, [omega > 0, T > 0]),
         closed(positive(angle < pi, [omega < pi / T, T > 0]), not_zero(assume(T > 0))),
     )
-    always = part(applied(passive_by_angle(), assume(PASSIVE)), every_margin())
+    always = conjunct(mp(passive_by_angle(), assume(PASSIVE)), every_margin())
     weak = positive(b >= FIVE.rhs, [at(always, {theta: angle}, *inside)])
     below = closed(closed(weak, *divisors(angle)), *inside, not_zero(assume(T > 0)))
     apart = at(assume(off_border()), {omega: omega}, *map(assume, INSIDE_BAND))
@@ -51,13 +42,13 @@ def on_the_border(claim: Proposition, point: Terms) -> tuple[Theorem, Theorem]:
     same = taken_apart(claim)[2].at(point)
     passive = passive_in_numbers(point)
     inside = [fact(proposition(p).at({omega: S.One, T: S.One})) for p in INSIDE_BAND]
-    met = at(applied(assume(same), passive), {omega: S.One}, *inside)
+    met = at(mp(assume(same), passive), {omega: S.One}, *inside)
     need = met.conclusion.left  # type: ignore[attr-defined]
     equal = identity(need, point[b])
     equal = closed(equal, *map(fact, equal.hypotheses))
     denied_ = off_border().at(point)
     apart = at(assume(denied_), {omega: S.One}, *inside)
-    return absurd(met, equal, same), absurd(apart, equal, denied_)
+    return not_intro(met, equal, same), not_intro(apart, equal, denied_)
 
 
 INSIDE = (omega > 0, omega < pi)
@@ -81,4 +72,4 @@ def apart(met: Theorem) -> Theorem:
 def gaining(claim: Proposition, point: Terms, met: Theorem, motion: Any) -> Theorem:
     """It meets (5) and a motion gains energy: (5) does not decide."""
     there = taken_apart(claim)[2].at(point)
-    return absurd(applied(assume(there), met), gains(list(point.values()), motion), there)
+    return not_intro(mp(assume(there), met), gains(list(point.values()), motion), there)

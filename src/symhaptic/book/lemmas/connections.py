@@ -2,15 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.late_passive_is_stable import late_passive_is_stable
-from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, z
-from symhaptic.notation.proposition import negated, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import LOOP, PASSIVE_WALL
 from symhaptic.paper.propositions.systems import (
     CHAIN,
@@ -26,19 +19,6 @@ from symhaptic.paper.propositions.systems import (
     connected,
 )
 from symhaptic.proof.theorems.definitions import loop
-from symhaptic.proof.theorems.familiar import square, strictly, with_rest
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    chosen,
-    discharged,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.roots import zero_on_circle
-from symhaptic.proof.theorems.tactics import at, closed, denied_by, fact, one, over, positive
 
 NO_CHAIN = KIND < CHAIN
 HELD = alpha + gamma > 0
@@ -48,7 +28,7 @@ DAMPED = delta > 0
 @cache
 def parallel() -> Theorem:
     """n = 1 => 0 <= R_1 + R_2."""
-    return discharged(positive(REAL[PARALLEL] >= 0, [R_1 >= 0], [R_2 >= 0]), Eq(KIND, PARALLEL))
+    return disch(positive(REAL[PARALLEL] >= 0, [R_1 >= 0], [R_2 >= 0]), Eq(KIND, PARALLEL))
 
 
 @cache
@@ -60,14 +40,14 @@ def fed_back() -> Theorem:
     answer = R_1 + (R_1**2 + X_1**2) * R_2
     first, turned = [R_2 >= 0, square(R_1)], [R_2 >= 0, square(X_1)]
     found = over(REAL[FED_BACK] >= 0, positive(answer >= 0, [R_1 >= 0], first, turned), size)
-    return discharged(closed(found, apart), Eq(KIND, FED_BACK), Ne(SIZE, 0))
+    return disch(closed(found, apart), Eq(KIND, FED_BACK), Ne(SIZE, 0))
 
 
 def no_chain() -> Theorem:
     """n = 3 => anything, for n < 3."""
     never = combined(KIND >= CHAIN, [assume(Eq(KIND, CHAIN)), -1])
-    claim = anything(absurd(assume(NO_CHAIN), never), REAL[CHAIN] >= 0)
-    return discharged(claim, Eq(KIND, CHAIN))
+    claim = contr(not_intro(assume(NO_CHAIN), never), REAL[CHAIN] >= 0)
+    return disch(claim, Eq(KIND, CHAIN))
 
 
 @cache
@@ -81,7 +61,7 @@ def negative(point: Mapping[Expr, Expr]) -> Theorem:
     claim = connected(CHAIN).at(point)
     kind, real = claim.of  # type: ignore[attr-defined]
     below = fact(negated(real))
-    return absurd(applied(assume(claim), fact(kind)), below, claim)
+    return not_intro(mp(assume(claim), fact(kind)), below, claim)
 
 
 @cache
@@ -96,7 +76,7 @@ def passive_wall_is_stable() -> Theorem:
         assume(PASSIVE_WALL),
     ]
     found = at(late_passive_is_stable(), behind, *given)
-    return chosen(turns, found)
+    return choose(turns, found)
 
 
 def stays_on_circle(point: Mapping[Expr, Expr], angle: Expr) -> Theorem:

@@ -5,33 +5,12 @@ Without delay, N = 2, the envelope is a single wall, which leaves no margin at a
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, Rational, S, exp, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import damping, divisor, line, stiffness
 from symhaptic.book.lemmas.extent import sine as sine_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tip import ITS_DAMPING, STIFFEST, tip
 from symhaptic.book.lemmas.touching import GOAL, touches
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import decided, sign_of, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    identity,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 CORNER = 3 * N / (2 * (N**2 - 1)), (N**2 + 2) / (2 * (N**2 - 1))
 """Where the envelope begins, at phi -> 0."""
@@ -68,13 +47,13 @@ def undelayed(goal: Any, *divisors: Theorem) -> Theorem:
     zero = closed(identity(there.right, S.Zero), *divisors)  # type: ignore[attr-defined]
     weak = combined(there, [zero, S.NegativeOne])
     equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
-    return substituted(claim, x, weak, equation)
+    return subst(claim, x, weak, equation)
 
 
 def either_delay(delayed: Theorem, undelayed: Theorem) -> Theorem:
     """What holds for N > 2 and for N = 2 holds for N >= 2."""
     more = strictly(assume(N >= 2), combined(Ne(S(2), N), [assume(Ne(N, 2))]))
-    return by_cases(decided(N, 2), undelayed, closed(delayed, more))
+    return disj_cases(decided(N, 2), undelayed, closed(delayed, more))
 
 
 @cache
@@ -101,7 +80,7 @@ def wide(angle: Expr = psi) -> Theorem:
     claim = proposition(divisor(angle).subs(N, x) > 0)
     product = positive(divisor(angle).subs(N, 2) > 0, [4, *waves(angle)])
     equation = combined(Eq(S(2), N), [assume(Eq(N, 2)), S.NegativeOne])
-    return either_delay(width(angle), substituted(claim, x, product, equation))
+    return either_delay(width(angle), subst(claim, x, product, equation))
 
 
 @cache

@@ -1,12 +1,7 @@
 """The hyperbolic cotangent of half a number exceeds two over the number."""
 
-from sympy import Ne, Rational, S, cosh, diff, sinh
-
-from symhaptic.notation import delta, t
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import rising
-from symhaptic.proof.theorems.kernel import Theorem, placed
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 
 def cotangent_exceeds() -> Theorem:
@@ -16,7 +11,7 @@ def cotangent_exceeds() -> Theorem:
     rest = t * cosh(t / 2) - 2 * sinh(t / 2)
     slope = positive(diff(rest, t) > 0, [Rational(1, 2), t > 0, sine])
     above = positive(rest.subs(t, delta) > 0, [grows(rest, t, S.Zero, delta, slope)])
-    sine = placed(sine, {t: delta})
+    sine = inst(sine, {t: delta})
     below = positive(delta * sinh(delta / 2) > 0, [delta > 0, sine])
     apart = positive(Ne(sinh(delta / 2), 0), [sine]), positive(Ne(delta, 0), delta > 0)
     excess = cosh(delta / 2) / sinh(delta / 2) - 2 / delta

@@ -2,24 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
-
-from sympy import Eq, S
-
 from symhaptic.book.lemmas.marginal import behind
-from symhaptic.notation import d
-from symhaptic.notation.proposition import And, Or, Proposition, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    discharged,
-    weakened,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.book.lemmas.prelude import *
 
 
 @cache
@@ -28,15 +12,15 @@ def counted(longest: int) -> Theorem:
     cases = [proposition(Eq(d, n)) for n in range(longest)]
     claim = Or((*cases, proposition(d >= longest)))
     start = claim.at({d: S.Zero})
-    begin = widened(number(Relation(S.Zero, "=", S.Zero)), start)
+    begin = disj(number(Relation(S.Zero, "=", S.Zero)), start)
     after = claim.at({d: d + 1})
     *equal, beyond = after.parts[1:]
     steps = [combined(then, [assume(case), 1]) for case, then in zip(cases, equal, strict=False)]
     steps.append(combined(beyond, [assume(cases[-1]), -1]))
     steps.append(combined(beyond, [assume(claim.of[-1])], [1]))
-    step = by_cases(assume(claim), *(widened(shown, after) for shown in steps))
+    step = disj_cases(assume(claim), *(disj(shown, after) for shown in steps))
     given = And((whole(d), claim))
-    return induction(claim, d, begin, discharged(weakened(step, whole(d)), given))
+    return induction(claim, d, begin, disch(add_assum(step, whole(d)), given))
 
 
 def each_delay(
@@ -44,4 +28,4 @@ def each_delay(
 ) -> Theorem:
     """A claim for every whole delay: of each of the first ones, and of all that are longer."""
     shown = [behind(n, claim, build(n)) for n in range(longest)]
-    return by_cases(counted(longest), *shown, late)
+    return disj_cases(counted(longest), *shown, late)

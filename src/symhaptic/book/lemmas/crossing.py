@@ -2,30 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, S, Symbol, cos, exp, pi, sin
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, e, n_0, n_1, theta
-from symhaptic.notation.proposition import Proposition, Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    ordered,
-    rising,
-    sign_of,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored
-from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
 TURN = exp(I * theta)
 PLANT = exp(I * (d + 1) * theta) * (TURN**2 - a * TURN + e)
@@ -92,12 +70,12 @@ def speed_outwards() -> Theorem:
 def one_angle() -> Theorem:
     """The surplus is q(y) of degree two, with y = 2 - 2 cos(theta), so that it rises once."""
     wanted = Relation(theta, "=", OTHER)
-    later = by_cases(
+    later = disj_cases(
         ordered(OTHER, theta),
-        anything(_apart(OTHER, theta), wanted),
+        contr(_apart(OTHER, theta), wanted),
         both_ways(assume(theta <= OTHER), assume(theta >= OTHER)),
     )
-    found = by_cases(ordered(theta, OTHER), anything(_apart(theta, OTHER), wanted), later)
+    found = disj_cases(ordered(theta, OTHER), contr(_apart(theta, OTHER), wanted), later)
     return for_all((*NAMES, OTHER), twice(), found)
 
 
@@ -112,7 +90,7 @@ def _apart(smaller: Symbol, larger: Symbol) -> Theorem:
     product = (2 * cos(smaller) - 2 * cos(larger)) * _mean(smaller, larger)
     equal = [assume(EQUAL.at({theta: s})) for s in (larger, smaller)]
     nothing = combined(Relation(product, "=", S.Zero), [equal[0], 1], [equal[1], -S.One])
-    return absurd(combined(product > 0, [ahead, rises]), nothing)
+    return not_intro(combined(product > 0, [ahead, rises]), nothing)
 
 
 def _quadratic(y: Expr) -> Expr:

@@ -6,15 +6,10 @@ n_0 and delta.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Rational, S, exp
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
@@ -23,29 +18,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, u
-from symhaptic.notation.proposition import Relation, both, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_static,
-    of_device,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
+from symhaptic.notation import u
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
 
 FREE = {gamma: S.Zero}
 LIGHT = {gamma: (S.Zero, S.Zero), delta: (S.Zero, Rational(1, 3))}
@@ -67,7 +41,7 @@ def slow() -> Theorem:
 @cache
 def signs() -> tuple[Theorem, ...]:
     """0 < n_1, 0 < n_0 and n_0 <= n_1."""
-    return tuple(numbers_known(closed(placed(t, FREE), slow())) for t in pushed())
+    return tuple(numbers_known(closed(inst(t, FREE), slow())) for t in pushed())
 
 
 @cache
@@ -82,7 +56,7 @@ def numbers() -> tuple[Theorem, Theorem]:
         return closed(combined(claim, [way], [image, -sign]), slow())
 
     loss = both_ways(weak(1 - e <= delta * TOTAL, 1), weak(1 - e >= delta * TOTAL, -1))
-    return placed(device_static(assume(DEVICE)), FREE), loss
+    return inst(device_static(assume(DEVICE)), FREE), loss
 
 
 def said_of(claim: Any, known: Theorem) -> Theorem:
@@ -102,7 +76,7 @@ def _difference(claim: Any) -> Expr:
 
 def light(theorem: Theorem) -> Theorem:
     """What is known of all plants of the box, without a spring."""
-    return numbers_known(placed(theorem, FREE))
+    return numbers_known(inst(theorem, FREE))
 
 
 @cache
@@ -122,9 +96,9 @@ def needed() -> Theorem:
         [second, stiff, toward],
     )
     wanted = Relation(-delta, "<", beta)
-    contrary = anything(absurd(kept, lost), wanted)
-    damped = by_cases(ordered(-delta, beta), assume(wanted), contrary)
-    return closed(conjoined(stiff, damped, kept), not_zero(rise), not_zero(second))
+    contrary = contr(not_intro(kept, lost), wanted)
+    damped = disj_cases(ordered(-delta, beta), assume(wanted), contrary)
+    return closed(conj(stiff, damped, kept), not_zero(rise), not_zero(second))
 
 
 @cache
@@ -142,7 +116,7 @@ def enough() -> Theorem:
     both_ = positive(TOTAL * (beta + delta) > 0, [rise, brake])
     product = positive(TOTAL * (beta + delta) * (1 - n_0 * beta) > 0, [last], [second, push, above])
     edge = over(1 - n_0 * beta > 0, product, both_)
-    loop = placed(by_inequalities(0), FREE)
+    loop = inst(by_inequalities(0), FREE)
     at_one, at_half, flat, minor = loop.conclusion.of[1].parts  # type: ignore[attr-defined]
     plane = _of_damped(at_half)
     plane = positive(plane > 0, [2, rise, brake], [apart, push])
@@ -156,14 +130,14 @@ def enough() -> Theorem:
         [more, apart, apart, brake, edge],
     )
     third = over(third > 0, product, scale)
-    found = conjoined(
+    found = conj(
         said_of(at_one, positive(TOTAL * alpha > 0, [rise, push])),
         said_of(at_half, plane),
         said_of(flat, third),
         said_of(minor, last),
     )
     divisors = map(not_zero, (both_, scale))
-    return closed(applied(loop, found), *divisors)
+    return closed(mp(loop, found), *divisors)
 
 
 def _of_damped(claim: Any) -> Expr:
@@ -175,5 +149,5 @@ def _of_damped(claim: Any) -> Expr:
 @cache
 def stable_damped_mass() -> Theorem:
     """stable <=> 0 < alpha, -delta < beta and 0 < MINOR."""
-    stable = placed(by_inequalities(0), FREE).conclusion.of[0]  # type: ignore[attr-defined]
+    stable = inst(by_inequalities(0), FREE).conclusion.of[0]  # type: ignore[attr-defined]
     return either_way(needed(), enough(), stable, WALLS)

@@ -2,47 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, Ne, S, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Exists, Or, Predicate, Proposition, Relation, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    device_exists,
-    device_static,
-    loop_late,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    cut,
-    discharged,
-    part,
-    placed,
-    substituted,
-    unfolded,
-    widened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    is_whole,
-)
-from symhaptic.proof.theorems.roots import last_coefficient, zero_on_circle
-from symhaptic.proof.theorems.tactics import closed, every, for_all, over, positive
 
 OVER, LESS, FEWER = sp.symbols("p q r")
 """d = p/(s + 1), and q = p - 1."""
@@ -53,10 +15,10 @@ def none_or_more() -> Theorem:
     """p = 0 or p - 1 is whole, for whole p."""
     none, more = Relation(OVER, "=", S.Zero), whole(OVER - 1)
     claim = Or((none, more))
-    start = widened(identity(S.Zero, S.Zero), claim.at({OVER: S.Zero}))
+    start = disj(identity(S.Zero, S.Zero), claim.at({OVER: S.Zero}))
     following = claim.at({OVER: OVER + 1})
-    step = widened(is_whole(OVER, assume(whole(OVER))), following)
-    return induction(claim, OVER, start, discharged(step, whole(OVER), claim))
+    step = disj(is_whole(OVER, assume(whole(OVER))), following)
+    return induction(claim, OVER, start, disch(step, whole(OVER), claim))
 
 
 LATE = loop_late(NUMBERS, LOOP, (OVER, LESS))
@@ -70,18 +32,18 @@ BOUND = Exists((x,), every((alpha, beta), [STABLE], beta < x))
 @cache
 def bounded_damping() -> Theorem:
     """Every stable wall has beta < x, with one x for all of a device, under 0 <= d."""
-    either = by_cases(
+    either = disj_cases(
         ordered(n_0, S.Zero),
         _by_the_product(-n_0),
-        by_cases(ordered(S.Zero, n_0), _by_the_product(n_0), _without_a_last_number()),
+        disj_cases(ordered(S.Zero, n_0), _by_the_product(n_0), _without_a_last_number()),
     )
-    return chosen(device_exists(gamma, delta, NUMBERS), either)
+    return choose(device_exists(gamma, delta, NUMBERS), either)
 
 
 def _by_the_product(size: Expr) -> Theorem:
     """n_0 is not 0: beta < 1/|n_0|."""
     product = _last(assume(ZEROS))
-    signs = [part(product, p) for p in product.conclusion.parts]
+    signs = [conjunct(product, p) for p in product.conclusion.parts]
     return _bound(positive(1 - beta * size > 0, [signs[size != n_0]]), size)
 
 
@@ -90,17 +52,17 @@ def _bound(room: Theorem, size: Expr) -> Theorem:
     there = positive(size > 0, -size < 0) if size.could_extract_minus_sign() else assume(size > 0)
     most = sp.expand(room.conclusion.right + beta * size) / size  # type: ignore[attr-defined]
     wall = over(beta < most, room, there)
-    walls = for_all((alpha, beta), [STABLE], chosen(unfolded(LATE), wall))
-    return closed(witnessed(walls, BOUND, {x: most}), positive(Ne(*size.free_symbols, 0), [there]))
+    walls = for_all((alpha, beta), [STABLE], choose(undisch(LATE), wall))
+    return closed(exists(walls, BOUND, {x: most}), positive(Ne(*size.free_symbols, 0), [there]))
 
 
 @cache
 def _without_a_last_number() -> Theorem:
     """n_0 = 0: beta < (2 + e^2)/|n_1|, and no wall is stable for n_1 = 0."""
-    return by_cases(
+    return disj_cases(
         ordered(n_1, S.Zero),
         _by_the_next(-n_1),
-        by_cases(ordered(S.Zero, n_1), _by_the_next(n_1), _without_numbers()),
+        disj_cases(ordered(S.Zero, n_1), _by_the_next(n_1), _without_numbers()),
     )
 
 
@@ -123,31 +85,31 @@ def _in_whole(found: Theorem) -> Theorem:
 
 def _zero(claim: Proposition, symbol: Symbol, equation: Theorem) -> Theorem:
     """The same with 0 for a symbol."""
-    return substituted(claim, symbol, assume(claim), equation)
+    return subst(claim, symbol, assume(claim), equation)
 
 
 def _by_the_next(size: Expr) -> Theorem:
     """The lowest power of z that is left is z^(s+1)."""
     inside = _zero(ZEROS, n_0, NO_LAST)
     claim = inside.conclusion
-    none = cut(_last(_zero(claim, OVER, assume(sp.Eq(OVER, 0))), LESS + 1), inside)
+    none = prove_hyp(_last(_zero(claim, OVER, assume(sp.Eq(OVER, 0))), LESS + 1), inside)
     later = _last(assume(claim.at({OVER: FEWER + 1})), LESS + 1)
-    later = cut(placed(later, {FEWER: OVER - 1}), inside)
+    later = prove_hyp(inst(later, {FEWER: OVER - 1}), inside)
     side, half = size != n_1, S.Half if size == n_1 else -S.Half
     wanted = 2 + e**2 - beta * size > 0
-    lines = [part(found, found.conclusion.parts[side]) for found in (none, later)]
+    lines = [conjunct(found, found.conclusion.parts[side]) for found in (none, later)]
     undelayed = positive(wanted, [lines[0]], [square(e - half)], [sp.Rational(3, 4)])
     delayed = positive(wanted, [lines[1]], [square(e)], [S.One])
-    return _bound(by_cases(none_or_more(), undelayed, delayed), size)
+    return _bound(disj_cases(none_or_more(), undelayed, delayed), size)
 
 
 def _without_numbers() -> Theorem:
     """A device that no held force moves keeps its zero at 1."""
     first = _zero(ZEROS, n_0, NO_LAST)
-    inside = cut(_zero(first.conclusion, n_1, NO_FIRST), first)
+    inside = prove_hyp(_zero(first.conclusion, n_1, NO_FIRST), first)
     static = device_static(assume(DEVICE))
     zero = combined(sp.Eq(1 - a + e, 0), [static, 1], [NO_FIRST, gamma], [NO_LAST, gamma])
     never = _in_whole(zero_on_circle(inside.conclusion.terms[0], z, S.Zero, zero))
-    wall = anything(absurd(inside, never), beta < 0)
-    walls = for_all((alpha, beta), [STABLE], chosen(unfolded(LATE), wall))
-    return witnessed(walls, BOUND, {x: S.Zero})
+    wall = contr(not_intro(inside, never), beta < 0)
+    walls = for_all((alpha, beta), [STABLE], choose(undisch(LATE), wall))
+    return exists(walls, BOUND, {x: S.Zero})

@@ -2,34 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
-
-from sympy import Ne, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import on_line, shares
 from symhaptic.book.lemmas.lower_boundary import nothing_else
 from symhaptic.book.lemmas.passive_boundary import on_boundary
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import stiffest_wall
 from symhaptic.book.lemmas.undelayed_boundary import its_damping, on_it
 from symhaptic.book.lemmas.upper_boundary import loss, upper_boundary
-from symhaptic.notation import B, b, d
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER
-from symhaptic.proof.theorems.familiar import decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, positive
 
 
 def drawn(claim: Any) -> Theorem:
@@ -37,13 +19,13 @@ def drawn(claim: Any) -> Theorem:
     *parts, others, tip = claim.of
     made = on_boundary, on_line, lambda *_: on_it()
     found = [_implied(of, how) for of, how in zip(parts, made, strict=True)]
-    return conjoined(*found, _no_others(others), _implied(tip, stiffest_wall))
+    return conj(*found, _no_others(others), _implied(tip, stiffest_wall))
 
 
 def _implied(implication: Any, made: Callable[..., Theorem]) -> Theorem:
     """One implication, of which the print comes last."""
     known = conjuncts(implication.of[0])
-    return discharged(weakened(made(*map(assume, known[-2:])), *known), implication.of[0])
+    return disch(add_assum(made(*map(assume, known[-2:])), *known), implication.of[0])
 
 
 def _no_others(implication: Any) -> Theorem:
@@ -51,11 +33,11 @@ def _no_others(implication: Any) -> Theorem:
     border, cover = implication.of
     arc, line, _ = cover.of
     late = strictly(assume(d >= 0), combined(Ne(S.Zero, d), [assume(Ne(d, 0))]))
-    above = widened(closed(upper_boundary(arc), late), cover)
+    above = disj(closed(upper_boundary(arc), late), cover)
     damped = positive(B >= 0, [d * b / (2 * d + 3) < B], [loss()])
-    at_once = widened(closed(its_damping(), damped), cover)
-    high = by_cases(decided(d, 0), at_once, above)
-    low = widened(nothing_else(line.body.of[2:]), cover)
-    found = by_cases(ordered(d * b / (2 * d + 3), B), high, low)
+    at_once = disj(closed(its_damping(), damped), cover)
+    high = disj_cases(decided(d, 0), at_once, above)
+    low = disj(nothing_else(line.body.of[2:]), cover)
+    found = disj_cases(ordered(d * b / (2 * d + 3), B), high, low)
     found = closed(found, not_zero(shares()[2]))
-    return discharged(closed(found, part(assume(border), BORDER)), border)
+    return disch(closed(found, conjunct(assume(border), BORDER)), border)

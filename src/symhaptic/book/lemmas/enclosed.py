@@ -2,22 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S, pi
-
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
-from symhaptic.notation import alpha, beta, d, theta, z
-from symhaptic.notation.proposition import Relation, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.plots import enclosed
 from symhaptic.paper.propositions.stability import START, WAY
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, part, placed, weakened
-from symhaptic.proof.theorems.leaves import is_whole, number
-from symhaptic.proof.theorems.roots import roots_stay
-from symhaptic.proof.theorems.tactics import at, closed, for_all, positive
 
 
 @cache
@@ -26,11 +14,11 @@ def enclosed_walls_are_stable() -> Theorem:
     symbols, given, _ = taken_apart(enclosed())
     _, begin, free = given
     readings = loop_of_device(NUMBERS, LOOP)
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     there: Any = loop.conclusion.parts[1].terms[0]
     here = there.subs(dict(zip((alpha, beta), START, strict=True)), simultaneous=True)
-    first = placed(loop, dict(zip((alpha, beta), START, strict=True)))
-    inside = applied(first, assume(begin))
+    first = inst(loop, dict(zip((alpha, beta), START, strict=True)))
+    inside = mp(first, assume(begin))
     share, angle = WAY, theta
     way = [assume(share > 0), assume(share <= 1)]
     circle = [positive(angle >= 0, angle > 0), assume(angle <= pi)]
@@ -39,5 +27,5 @@ def enclosed_walls_are_stable() -> Theorem:
     static = at(assume(free), {share: share, angle: S.Zero}, *way, *ends)
     found = roots_stay(here, there - here, z, share, angle, crossing, static, inside)
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = closed(applied(loop, found), *steps)
-    return for_all(symbols, given, weakened(found, *given))
+    found = closed(mp(loop, found), *steps)
+    return for_all(symbols, given, add_assum(found, *given))

@@ -6,22 +6,9 @@ theta/2 and N = 2(d+1).  The envelope is (u, w) = (stiffness(phi), damping(phi))
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, bend, not_zero, sine, size, width
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    placed,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 LOWER, UPPER = 1, -1
 """The angles with 0 < N psi < pi/2, and those with pi/2 < N psi < pi."""
@@ -108,7 +95,7 @@ def same_side(side: int, after: bool) -> Theorem:
     stiff = stiffness(phi)
     low, high = (phi, psi) if after else (psi, phi)
     way = side if after else -side
-    moved = placed(rises(side), {psi: x} if after else {phi: x, psi: phi})
+    moved = inst(rises(side), {psi: x} if after else {phi: x, psi: phi})
     top = positive(divisor(x) * way * (stiffness(x) - stiff) > 0, [width(x), moved])
     squared = 2 * sin(x) ** 2 * cos(N * x) ** 2
     bottom = positive(squared > 0, [2, sine(x), sine(x), turned(side, x), turned(side, x)])

@@ -6,40 +6,10 @@ w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
-from symhaptic.notation import N, b, l, phi, psi, u, w, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, implied, whole
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    bounded,
-    decided,
-    full_turns,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-    with_rest,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, u, w
+from symhaptic.proof.theorems.familiar import bounded
 
 SIZE = positive(N > 0, N >= 2, [2])
 
@@ -97,14 +67,14 @@ def weak_sine(angle: Expr) -> Theorem:
     inside = positive(goal, [sign_of(sin, x)])
     zero = number(Relation(S.Zero, "<=", S.Zero))
     start, end = (
-        substituted(goal, x, zero, combined(Eq(e, x), [assume(Eq(x, e)), S.NegativeOne]))
+        subst(goal, x, zero, combined(Eq(e, x), [assume(Eq(x, e)), S.NegativeOne]))
         for e in (S.Zero, pi)
     )
     below = strictly(assume(x <= pi), assume(Ne(x, pi)))
-    inside = by_cases(decided(x, pi), end, closed(inside, below))
+    inside = disj_cases(decided(x, pi), end, closed(inside, below))
     above = closed(inside, strictly(assume(x >= 0), combined(Ne(S.Zero, x), [assume(Ne(x, 0))])))
-    found = by_cases(decided(x, S.Zero), start, above)
-    return placed(found, {x: angle})
+    found = disj_cases(decided(x, S.Zero), start, above)
+    return inst(found, {x: angle})
 
 
 REST = N * psi - 2 * pi * l
@@ -114,7 +84,7 @@ REST = N * psi - 2 * pi * l
 def same_turn() -> tuple[Theorem, Theorem]:
     """sin N psi and cos N psi are those of N psi - 2 pi l."""
     turns = full_turns(REST, assume(whole(l)))
-    return tuple(part(turns, Relation(f(N * psi), "=", f(REST))) for f in (sin, cos))  # type: ignore[return-value]
+    return tuple(conjunct(turns, Relation(f(N * psi), "=", f(REST))) for f in (sin, cos))  # type: ignore[return-value]
 
 
 @cache
@@ -157,7 +127,7 @@ def within_a_turn() -> Theorem:
     goal = margin() >= 0
     less = positive(N * psi < pi, pi > REST, [2, PI, positive(-l >= 0, l <= 0)])
     first = closed(at(assume(first_half_turn()), {phi: psi}, assume(psi > 0), less))
-    return by_cases(ordered(S.Zero, l), positive(goal, [repeated()]), positive(goal, [first]))
+    return disj_cases(ordered(S.Zero, l), positive(goal, [repeated()]), positive(goal, [first]))
 
 
 @cache
@@ -187,14 +157,14 @@ def extent() -> Theorem:
     start = combined(
         Eq(S.Zero, REST), [both_ways(assume(REST <= 0), assume(REST >= 0)), S.NegativeOne]
     )
-    at_start = closed(outside, substituted(-sin(x) >= 0, x, zero, start))
+    at_start = closed(outside, subst(-sin(x) >= 0, x, zero, start))
     late = positive(REST - pi <= pi, N * psi < (l + 1) * (2 * pi))
     after = closed(outside, weak_sine(REST - pi), positive(REST - pi >= 0, pi <= REST), late)
-    above = by_cases(ordered(REST, pi), within_a_turn(), after)
-    found = by_cases(ordered(S.Zero, REST), above, at_start)
+    above = disj_cases(ordered(REST, pi), within_a_turn(), after)
+    found = disj_cases(ordered(S.Zero, REST), above, at_start)
     found = closed(found, positive(REST >= 0, l * 2 * pi <= N * psi))
     turns = with_rest(N * psi, 2 * pi, l)
-    found = chosen(turns, found)
+    found = choose(turns, found)
     return closed(
         found, positive(N * psi >= 0, [SIZE, psi > 0]), number(Relation(S.Zero, "<", 2 * pi))
     )

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip, softer_than_the_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import LIMIT, SPRUNG, least
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import beside
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import Predicate, Relation
-from symhaptic.paper.propositions import CLAIMED, far_higher
+from symhaptic.notation import b
+from symhaptic.paper.propositions import far_higher
 from symhaptic.paper.propositions.far_higher import (
     LEFT,
     RATIOS,
@@ -27,10 +22,6 @@ from symhaptic.paper.propositions.far_higher import (
 )
 from symhaptic.paper.propositions.ratio import BEST, RATE, WALL, outdoes, passive, stable
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, placed, weakened
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import at, closed, every, fact, for_all, positive
 
 
 @cache
@@ -39,7 +30,7 @@ def at_least() -> Theorem:
     symbols, given, some = taken_apart(stiffer_than_passive())
     stable, tip = passive_tip()
     found = closed(beside(some, stable, tip, lambda wanted: softer_than_the_tip()), *known())
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 @cache
@@ -66,12 +57,12 @@ def in_numbers(spring: Expr, delay: int) -> Theorem:
     most = least(delay)
     above = number(Relation(S.Zero, "<", wall[0] - low * most.conclusion.right))  # type: ignore[attr-defined]
     here = {d: S(delay), RATE: low + UNIT, LIMIT: limit, gamma: spring, delta: DAMPED}
-    under = placed(beside_the_tip(), here)
+    under = inst(beside_the_tip(), here)
     stable_ = stable(delay).at({gamma: spring, delta: DAMPED})
     rest = [fact(p) for p in under.hypotheses if isinstance(p, (Relation, Predicate))]
     under = closed(under, for_all(WALL, [stable_], softer), *rest)
     assert under.conclusion == less
-    return conjoined(
+    return conj(
         beside(more, held, wall, lambda wanted: combined(wanted, [low, most], [above])), under
     )
 
@@ -79,7 +70,7 @@ def in_numbers(spring: Expr, delay: int) -> Theorem:
 @cache
 def by_how_much() -> Theorem:
     """All of it."""
-    return conjoined(at_least(), *(in_numbers(g, n) for g, rows in RATIOS.items() for n in rows))
+    return conj(at_least(), *(in_numbers(g, n) for g, rows in RATIOS.items() for n in rows))
 
 
 @cache
@@ -91,7 +82,7 @@ def more_damped(delay: int) -> Theorem:
     wall = Rational(1, 10**4), damping
     point: dict[Any, Expr] = {alpha: wall[0], beta: wall[1], gamma: STIFF, delta: DAMPED}
     here = {K: alpha, B: beta, b: DAMPED, T: S.One, d: S(delay)}
-    high, low = (numbers_known(placed(t, here)) for t in (limits()[0], pushes()))
+    high, low = (numbers_known(inst(t, here)) for t in (limits()[0], pushes()))
     rest = damping - times * DAMPED
     return beside(
         claim,
@@ -107,7 +98,7 @@ def dimensions() -> Theorem:
     parts = []
     for delay in SIZES:
         parts += [in_numbers(SPRUNG[0], delay), more_damped(delay)]
-    return conjoined(*parts)
+    return conj(*parts)
 
 
 @cache
@@ -121,7 +112,7 @@ def left_by_one_period() -> Theorem:
         for late, other in ((1, 0), (0, 1)):
             (wall, held), (limit, softer) = walls[late], bounds[other]
             parts.append(beside(next(claims), held, wall, partial(_below, wall, limit, softer)))
-    return conjoined(*parts)
+    return conj(*parts)
 
 
 def _below(wall: Any, limit: Expr, softer: Theorem, wanted: Any) -> Theorem:

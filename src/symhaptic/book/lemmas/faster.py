@@ -2,44 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.counted_delays import counted
 from symhaptic.book.lemmas.figure9 import valued
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import And, Or, Relation, negated, proposition
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.conclusion import FASTER, LITTLE
 from symhaptic.paper.propositions.ratio import BEST, WALL
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    placed,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    none_of,
-    not_all,
-    positive,
-    reductio,
-)
 
 LATE, TIMES = 10, 10
 """So many periods of delay, and at most so many times as fast."""
@@ -61,20 +33,20 @@ def gained() -> Theorem:
         known = {**here, gamma: spring, delta: damper}
         found = valued(sprung, delta, damper, _each_rate(claim, known))
         cases.append(valued(claim.at(here), gamma, spring, found))
-    found = valued(claim, d, S(LATE), by_cases(assume(DEVICES), *cases))
+    found = valued(claim, d, S(LATE), disj_cases(assume(DEVICES), *cases))
     apart = positive(Ne(FASTER, 0), FASTER >= 1, [S.One])
-    return by_cases(assume(SLOW), closed(found, apart))
+    return disj_cases(assume(SLOW), closed(found, apart))
 
 
 def _each_rate(claim: Any, known: dict[Any, Expr]) -> Theorem:
     """For one device, q = 1, 2, ... 10."""
     then = claim.at(known)
-    cover = placed(counted(TIMES + 1), {d: FASTER})
+    cover = inst(counted(TIMES + 1), {d: FASTER})
     none, *rates, more = cover.conclusion.of  # type: ignore[attr-defined]
-    low = absurd(assume(none), positive(FASTER > 0, FASTER >= 1, [S.One]))
-    high = absurd(assume(more), positive(FASTER < TIMES + 1, FASTER <= TIMES, [S.One]))
+    low = not_intro(assume(none), positive(FASTER > 0, FASTER >= 1, [S.One]))
+    high = not_intro(assume(more), positive(FASTER < TIMES + 1, FASTER <= TIMES, [S.One]))
     shown = (valued(then, FASTER, p.right, _at({**known, FASTER: p.right}, claim)) for p in rates)
-    return by_cases(cover, anything(low, then), *shown, anything(high, then))
+    return disj_cases(cover, contr(low, then), *shown, contr(high, then))
 
 
 def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
@@ -83,7 +55,7 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
     times, damper, late = point[FASTER], point[delta], int(point[d])
     later: Arm = (point[gamma] / times**2, damper / times)
     best, _, wall = passive_walls(late, ELEVEN)
-    best = placed(best, {delta: damper})
+    best = inst(best, {delta: damper})
     best = numbers_known(best)
     values: Any = tuple(v.xreplace({delta: damper}) for v in wall)
     softest = least(late * int(times), later[1])
@@ -94,7 +66,7 @@ def _at(point: dict[Any, Expr], claim: Any) -> Theorem:
 
     held, stable = wall_below((point[gamma], damper), late)
     limit, bounded = none_above(later, late * int(times))
-    return conjoined(
+    return conj(
         beside(passive_, best, values, below),
         beside(
             stable_,
@@ -116,11 +88,11 @@ def much(then: Any) -> Theorem:
     limit, bounded = none_above(arm, 1)
     (stiffness, damping), held = wall_below(arm, 100)
     best, others = (assume(p) for p in stable_.body.of)
-    softer = closed(placed(bounded, dict(zip(WALL, BEST, strict=True))), best)
+    softer = closed(inst(bounded, dict(zip(WALL, BEST, strict=True))), best)
     more = at(others, {alpha: stiffness, beta: damping}, held)
     under = positive(Relation(10**4 * stiffness, "<", LITTLE * limit), [more], [LITTLE, softer])
-    wrong = absurd(under, number(Relation(LITTLE * limit, "<=", 10**4 * stiffness)))
-    return not_all(then, reductio(chosen(assume(stable_), wrong), stable_))
+    wrong = not_intro(under, number(Relation(LITTLE * limit, "<=", 10**4 * stiffness)))
+    return not_all(then, reductio(choose(assume(stable_), wrong), stable_))
 
 
 @cache
@@ -134,8 +106,8 @@ def not_slow() -> Theorem:
 def slow(point: Any) -> Theorem:
     """SLOW at a point of the first device."""
     devices, *rest = SLOW.of[0].at(point).of  # type: ignore[attr-defined]
-    device = conjoined(*map(number, devices.of[0].of))
-    return widened(conjoined(widened(device, devices), *map(number, rest)), SLOW.at(point))
+    device = conj(*map(number, devices.of[0].of))
+    return disj(conj(disj(device, devices), *map(number, rest)), SLOW.at(point))
 
 
 @cache

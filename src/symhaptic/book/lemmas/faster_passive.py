@@ -5,41 +5,14 @@ By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angl
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, S, Symbol, cos, pi, sin, symbols
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.passive_tip import known, passive_wall
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
-from symhaptic.notation import B, K, T, b, d, x, y
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.paper.propositions.conclusion import FASTER
 from symhaptic.paper.propositions.passivity import PASSIVE
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import both_ways, ordered, sign_of
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number
-from symhaptic.proof.theorems.tactics import closed, for_all, one, over, positive
 
 u, v, w = symbols("u v w")
 
@@ -116,10 +89,10 @@ def weakly() -> Theorem:
     cosine = closed(sign_of(cos, u), positive(-pi / 2 < u, [low], [HALF, PI]))
     same = number(Relation(S.Zero, "<=", S.Zero))
     back = combined(Eq(u, w), [equal, -S.One])
-    turned = substituted(there >= 0, place, same, back)
+    turned = subst(there >= 0, place, same, back)
     other = closed(sign_of(cos, w), positive(-pi / 2 < w, w > 0, [HALF, PI]))
     other = closed(other, positive(w < pi / 2, w <= u, u < pi / 2))
-    found = by_cases(ordered(w, u), strict, turned)
+    found = disj_cases(ordered(w, u), strict, turned)
     return closed(found, not_zero(cosine), not_zero(other))
 
 
@@ -149,9 +122,9 @@ def gains_little() -> Theorem:
     turn = over(small > 0, number(Relation(S.Zero, "<", pi / 4)), many)
     below = waves()["below"]
     ratio = closed(
-        placed(weakly(), {w: small, u: large}), turn, positive(small <= large, [order]), below
+        inst(weakly(), {w: small, u: large}), turn, positive(small <= large, [order]), below
     )
-    softer = placed(bound(), later)
+    softer = inst(bound(), later)
     period = over(1 / T > 0, one(), T > 0)
     share = over((d + 1) / (d * (LATER + 1)) > 0, more, positive(d * (LATER + 1) > 0, [late, many]))
     factor_ = over(
@@ -181,5 +154,5 @@ def gains_little() -> Theorem:
     others = some.body.of[1]  # type: ignore[attr-defined]
     values = {x: stiffness, y: damping}
     bare = for_all([K, B], [others.at(values).body.of[0]], closed(room, *rest))
-    found = closed(witnessed(conjoined(best, bare), some, values), *rest, *rest)
-    return for_all(symbols, given, weakened(found, *given))
+    found = closed(exists(conj(best, bare), some, values), *rest, *rest)
+    return for_all(symbols, given, add_assum(found, *given))

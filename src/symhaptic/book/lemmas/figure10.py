@@ -2,35 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S, cos, sin
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.figure9 import each_value, right_of_the_line
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.bounds.linear_points import Arc, points
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import BEFORE, BESIDE, LEVELS
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 FAR = -Rational(1, 10**5)
 """Marks next to the corner lie left of this, and are not drawn."""
@@ -64,13 +47,13 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
     below = half * sin(angle) * size
 
     def on_curve(expr: Expr) -> Theorem:
-        return numbers_known(placed(at_point(expr, ranges), here))
+        return numbers_known(inst(at_point(expr, ranges), here))
 
     bottom = on_curve(below)
     share = over(Relation(S.Zero, "<", 1 / below), one(), bottom)
     there = some.body.at(wall).of  # type: ignore[attr-defined]
     parts = [fact(there[0]), fact(there[1])]
-    parts.append(conjoined(*(identity(p.left, p.right) for p in there[2].of)))
+    parts.append(conj(*(identity(p.left, p.right) for p in there[2].of)))
     symbolic = some.body.of[3:]  # type: ignore[attr-defined]
     top = {BESIDE[0]: along * sin(angle), BESIDE[1]: across * half}
     for shown, meant in zip(there[3:], symbolic, strict=True):
@@ -79,9 +62,9 @@ def mark(claim: Any, damper: Expr, delay: int, level: Expr) -> Theorem:
         rest = difference.xreplace(dict.fromkeys(BESIDE, S.Zero))
         scaled = (difference - rest).expand().xreplace(top) + rest * below
         parts.append(positive(shown, [on_curve(scaled), share]))
-    found = witnessed(conjoined(*parts), some, wall)
+    found = exists(conj(*parts), some, wall)
     apart = not_zero(bottom), not_zero(on_curve(size))
-    return for_all(symbols, given, weakened(closed(found, *apart, *apart), *given))
+    return for_all(symbols, given, add_assum(closed(found, *apart, *apart), *given))
 
 
 @cache
@@ -94,20 +77,20 @@ def drawn() -> Theorem:
     def build(known: dict[Any, Expr]) -> Theorem:
         plant = {**known, gamma: STIFF}
         _, _, left, *marks = then.at(known).of  # type: ignore[attr-defined]
-        within = numbers_known(placed(enclosed_walls_are_stable(), plant))
-        solid = numbers_known(placed(stable_curve(), plant))
-        line = numbers_known(placed(right_of_the_line(), plant))
+        within = numbers_known(inst(enclosed_walls_are_stable(), plant))
+        solid = numbers_known(inst(stable_curve(), plant))
+        line = numbers_known(inst(right_of_the_line(), plant))
         bound = for_all((alpha, beta), [left.body.of[0]], line)
         late = int(known[d])
         found = (
             mark(claim, known[delta], late, level)
             for claim, level in zip(marks, LEVELS, strict=True)
         )
-        return conjoined(solid, within, bound, *found)
+        return conj(solid, within, bound, *found)
 
     found = each_value(then, dict(zip(symbols, given, strict=True)), build)
     others = (
         mark(claim, damper, int(late), -LEVELS[1])
         for claim, (late, damper) in zip(more, BEFORE, strict=True)
     )
-    return conjoined(conjoined(for_all(symbols, given, found), *others), line_and_curve())
+    return conj(conj(for_all(symbols, given, found), *others), line_and_curve())

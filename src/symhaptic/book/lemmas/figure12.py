@@ -3,20 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from functools import cache
-from typing import Any
-
-from sympy import Expr, S, cos, sin
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.figure9 import each_value
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, tip, wall_below
 from symhaptic.book.lemmas.outpaced import at_point
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import at_arm, at_peak, least, of_delay
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.notation import delta, gamma, theta
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.ratio import (
     FALLEN,
     FINE,
@@ -31,16 +25,6 @@ from symhaptic.paper.propositions.ratio import (
 )
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, over, positive
 
 
 def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
@@ -56,7 +40,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     ranges = {s: (v, v) for s, v in here.items()}
 
     def on_curve(expr: Expr) -> Theorem:
-        found = placed(at_point(expr, ranges), here)
+        found = inst(at_point(expr, ranges), here)
         return numbers_known(found)
 
     size, half = SQUARE.xreplace({theta: angle}), cos(angle / 2)
@@ -71,7 +55,7 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     parts: list[Theorem] = []
     for part_ in there.of[:2]:
         parts.append(fact(part_))
-    parts.append(conjoined(*(identity(p.left, p.right) for p in there.of[2].of)))
+    parts.append(conj(*(identity(p.left, p.right) for p in there.of[2].of)))
     most, near = there.of[3:]
     bottom = on_curve(half * size)
     more = over(
@@ -88,10 +72,10 @@ def rightmost(claim: Any, arm: Arm, delay: int) -> Theorem:
     )
     values = dict(zip(OTHER, wall, strict=True))
     close = near.body.at(values).of[1]
-    parts.append(witnessed(conjoined(stable, positive(close, [less])), near, values))
-    found = witnessed(conjoined(*parts), tip_, curve)
+    parts.append(exists(conj(stable, positive(close, [less])), near, values))
+    found = exists(conj(*parts), tip_, curve)
     found = closed(found, *apart, not_zero(bottom), *apart)
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 def rises(arm: Arm, delay: int, later: int) -> Theorem:
@@ -101,8 +85,8 @@ def rises(arm: Arm, delay: int, later: int) -> Theorem:
     share = rounded(float(low + high) / 2)
     some: Any = at_arm(grows(delay, later), arm)
     under = some.body.at({RATE: share}).of[0]
-    found = conjoined(of_delay(under, delay, arm), at_peak(later, share, arm))
-    return witnessed(found, some, {RATE: share})
+    found = conj(of_delay(under, delay, arm), at_peak(later, share, arm))
+    return exists(found, some, {RATE: share})
 
 
 @cache
@@ -123,4 +107,4 @@ def drawn() -> Theorem:
         shown += [rises(arm, *pair) for pair in itertools.pairwise(delays)]
         shown.append(at_peak(later[-1], NEAR, arm))
         shown.append(of_delay(at_arm(below(FALLEN[spring], 1000), arm), 1000, arm))
-    return conjoined(*shown)
+    return conj(*shown)

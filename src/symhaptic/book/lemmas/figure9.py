@@ -2,50 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.one_plane import stable_curve
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant, on_box
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, z
-from symhaptic.notation.proposition import Proposition, Relation, whole
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE, THIN
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.familiar import loop_of_device, of_device, ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    denied_by,
-    every,
-    fact,
-    for_all,
-    positive,
-    zero_beyond,
-)
+from symhaptic.paper.ranges import STIFF
 
 NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 """The virtual damping of a stable wall next to the left bound."""
@@ -54,7 +20,7 @@ NEAR = {1: Rational(3, 10), 2: Rational(1, 4)}
 def valued(claim: Proposition, symbol: Symbol, value: Expr, theorem: Theorem) -> Theorem:
     """What holds for one value of a symbol, with the symbol in its place, where it has it."""
     equal = combined(Relation(value, "=", symbol), [assume(Eq(symbol, value)), -1])
-    return substituted(claim, symbol, theorem, equal)
+    return subst(claim, symbol, theorem, equal)
 
 
 def each_value(
@@ -72,7 +38,7 @@ def each_value(
         choice: Any = given[symbol]
         values = [p.terms[1] for p in choice.of]
         shown = (valued(here, symbol, v, cases({**known, symbol: v})) for v in values)
-        return by_cases(assume(choice), *shown)
+        return disj_cases(assume(choice), *shown)
 
     return cases({})
 
@@ -83,15 +49,15 @@ def right_of_the_line() -> Theorem:
     pushed = on_box(n_1 + n_0, RANGES)
     static = of_device("device at rest", assume(DEVICE))
     readings = loop_of_device(NUMBERS, LOOP)
-    loop: Any = part(readings, readings.conclusion.parts[1])
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     away = positive(-gamma - alpha >= 0, alpha <= -gamma)
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     never = of_every_plant(closed(denied_by(loop, zero_beyond(zeros, z, value)), *steps))
     wanted = Relation(-gamma, "<", alpha)
-    outside = anything(absurd(assume(STABLE), never), wanted)
-    return by_cases(ordered(-gamma, alpha), assume(wanted), outside)
+    outside = contr(not_intro(assume(STABLE), never), wanted)
+    return disj_cases(ordered(-gamma, alpha), assume(wanted), outside)
 
 
 def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
@@ -99,23 +65,21 @@ def at_corner(claim: Any, corner: dict[Symbol, Expr]) -> Theorem:
     _, _, left, near, tip = claim.at(corner).of
     arm: Arm = (corner[gamma], corner[delta])
     late = int(corner[d])
-    solid = numbers_known(placed(stable_curve(), corner))
-    line = numbers_known(placed(right_of_the_line(), corner))
+    solid = numbers_known(inst(stable_curve(), corner))
+    line = numbers_known(inst(right_of_the_line(), corner))
     bound = for_all(left.over, [left.body.of[0]], line)
     beside = (-corner[gamma] + THIN / 2, NEAR[late])
     held = stable_at({**dict(zip((alpha, beta), beside, strict=True)), **corner})
     values = dict(zip(BESIDE, beside, strict=True))
-    reached = witnessed(conjoined(held, fact(near.body.of[1].at(values))), near, values)
+    reached = exists(conj(held, fact(near.body.of[1].at(values))), near, values)
     wall, stable = wall_below(arm, late)
     limit, below = none_above(arm, late)
     values = dict(zip(BESIDE, wall, strict=True))
     others = tip.body.of[1].at(values).body
     most = positive(others.of[1], [below], [wall[0] + THIN - limit])
-    stiffest = witnessed(
-        conjoined(stable, for_all((alpha, beta), [others.of[0]], most)), tip, values
-    )
-    within = numbers_known(placed(enclosed_walls_are_stable(), corner))
-    return conjoined(solid, within, bound, reached, stiffest)
+    stiffest = exists(conj(stable, for_all((alpha, beta), [others.of[0]], most)), tip, values)
+    within = numbers_known(inst(enclosed_walls_are_stable(), corner))
+    return conj(solid, within, bound, reached, stiffest)
 
 
 @cache
@@ -136,4 +100,4 @@ def drawn() -> Theorem:
 
     walls = each_value(every((alpha, beta), [late], narrow), {delta: damper}, width)
     inner = at(walls, {alpha: alpha, beta: beta}, assume(late))
-    return conjoined(whole_region, for_all(over, [damper, late], weakened(inner, damper, late)))
+    return conj(whole_region, for_all(over, [damper, late], add_assum(inner, damper, late)))

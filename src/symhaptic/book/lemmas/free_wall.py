@@ -2,15 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational, symbols
-
-from symhaptic.notation import alpha, beta, e, n_0, n_1
-from symhaptic.notation.proposition import ForAll, Proposition, implied, proposition
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import Theorem
-from symhaptic.proof.theorems.tactics import for_all, positive
+from symhaptic.book.lemmas.prelude import *
 
 y = symbols("y")
 WALL = alpha, beta, n_1, n_0, e

@@ -7,45 +7,11 @@ inside says (l + 2) (1 + KAPPA/MU)/2 < w, and w is the rise of the phase of W wi
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, cos, exp, pi, sin
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, true_loop
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import alpha, beta, l, psi
-from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import induction
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    bounded,
-    decided,
-    not_negative,
-    ordered,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, is_whole, mirrored, number
-from symhaptic.proof.theorems.roots import first_minors, outpaces
-from symhaptic.proof.theorems.tactics import closed, positive
+from symhaptic.proof.theorems.familiar import bounded
 
 q, n, u = (Symbol(name) for name in "qnu")
 HALF = Rational(1, 2)
@@ -86,14 +52,14 @@ def path(w: Expr) -> Expr:
 @cache
 def zeros() -> Theorem:
     """All zeros of F lie inside."""
-    return counted(applied(true_loop(FREE, WALL, l), assume(TRUE)))
+    return counted(mp(true_loop(FREE, WALL, l), assume(TRUE)))
 
 
 @cache
 def pushes() -> tuple[Theorem, Theorem, Theorem]:
     """0 < alpha and 0 < beta, by F(1) and 2 F'(1) - (l + 4) F(1) = 2 beta - l alpha."""
     found = counted(first_minors(zeros(), 1))
-    static, slope = (part(found, claim) for claim in found.conclusion.parts)
+    static, slope = (conjunct(found, claim) for claim in found.conclusion.parts)
     spring = combined(alpha > 0, [static])
     brake = combined(beta > 0, [HALF, slope], [HALF, late(), spring])
     return spring, brake, positive(STIFF > 0, [spring], [brake])
@@ -150,8 +116,8 @@ def cosine() -> Theorem:
     end = both_ways(assume(psi <= half), assume(Relation(half, "<=", psi)))
     back = combined(Relation(half, "=", psi), [end, -S.One])
     pattern = Relation(S.Zero, "<=", cos(place))
-    there = substituted(pattern, place, number(pattern.at({place: half})), back)
-    return by_cases(ordered(psi, half), less, there)
+    there = subst(pattern, place, number(pattern.at({place: half})), back)
+    return disj_cases(ordered(psi, half), less, there)
 
 
 @cache
@@ -187,22 +153,22 @@ def before() -> tuple[Theorem, Theorem]:
 def chord_of_whole() -> Theorem:
     """-n sin u <= sin n u <= n sin u for a whole n and 0 <= sin u."""
     low, high = -n * sin(u) <= sin(n * u), sin(n * u) <= n * sin(u)
-    claim = conjoined(assume(low), assume(high)).conclusion
+    claim = conj(assume(low), assume(high)).conclusion
     known, some = assume(claim), assume(sin(u) >= 0)
-    below, above = (part(known, c) for c in claim.parts)
+    below, above = (conjunct(known, c) for c in claim.parts)
     more, less, up, down = (
         positive(1 + c >= 0, *([HALF, x] for x in (square(1 + c), bounded(cos, angle))))
         for angle in (u, n * u)
         for c in (cos(angle), -cos(angle))
     )
     then = claim.at({n: n + 1})
-    step = conjoined(
+    step = conj(
         combined(then.parts[0], [HALF, more, below], [HALF, less, above], [some, up]),
         combined(then.parts[1], [HALF, more, above], [HALF, less, below], [some, down]),
     )
     start = claim.at({n: S.Zero})
-    step = discharged(weakened(step, whole(n), claim), whole(n), claim)
-    return induction(claim, n, conjoined(*map(number, start.parts)), step)
+    step = disch(add_assum(step, whole(n), claim), whole(n), claim)
+    return induction(claim, n, conj(*map(number, start.parts)), step)
 
 
 # -- no zero ---------------------------------------------------------------------------
@@ -272,10 +238,10 @@ def behind_before() -> Theorem:
     ahead, (_, some), (share, _) = assume(cos(2 * psi) > 0), before(), shares()
     count, turn = l + 1, 2 * (l + 1) * psi
     size, rise = on_the_ray()
-    flat = placed(chord_of_whole(), {n: count, u: 4 * psi})
+    flat = inst(chord_of_whole(), {n: count, u: 4 * psi})
     double = positive(sin(4 * psi) >= 0, [2, some, ahead])
     flat = closed(flat, double, is_whole(count, assume(whole(l))))
-    above = part(flat, flat.conclusion.parts[1])
+    above = conjunct(flat, flat.conclusion.parts[1])
     small = positive(1 - cos(turn) ** 2 >= 0, [bounded(cos, turn)])
     return combined(
         Relation(KAPPA**2 * sin(2 * psi) * q * TERM * LEAD, "<=", S.Zero),
@@ -294,8 +260,8 @@ def no_crossing() -> Theorem:
     weak = positive(KAPPA > 0, [less, positive(TERM > 0, [HALF, falls(), falls()])], [above])
     size = positive(KAPPA**2 * sin(2 * psi) > 0, [weak, weak, some])
     more = combined(KAPPA**2 * sin(2 * psi) * q * TERM * LEAD > 0, [size, ahead])
-    cases = absurd(more, behind_before()), absurd(ahead, behind_beyond())
-    wrong = by_cases(ordered(0, cos(2 * psi)), *cases)
+    cases = not_intro(more, behind_before()), not_intro(ahead, behind_beyond())
+    wrong = disj_cases(ordered(0, cos(2 * psi)), *cases)
     root = combined(ZERO, [assume(Eq(path(I * psi), 0)), 1 / TURN])
     return differs(path(I * psi), closed(wrong, root))
 
@@ -303,4 +269,4 @@ def no_crossing() -> Theorem:
 def differs(value: Expr, wrong: Theorem) -> Theorem:
     """p != 0, from what is wrong if p = 0."""
     wanted: Any = proposition(Ne(value, 0))
-    return by_cases(decided(value, S.Zero), anything(wrong, wanted), assume(wanted))
+    return disj_cases(decided(value, S.Zero), contr(wrong, wanted), assume(wanted))

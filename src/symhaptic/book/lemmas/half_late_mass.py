@@ -7,11 +7,6 @@ the border of the region 0 < Re v, 1 <= |v|.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, exp, pi
-
 from symhaptic.book.lemmas.half_late_circle import (
     LOOP,
     STIFF,
@@ -25,14 +20,9 @@ from symhaptic.book.lemmas.half_late_circle import (
     q,
     zeros,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, in_truth, read_loop
-from symhaptic.notation import alpha, beta, l, psi, x, y
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, whole
-from symhaptic.proof.theorems.familiar import full_turns, rising, sign_of
-from symhaptic.proof.theorems.kernel import Theorem, absurd, applied, assume, part
-from symhaptic.proof.theorems.leaves import combined, factor, mirrored
 from symhaptic.proof.theorems.roots import none_enters
-from symhaptic.proof.theorems.tactics import at, closed, every, for_all, positive
 
 READ = Predicate("stable_principal", (), LOOP)
 v = Symbol("v")
@@ -53,7 +43,7 @@ def on_the_axis() -> Theorem:
     imaginary = q * size * (size**2 - 1) * (STIFF * size**2 + beta)
     pushed = [*above, longer, stiff, sign_of(exp, 2 * psi)], [*above, longer, brake]
     turns = full_turns(S.Zero, assume(whole(l)))
-    sine, cosine = (part(turns, claim) for claim in turns.conclusion.parts)
+    sine, cosine = (conjunct(turns, claim) for claim in turns.conclusion.parts)
     real = combined(Eq(sign, 1 / sign), [cosine, 1 / sign], [sine, I / sign])
     there = path(psi + I * pi / 2)
     zero = assume(Eq(there, 0))
@@ -63,7 +53,7 @@ def on_the_axis() -> Theorem:
         [mirrored(zero), I],
         [real, I * exp(2 * psi * (l + 2)) * (size**2 + 1) ** 2],
     )
-    return differs(there, absurd(combined(imaginary > 0, *pushed), none))
+    return differs(there, not_intro(combined(imaginary > 0, *pushed), none))
 
 
 @cache
@@ -79,9 +69,9 @@ def stable_as_read() -> Theorem:
     here = x + I * y
     root = assume(Eq(here, 0))
     twice = combined(Relation(2 * x, "=", S.Zero), [root], [mirrored(root)])
-    right = differs(here, absurd(positive(2 * x > 0, [2, x > 0]), twice))
+    right = differs(here, not_intro(positive(2 * x > 0, [2, x > 0]), twice))
     found = closed(factor(apart.left, known, -here), right)
-    found = applied(sheet, for_all((x, y), outside.of, found))
+    found = mp(sheet, for_all((x, y), outside.of, found))
     return for_all((alpha, beta, l), [whole(l), TRUE], counted(found))
 
 

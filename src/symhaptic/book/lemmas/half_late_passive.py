@@ -2,52 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, atan, cos, expand, pi, sin, sqrt, tan
+from sympy import atan
 
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle, passive_by_angle
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, x
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
-from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    either_way,
-    every,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 
 HALF = S.Half
 QUADRATIC = (
@@ -69,7 +29,7 @@ def wall(stiffness: Expr = K, damping: Expr = B, late: Expr = HALF) -> Predicate
 @cache
 def passive_half_late() -> Theorem:
     """passive <=> 0 <= K and 0 <= the quadratic at every angle, for T > 0 and b > 0."""
-    found = placed(passive_late(), {l: S.Zero, epsilon: HALF})
+    found = inst(passive_late(), {l: S.Zero, epsilon: HALF})
     condition = found.conclusion.parts[1]
     spring, always = condition.parts
     wanted = And((spring, at_every_angle(AT_ANGLE >= 0)))
@@ -77,9 +37,9 @@ def passive_half_late() -> Theorem:
     inside = [assume(p) for p in INSIDE]
 
     def same(known: Proposition, margin: Proposition) -> Theorem:
-        given = part(assume(known), known.parts[1])
+        given = conjunct(assume(known), known.parts[1])
         there = closed(positive(margin, [at(given, {theta: theta}, *inside)]), apart)
-        return conjoined(part(assume(known), spring), for_all([theta], INSIDE, there))
+        return conj(conjunct(assume(known), spring), for_all([theta], INSIDE, there))
 
     there = same(condition, wanted.parts[1].body.of[1])  # type: ignore[attr-defined]
     back = same(wanted, always.body.of[1])  # type: ignore[attr-defined]
@@ -91,7 +51,7 @@ def at_slope(slope: Rational, known: Theorem) -> Theorem:
     """0 <= the quadratic at x = 1/(1 + t^2), of a passive wall: theta = 2 atan(t)."""
     angle = 2 * atan(slope)
     inside = [number(Relation(S.Zero, "<", angle)), number(Relation(angle, "<", pi))]
-    margin = part(applied(passive_half_late(), known), at_every_angle(AT_ANGLE >= 0))
+    margin = conjunct(mp(passive_half_late(), known), at_every_angle(AT_ANGLE >= 0))
     return at(margin, {theta: angle}, *inside)
 
 
@@ -125,13 +85,13 @@ def stiffest_half_late() -> Theorem:
     given, then = claim.body.of  # type: ignore[attr-defined]
     _, _, eleven, *ends = then.of
     size = positive(b**2 > 0, [b > 0, b > 0])
-    found = conjoined(
+    found = conj(
         passive_with(BELOW, BRAKE),
         for_all([K, B], [wall()], _less_stiff(size)),
         denied_at(LOW, eleven.of[0], [_lost(), size]),
         *map(number, ends),
     )
-    return for_all([b, T], given.of, weakened(found, *given.of))
+    return for_all([b, T], given.of, add_assum(found, *given.of))
 
 
 @cache
@@ -139,7 +99,7 @@ def passive_with(stiffness: Rational, damping: Rational) -> Theorem:
     """A wall of so many b/T and b is passive half a period late, for T > 0 and b > 0."""
     apart = positive(Ne(T, 0), T > 0)
     units = {K: stiffness * b / T, B: damping * b}
-    found = placed(passive_half_late(), units)
+    found = inst(passive_half_late(), units)
     condition = found.conclusion.parts[1]
     spring, always = condition.parts
     period = over(1 / T > 0, one(), T > 0)
@@ -153,8 +113,8 @@ def passive_with(stiffness: Rational, damping: Rational) -> Theorem:
         [size, rest - fall**2 / (4 * bend)],
     )
     stiff = positive(spring, [stiffness, assume(b > 0), period]) if stiffness else fact(spring)
-    both_ = conjoined(stiff, for_all([theta], INSIDE, margin))
-    return closed(applied(found, both_), apart)
+    both_ = conj(stiff, for_all([theta], INSIDE, margin))
+    return closed(mp(found, both_), apart)
 
 
 def _less_stiff(size: Theorem) -> Theorem:
@@ -174,8 +134,8 @@ def _less_stiff(size: Theorem) -> Theorem:
         [last / b**2, size],
     )
     wanted = proposition(ABOVE * b > K * T)
-    contrary = anything(absurd(known, denial), wanted)
-    return by_cases(ordered(K * T, ABOVE * b), assume(wanted), contrary)
+    contrary = contr(not_intro(known, denial), wanted)
+    return disj_cases(ordered(K * T, ABOVE * b), assume(wanted), contrary)
 
 
 def _lost() -> Theorem:
@@ -188,9 +148,9 @@ def denied_at(slope: Rational, claim: Predicate, *products: Any) -> Theorem:
     """A wall is not passive, by the quadratic at one angle; products show that it is negative."""
     stiff, damping = claim.of[:2]
     apart = positive(Ne(T, 0), T > 0)
-    found = closed(placed(at_slope(slope, assume(wall())), {K: stiff, B: damping}), apart)
+    found = closed(inst(at_slope(slope, assume(wall())), {K: stiff, B: damping}), apart)
     (negative,) = (Relation(found.conclusion.terms[1], "<", S.Zero),)
-    return absurd(found, combined(negative, *products), claim)
+    return not_intro(found, combined(negative, *products), claim)
 
 
 # -- a delay that helps ----------------------------------------------------------------
@@ -211,17 +171,17 @@ def delay_helps() -> Theorem:
     """That."""
     given = [T > 0, b > 0]
     late = (_whole_denied(S(n), angle) for n, angle in ((0, 5 * pi / 6), (1, pi / 2)))
-    found = conjoined(passive_with(S.Zero, DAMPED), *late)
-    return for_all([b, T], given, weakened(found, *given))
+    found = conj(passive_with(S.Zero, DAMPED), *late)
+    return for_all([b, T], given, add_assum(found, *given))
 
 
 def _whole_denied(late: Expr, angle: Expr) -> Theorem:
     """The damped wall is not passive behind a whole delay, by its margin at one angle."""
     claim = wall(S.Zero, DAMPED * b, late)
-    found = applied(passive_by_angle(late), assume(wall(late=late)))
+    found = mp(passive_by_angle(late), assume(wall(late=late)))
     inside = [fact(Relation(S.Zero, "<", angle)), fact(Relation(angle, "<", pi))]
-    known = at(part(found, found.conclusion.parts[1]), {theta: angle}, *inside)
-    margin = placed(known, {K: S.Zero, B: DAMPED * b})
+    known = at(conjunct(found, found.conclusion.parts[1]), {theta: angle}, *inside)
+    margin = inst(known, {K: S.Zero, B: DAMPED * b})
     lost = Relation(margin.conclusion.terms[1], "<", S.Zero)
     share = number(Relation(S.Zero, "<", expand(-lost.left / b)))
-    return absurd(margin, combined(lost, [share, assume(b > 0)]), claim)
+    return not_intro(margin, combined(lost, [share, assume(b > 0)]), claim)

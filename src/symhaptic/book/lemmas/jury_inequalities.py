@@ -2,34 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
-from symhaptic.model.jury import jury
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import (
-    Iff,
-    Proposition,
-    Relation,
-    both,
-    proposition,
-)
+from symhaptic.model.jury import jury as conditions_on
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import either_way, every, for_all
 
 DELAYS = (0, 1, 2)
 WALLS = (alpha, beta, gamma, delta, *NUMBERS)
@@ -41,13 +18,13 @@ def decided_by_jury() -> Proposition:
 
 
 def _sides(delay: int) -> tuple[Proposition, Proposition]:
-    return STABLE.at({d: sp.S(delay)}), both(jury(delay))
+    return STABLE.at({d: sp.S(delay)}), both(conditions_on(delay))
 
 
 @cache
 def jury_decides() -> Theorem:
     """The claim."""
-    return conjoined(*(for_all(WALLS, [DEVICE], weakened(_same(n), DEVICE)) for n in DELAYS))
+    return conj(*(for_all(WALLS, [DEVICE], add_assum(_same(n), DEVICE)) for n in DELAYS))
 
 
 def _same(delay: int) -> Theorem:
@@ -55,10 +32,10 @@ def _same(delay: int) -> Theorem:
     criterion = by_inequalities(delay)
     stable, wanted = _sides(delay)
     theirs: Any = criterion.conclusion.parts[1]
-    inside = applied(criterion, assume(stable))
-    there = conjoined(*(_scaled(p, [part(inside, q) for q in theirs.parts]) for p in wanted.parts))
-    known = [part(assume(wanted), p) for p in wanted.parts]
-    here = applied(criterion, conjoined(*(_scaled(q, known) for q in theirs.parts)))
+    inside = mp(criterion, assume(stable))
+    there = conj(*(_scaled(p, [conjunct(inside, q) for q in theirs.parts]) for p in wanted.parts))
+    known = [conjunct(assume(wanted), p) for p in wanted.parts]
+    here = mp(criterion, conj(*(_scaled(q, known) for q in theirs.parts)))
     return either_way(there, here, stable, wanted)
 
 

@@ -2,37 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import ends, sine
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import WHOLE_WALL, first_half
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, phi, theta, x, y
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    either_way,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 
 def divisors(angle: Any) -> tuple[Theorem, ...]:
@@ -69,7 +47,7 @@ def on_first_half(frequencies: Any) -> Theorem:
 
 def between(frequencies: Any) -> tuple[Theorem, Theorem]:
     """B <= b and -b <= B for a wall that meets (5) and does not pull; d >= 0 is real."""
-    high, low = (placed(end, WHOLE_WALL) for end in ends())
+    high, low = (inst(end, WHOLE_WALL) for end in ends())
     size = positive(2 * d + 2 >= 2, [2, d >= 0])
     pushes = assume(K >= 0), assume(T > 0)
     above = positive(b >= B, [high], [HALF, *pushes])
@@ -101,8 +79,8 @@ def limit_points(claim: Any, frequencies: Any) -> Theorem:
         weak = closed(weak, *divisors(angle), *inside, not_zero(assume(T > 0)))
         weak = for_all([omega], met.body.of[0].of, weak)
         last = combined(order, [bound], [damper, S(-way)])
-        found.append(discharged(conjoined(weak, last), *end.of[0].of))
-    return conjoined(*found)
+        found.append(disch(conj(weak, last), *end.of[0].of))
+    return conj(*found)
 
 
 def upper_frequency(equation: Any, claim: Any) -> Theorem:
@@ -120,7 +98,7 @@ def upper_frequency(equation: Any, claim: Any) -> Theorem:
     five, linear = same.of
     either = either_way(positive(linear, [five]), positive(five, [linear]), five, linear)
     equal = identity(reached.left, reached.right)
-    found = conjoined(above, below, either, equal)
+    found = conj(above, below, either, equal)
     turned = combined(Eq(there, omega), [assume(equation), -S.One])
-    found = substituted(claim, omega, found, turned)
+    found = subst(claim, omega, found, turned)
     return closed(found, *level, *inside, *apart, positive(d >= 0, d > 0))

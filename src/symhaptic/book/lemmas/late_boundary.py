@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, I, Ne, S, cos, exp, sin
-
 from symhaptic.book.lemmas.boundary import explicit_wall
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.late_loop import (
@@ -18,32 +14,8 @@ from symhaptic.book.lemmas.late_loop import (
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    e,
-    gamma,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    theta,
-    z,
-)
-from symhaptic.notation.proposition import And, Iff, Proposition, Relation, both, implied
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, mirrored
-from symhaptic.proof.theorems.tactics import closed, either_way, every, for_all
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 A, M = (p.subs(z, TURN) for p in (BOTTOM, TOP))
@@ -99,17 +71,17 @@ def late_boundary() -> Proposition:
 @cache
 def boundary_is_explicit() -> Theorem:
     """That."""
-    found = conjoined(
-        for_all([theta], INSIDE, weakened(conjoined(_one_wall(), _no_wall()), *INSIDE)), *_lines()
+    found = conj(
+        for_all([theta], INSIDE, add_assum(conj(_one_wall(), _no_wall()), *INSIDE)), *_lines()
     )
-    found = for_all(ALL_NUMBERS, DEVICES, weakened(found, *DEVICES))
-    return for_all(LOOP, GIVEN, weakened(found, *GIVEN))
+    found = for_all(ALL_NUMBERS, DEVICES, add_assum(found, *DEVICES))
+    return for_all(LOOP, GIVEN, add_assum(found, *GIVEN))
 
 
 def _one_wall() -> Theorem:
     moved = assume(Ne(M, 0))
     apart = combined(Relation(SQUARE, "!=", S.Zero), [moved, mirrored(moved)])
-    return discharged(closed(explicit_wall(ROOT, on_boundary(), M, SQUARE), apart), Ne(M, 0))
+    return disch(closed(explicit_wall(ROOT, on_boundary(), M, SQUARE), apart), Ne(M, 0))
 
 
 def _no_wall() -> Theorem:
@@ -117,7 +89,7 @@ def _no_wall() -> Theorem:
     turn, wall = exp(I * (l + 2) * theta), (alpha + beta) * TURN - beta
     there = combined(alone, [assume(ROOT), 1 / turn], [still, -wall / turn])
     here = combined(ROOT, [assume(alone), turn], [still, wall])
-    return discharged(either_way(there, here, ROOT, alone), still.conclusion)
+    return disch(either_way(there, here, ROOT, alone), still.conclusion)
 
 
 def _lines() -> tuple[Theorem, Theorem]:

@@ -7,46 +7,13 @@ sin^2(theta/2) the margin is b^2 + b B c - B^2 v, and by Lagrange's identity 1 +
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S, cos, expand, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, both, implied
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    not_negative,
-    ordered,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 DAMPER = Predicate("passive_wall", (), (S.Zero, B, b, T, l + epsilon))
 """A wall without stiffness is passive, l + epsilon periods late."""
@@ -78,13 +45,13 @@ def limit_points() -> Proposition:
 @cache
 def damping_late() -> Theorem:
     """That."""
-    found = conjoined(
+    found = conj(
         for_all([B], [DAMPER], begins()),
         for_all([B], RANGE, all_between()),
         above_the_damper(),
         for_all([B], [DAMPER], ends()),
     )
-    return for_all([b, T, l, epsilon], GIVEN, weakened(found, *GIVEN))
+    return for_all([b, T, l, epsilon], GIVEN, add_assum(found, *GIVEN))
 
 
 @cache
@@ -107,9 +74,9 @@ def divisors() -> tuple[Theorem, ...]:
 def margin() -> Theorem:
     """0 <= the margin at an angle, of a passive damper."""
     found = passive_late()
-    always = part(applied(found, assume(found.conclusion.parts[0])), EVERY_MARGIN)
+    always = conjunct(mp(found, assume(found.conclusion.parts[0])), EVERY_MARGIN)
     found = at(always, {theta: theta}, *map(assume, INSIDE))
-    return closed(placed(found, {K: S.Zero}), not_zero(sine_of_half(theta)))
+    return closed(inst(found, {K: S.Zero}), not_zero(sine_of_half(theta)))
 
 
 @cache
@@ -129,7 +96,7 @@ def ends() -> Theorem:
     above = over(angle > 0, PI, later)
     half = over(pi / 2 - angle >= 0, positive(pi * l / 2 >= 0, [HALF, PI, l >= 0]), later)
     below = positive(angle < pi, [half], [HALF, PI])
-    known = closed(placed(margin(), {theta: angle}), above, below)
+    known = closed(inst(margin(), {theta: angle}), above, below)
     near = weak_sine(pi / 2 - angle)
     near = closed(near, half, positive(pi / 2 - angle <= pi, [above], [HALF, PI]))
     room = combined(
@@ -142,7 +109,7 @@ def ends() -> Theorem:
     wanted = epsilon * B <= b
     damps = positive(wanted, [share])
     pushes = positive(wanted, [epsilon >= 0, B < 0], b > 0)
-    found = by_cases(ordered(B, S.Zero), pushes, damps)
+    found = disj_cases(ordered(B, S.Zero), pushes, damps)
     return closed(found, *divisors(), not_zero(assume(b > 0)))
 
 
@@ -163,7 +130,7 @@ def above_the_damper() -> Theorem:
     given = assume(epsilon > 0), assume(epsilon < 1)
     sine = _lowest_sine()
     more = positive(b < END, [HALF, assume(b > 0), *given, sine, sine])
-    return discharged(closed(more, *divisors()), epsilon > 0, epsilon < 1)
+    return disch(closed(more, *divisors()), epsilon > 0, epsilon < 1)
 
 
 @cache
@@ -182,15 +149,15 @@ def _squares() -> tuple[Theorem, Theorem]:
 @cache
 def all_between() -> Theorem:
     """passive, for -b <= B <= END."""
-    beyond = by_cases(ordered(theta, EARLY), _early(), _late())
-    falls = by_cases(ordered(b, B), beyond, _weak())
+    beyond = disj_cases(ordered(theta, EARLY), _early(), _late())
+    falls = disj_cases(ordered(b, B), beyond, _weak())
     soft = assume(Eq(K, 0))
     share = sum(part_ / K for part_ in expand(FALLS - MARGIN).args)
     margin_ = combined(MARGIN >= 0, [falls], [soft, share])
     apart = not_zero(sine_of_half(theta))
     always = for_all([theta], INSIDE, closed(margin_, apart))
-    found = applied(passive_late(), conjoined(combined(K >= 0, [soft, -S.One]), always))
-    return closed(placed(found, {K: S.Zero}), fact(Relation(S.Zero, "=", S.Zero)), *divisors())
+    found = mp(passive_late(), conj(combined(K >= 0, [soft, -S.One]), always))
+    return closed(inst(found, {K: S.Zero}), fact(Relation(S.Zero, "=", S.Zero)), *divisors())
 
 
 def _weak() -> Theorem:

@@ -7,49 +7,14 @@ m_2 = g(1-epsilon), m_1 = g(2-epsilon) - (1+a) m_2, and m_2 + m_1 + m_0 = n_1 + 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 
-from sympy import Expr, Ne, S, cosh, exp, expand, sinh, sqrt
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
 from symhaptic.model.parts import FULL, Parts
 from symhaptic.model.plant import Plant, normalised
-from symhaptic.notation import (
-    X,
-    a,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    s,
-    t,
-    x,
-    z,
-)
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Iff,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import answers, transfer
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part, weakened
-from symhaptic.proof.theorems.leaves import combined, factor, tends
 from symhaptic.proof.theorems.samples import held_answer
-from symhaptic.proof.theorems.tactics import closed, either_way, for_all
 
 FRACTION = (whole(l), proposition(epsilon >= 0), proposition(epsilon <= 1))
 SPLIT = sqrt(delta**2 - 4 * gamma)
@@ -151,15 +116,15 @@ def exact_plant() -> Proposition:
 @cache
 def exact_late_plant() -> Theorem:
     """That."""
-    return conjoined(*map(_exact, KINDS))
+    return conj(*map(_exact, KINDS))
 
 
 def _exact(kind: Kind) -> Theorem:
     names = definitions(kind.definitions)
     answer, *limits = explicit(kind.says(), *names).parts
-    found = conjoined(_answer(kind, answer), *(tends(c.of[0], x, *c.of[1:]) for c in limits))
+    found = conj(_answer(kind, answer), *(tends(c.of[0], x, *c.of[1:]) for c in limits))
     found = renamed(closed(found, *_divisors(kind)), kind.says(), *names)
-    return for_all(kind.over, kind.given, weakened(found, *kind.given))
+    return for_all(kind.over, kind.given, add_assum(found, *kind.given))
 
 
 def _answer(kind: Kind, claim: Iff) -> Theorem:
@@ -168,14 +133,14 @@ def _answer(kind: Kind, claim: Iff) -> Theorem:
     answer, sampled = claim.of
     alive, apart, equal = (assume(p) for p in sampled.parts)
     claims = held.conclusion.of[1].parts  # type: ignore[attr-defined]
-    known = [part(applied(held, assume(answer)), p) for p in claims]
+    known = [conjunct(mp(held, assume(answer)), p) for p in claims]
     bottom = apart.conclusion.left  # type: ignore[attr-defined]
     below = combined(Ne(bottom, 0), [known[1]])
     there = combined(equal.conclusion, [known[2], 1 / bottom])
     back = closed(combined(claims[2], [equal, bottom]), alive, apart)
     return either_way(
-        conjoined(known[0], below, closed(there, below, known[0])),
-        applied(held, conjoined(alive, combined(claims[1], [apart]), back)),
+        conj(known[0], below, closed(there, below, known[0])),
+        mp(held, conj(alive, combined(claims[1], [apart]), back)),
         answer,
         sampled,
     )

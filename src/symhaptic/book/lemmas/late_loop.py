@@ -2,50 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S
-
 from symhaptic.book.lemmas.late_device import BOTTOM, TOP
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    n_0,
-    n_1,
-    z,
-)
-from symhaptic.notation.proposition import (
-    Iff,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    conjuncts,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.axioms import LATE_DEVICE, LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
 from symhaptic.proof.theorems.roots import degree
-from symhaptic.proof.theorems.tactics import closed, every, fact, for_all
 
 WALL = (alpha + beta) * z - beta
 POLYNOMIAL = z ** (l + 2) * BOTTOM + TOP * WALL
@@ -85,23 +46,23 @@ def polynomial_of_a_late_loop() -> Theorem:
     loop = axiom("loop of a late device", *LOOP[:4], l, epsilon, *LATE_NUMBERS, a, e)
     steps = [is_whole(l + n, assume(whole(l))) for n in (2, 3, 4)]
     highest = closed(degree(POLYNOMIAL, z, l + 4), *steps, fact(Relation(S.One, "!=", S.Zero)))
-    found = conjoined(loop, highest, _end(0), _end(1))
-    found = for_all(ALL_NUMBERS, DEVICES, weakened(found, *DEVICES))
-    return for_all(LOOP, GIVEN, weakened(found, *GIVEN))
+    found = conj(loop, highest, _end(0), _end(1))
+    found = for_all(ALL_NUMBERS, DEVICES, add_assum(found, *DEVICES))
+    return for_all(LOOP, GIVEN, add_assum(found, *GIVEN))
 
 
 @cache
 def numbers_of_a_late_device() -> tuple[Theorem, ...]:
     """m_2 + m_1 + m_0 = n_1 + n_0, and the numbers at the fractions 0 and 1."""
     found = axiom("late device and device", gamma, delta, epsilon, *LATE_NUMBERS, *NUMBERS)
-    return tuple(part(found, claim) for claim in found.conclusion.parts)
+    return tuple(conjunct(found, claim) for claim in found.conclusion.parts)
 
 
 def _end(end: int) -> Theorem:
     there = numbers_of_a_late_device()[1 + end]
     given = assume(Eq(epsilon, end))
-    equal = applied(there, given)
-    numbers = [part(equal, claim) for claim in conjuncts(equal.conclusion)]
+    equal = mp(there, given)
+    numbers = [conjunct(equal, claim) for claim in conjuncts(equal.conclusion)]
     shares = [[t, z**n * WALL] for t, n in zip(numbers, (2, 1, 0), strict=True)]
     same = combined(Relation(POLYNOMIAL, "=", ENDS[end]), *shares)
-    return discharged(for_all([z], [Ne(z, 0)], same), Eq(epsilon, end))
+    return disch(for_all([z], [Ne(z, 0)], same), Eq(epsilon, end))

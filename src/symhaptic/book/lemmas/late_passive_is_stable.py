@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, I, Ne, Rational, S, Symbol, exp
-
 from symhaptic.book.lemmas.late_boundary import A, M
 from symhaptic.book.lemmas.late_device import TOP
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS, LOOP, STABLE, numbers_of_a_late_device
@@ -17,45 +13,11 @@ from symhaptic.book.lemmas.passive_is_stable import (
     turned_up,
 )
 from symhaptic.book.lemmas.passivity import every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.fractional import required_straight, stiffness_squared
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    l,
-    n_0,
-    n_1,
-    theta,
-    y,
-)
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom, decided, square, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
-from symhaptic.proof.theorems.tactics import closed, every, fact, for_all, positive
 
 UNITS = {K: alpha, B: beta, b: delta, T: S.One}
 PASSIVE = Predicate("passive_wall", (), (alpha, beta, delta, S.One, l + epsilon))
@@ -113,9 +75,9 @@ def no_crossing() -> Theorem:
     balance = combined(
         Relation(S.Zero, "=", total), [root, -worked], [mirrored(root), -mirror(worked)]
     )
-    contrary = absurd(closed(above, sine_not_zero()), closed(balance, sine_not_zero()))
+    contrary = not_intro(closed(above, sine_not_zero()), closed(balance, sine_not_zero()))
     wanted = proposition(Ne(path, 0))
-    return by_cases(decided(path, S.Zero), anything(contrary, wanted), assume(wanted))
+    return disj_cases(decided(path, S.Zero), contr(contrary, wanted), assume(wanted))
 
 
 def _eased(force: Expr) -> Theorem:
@@ -137,8 +99,8 @@ def late_passive_is_stable() -> Theorem:
     """Passive walls are stable, with every damped device and behind every delay."""
     whole_one = _behind_a_whole_delay()
     apart = strictly(assume(epsilon >= 0), combined(Ne(0, epsilon), [assume(Ne(epsilon, 0))]))
-    found = by_cases(decided(epsilon, S.Zero), whole_one, closed(_between(), apart))
-    return for_all(LOOP, [*GIVEN, PASSIVE], weakened(found, *GIVEN, PASSIVE))
+    found = disj_cases(decided(epsilon, S.Zero), whole_one, closed(_between(), apart))
+    return for_all(LOOP, [*GIVEN, PASSIVE], add_assum(found, *GIVEN, PASSIVE))
 
 
 def _between() -> Theorem:
@@ -148,20 +110,22 @@ def _between() -> Theorem:
         "loop of a late device", alpha, beta, gamma, delta, l, epsilon, *LATE_NUMBERS, a, e
     )
     steps = [is_whole(l + n, assume(whole(l))) for n in (2, 3, 4)]
-    passive = placed(passive_late(), UNITS)
-    margin = part(applied(passive, assume(PASSIVE)), EVERY_MARGIN.at(UNITS))
+    passive = inst(passive_late(), UNITS)
+    margin = conjunct(mp(passive, assume(PASSIVE)), EVERY_MARGIN.at(UNITS))
     inside = positive(epsilon >= 0, epsilon > 0), positive(epsilon <= 1, epsilon < 1)
-    found = closed(applied(loop, closed(stable, *steps)), margin, *inside, fact(ONE))
+    found = closed(mp(loop, closed(stable, *steps)), margin, *inside, fact(ONE))
     device = closed(axiom("late device", gamma, delta, epsilon), *inside)
-    return chosen(device, found)
+    return choose(device, found)
 
 
 def _behind_a_whole_delay() -> Theorem:
     """stable, for epsilon = 0."""
     none, late = assume(Eq(epsilon, 0)), Symbol("q")
-    at_once = substituted(PASSIVE.at({epsilon: late}), late, assume(PASSIVE), none)
-    passive = closed(placed(passive_by_angle(l), UNITS), fact(ONE))
-    margin = part(applied(passive, at_once), every_margin(l).at(UNITS))
-    stable = closed(part(placed(passive_is_stable(), {d: l}), STABLE.at({epsilon: S.Zero})), margin)
+    at_once = subst(PASSIVE.at({epsilon: late}), late, assume(PASSIVE), none)
+    passive = closed(inst(passive_by_angle(l), UNITS), fact(ONE))
+    margin = conjunct(mp(passive, at_once), every_margin(l).at(UNITS))
+    stable = closed(
+        conjunct(inst(passive_is_stable(), {d: l}), STABLE.at({epsilon: S.Zero})), margin
+    )
     back = combined(Eq(0, epsilon), [none, -S.One])
-    return substituted(STABLE.at({epsilon: late}), late, stable, back)
+    return subst(STABLE.at({epsilon: late}), late, stable, back)

@@ -2,53 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Ne
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import fractional
-from symhaptic.notation import B, K, T, b, epsilon, l, theta, z
-from symhaptic.notation.proposition import (
-    And,
-    Iff,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
-from symhaptic.proof.theorems.analysis import in_the_limit
+from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
-from symhaptic.proof.theorems.familiar import axiom
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    denied,
-    either_way,
-    every,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 
 WALL = (K, B, b, T, l, epsilon)
 LATE = Predicate("passive_wall", (), (K, B, b, T, l + epsilon))
@@ -76,15 +34,15 @@ def passive_late() -> Theorem:
     ]
     known = And((static, always))
     inside = [assume(p) for p in INSIDE]
-    here = at(part(assume(known), always), {theta: theta}, *inside)
+    here = at(conjunct(assume(known), always), {theta: theta}, *inside)
     there = closed(positive(MARGIN >= 0, [here, T > 0, b > 0]), *apart)
     period, damper = over(1 / T > 0, one(), T > 0), over(1 / b > 0, one(), b > 0)
-    margin = at(part(assume(wanted), EVERY_MARGIN), {theta: theta}, *inside)
+    margin = at(conjunct(assume(wanted), EVERY_MARGIN), {theta: theta}, *inside)
     back = closed(positive(raw, [margin, period, damper]), *apart)
-    spring, sums = part(assume(wanted), K >= 0), part(assume(known), static)
+    spring, sums = conjunct(assume(wanted), K >= 0), conjunct(assume(known), static)
     same = either_way(
-        conjoined(positive(K >= 0, [sums]), for_all([theta], INSIDE, there)),
-        conjoined(positive(static, [spring]), for_all([theta], INSIDE, back)),
+        conj(positive(K >= 0, [sums]), for_all([theta], INSIDE, there)),
+        conj(positive(static, [spring]), for_all([theta], INSIDE, back)),
         known,
         wanted,
     )
@@ -131,10 +89,10 @@ def passive_at_every_angle() -> Theorem:
         return for_all([theta], INSIDE, there)
 
     wanted = at_every_angle(CONDITION)
-    there = always(part(applied(found, assume(LATE)), EVERY_MARGIN), CONDITION)
-    back = applied(found, conjoined(spring, always(assume(wanted), MARGIN >= 0)))
+    there = always(conjunct(mp(found, assume(LATE)), EVERY_MARGIN), CONDITION)
+    back = mp(found, conj(spring, always(assume(wanted), MARGIN >= 0)))
     same = either_way(there, back, LATE, wanted)
-    return for_all(WALL, [*GIVEN, K >= 0], weakened(same, *GIVEN, K >= 0))
+    return for_all(WALL, [*GIVEN, K >= 0], add_assum(same, *GIVEN, K >= 0))
 
 
 def low_frequencies() -> Proposition:
@@ -146,7 +104,7 @@ def low_frequencies() -> Proposition:
 @cache
 def needed_at_low_frequencies() -> Theorem:
     """That: the margin over b tends to the difference of both sides."""
-    always = part(applied(passive_late(), assume(LATE)), EVERY_MARGIN)
+    always = conjunct(mp(passive_late(), assume(LATE)), EVERY_MARGIN)
     margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
     size = positive(Ne(b, 0), b > 0)
     end = b * (LOW.lhs - LOW.rhs)
@@ -162,6 +120,6 @@ def needed_at_low_frequencies() -> Theorem:
         [t if isinstance(t, (Theorem, sp.Rational)) else assume(t) for t in more],
         [assume(LINE), sp.S.One],
     )
-    beyond = discharged(closed(denied(lost, LOW), size), epsilon > 0, epsilon < 1, K > 0, LINE)
-    found = conjoined(discharged(needed, LATE), beyond)
-    return for_all(WALL, GIVEN, weakened(found, *GIVEN))
+    beyond = disch(closed(denied(lost, LOW), size), epsilon > 0, epsilon < 1, K > 0, LINE)
+    found = conj(disch(needed, LATE), beyond)
+    return for_all(WALL, GIVEN, add_assum(found, *GIVEN))

@@ -2,26 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, cos, sin
-
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, LATE, WALL, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
-from symhaptic.notation import B, K, T, b, epsilon, l, theta
-from symhaptic.notation.proposition import Proposition, implied, proposition
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, discharged, part, weakened
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 
 SHARE = epsilon * (1 - epsilon)
 UP = (1 - epsilon) * sin((l + 1) * theta) + epsilon * sin((l + 2) * theta)
@@ -38,7 +22,7 @@ def bounded() -> Proposition:
 @cache
 def bounded_at_every_angle() -> Theorem:
     """The margin is a square short of the square of what is left, which is not negative then."""
-    always = part(applied(passive_late(), assume(LATE)), EVERY_MARGIN)
+    always = conjunct(mp(passive_late(), assume(LATE)), EVERY_MARGIN)
     margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
     half = sine_of_half(theta)
     left = b * (1 - UP) - SHARE * K * T * sin(theta / 2) * cos(theta / 2)
@@ -49,4 +33,4 @@ def bounded_at_every_angle() -> Theorem:
     found = positive(BOUND, [found, over(1 / b > 0, one(), b > 0)])
     apart = positive(Ne(sin(theta / 2), 0), [half]), positive(Ne(b, 0), b > 0)
     always = for_all([theta], INSIDE, closed(found, *apart))
-    return for_all(WALL, GIVEN, weakened(discharged(always, LATE), *GIVEN))
+    return for_all(WALL, GIVEN, add_assum(disch(always, LATE), *GIVEN))

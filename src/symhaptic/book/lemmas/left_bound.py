@@ -2,69 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, Rational, S, cos
-
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.lower_boundary import is_some
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import WEIGHT, between, plants
-from symhaptic.notation import alpha, beta, d, delta, gamma, theta, x, y, z
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Or,
-    Proposition,
-    Relation,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import OTHER, PIECE
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    device_exists,
-    loop_of_device,
-    ordered,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    is_whole,
-)
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-    zero_beyond,
-)
+from symhaptic.proof.theorems.familiar import bounded
 
 LINE = proposition(Eq(alpha, -gamma))
 NONE, ONE = (Relation(d, "=", n) for n in (S.Zero, S.One))
@@ -88,20 +38,20 @@ def right_of_the_line(delay: Expr) -> Theorem:
     late = Relation(d, "=", delay)
     static, pushed = at_rest()
     readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     left = positive(-gamma - OTHER >= 0, -gamma >= OTHER)
     value = combined(zeros.subs(z, 1) <= 0, [pushed, left], [static, 1])
-    never = chosen(
+    never = choose(
         device_exists(gamma, delta, NUMBERS),
         closed(denied_by(loop, zero_beyond(zeros, z, value)), fact(whole(delay))),
     )
     place = sp.Symbol("q")
     stable = STABLE.at({alpha: OTHER})
-    here = substituted(STABLE.at({alpha: OTHER, d: place}), place, assume(stable), assume(late))
+    here = subst(STABLE.at({alpha: OTHER, d: place}), place, assume(stable), assume(late))
     wanted = Relation(alpha, "<", OTHER)
     inside = combined(wanted, [assume(-gamma < OTHER)], [assume(LINE), 1])
-    found = by_cases(ordered(-gamma, OTHER), inside, anything(absurd(here, never), wanted))
+    found = disj_cases(ordered(-gamma, OTHER), inside, contr(not_intro(here, never), wanted))
     return for_all((OTHER, beta), [stable], found)
 
 
@@ -124,9 +74,9 @@ def near_the_line(delay: Expr) -> Theorem:
     bare = combined(there, *room)
     equal = combined(Relation(delay, "=", d), [assume(late), -S.One])
     apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
-    margins = for_all([theta], INSIDE, closed(substituted(pattern, place, bare, equal), apart))
-    counted = substituted(whole(place), place, is_whole(delay), equal)
-    stable = closed(part(passive_is_stable(), STABLE), margins, counted)
+    margins = for_all([theta], INSIDE, closed(subst(pattern, place, bare, equal), apart))
+    counted = subst(whole(place), place, is_whole(delay), equal)
+    stable = closed(conjunct(passive_is_stable(), STABLE), margins, counted)
     return _placed(stable, reach)
 
 
@@ -162,11 +112,11 @@ def _placed(stable: Theorem, reach: Expr) -> Theorem:
         ),
     )
     values = {OTHER: -gamma + STEP}
-    where = closed(placed(stable, {alpha: values[OTHER]}), step, *rooms, apart)
+    where = closed(inst(stable, {alpha: values[OTHER]}), step, *rooms, apart)
     beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
-    both_ = conjoined(closed(beside, apart), where)
+    both_ = conj(closed(beside, apart), where)
     claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER})))
-    some = closed(witnessed(both_, Exists((OTHER,), claim), values), apart)
+    some = closed(exists(both_, Exists((OTHER,), claim), values), apart)
     given, ends = [proposition(x > 0), *_between(y)], assume(Eq(y, reach))
     low, high = _between(reach)
     inside = [
@@ -177,14 +127,14 @@ def _placed(stable: Theorem, reach: Expr) -> Theorem:
     row = [quarter / 2, soft] if gamma in reach.free_symbols else [S.Half, delta > 0]
     long = combined(y > 0, [positive(reach > 0, row)], [ends, -S.One])
     piece = Exists((y,), And((proposition(y > 0), walls.conclusion)))
-    return chosen(is_some(y, reach), witnessed(conjoined(long, walls), piece, {y: y}))
+    return choose(is_some(y, reach), exists(conj(long, walls), piece, {y: y}))
 
 
 @cache
 def left_bound() -> Theorem:
     """Both, under SOFT."""
-    cases = (conjoined(right_of_the_line(d_), near_the_line(d_)) for d_ in (S.Zero, S.One))
-    return by_cases(assume(SOFT), *cases)
+    cases = (conj(right_of_the_line(d_), near_the_line(d_)) for d_ in (S.Zero, S.One))
+    return disj_cases(assume(SOFT), *cases)
 
 
 # -- arms of (23) without delay --------------------------------------------------------
@@ -199,12 +149,12 @@ SHORT = NEAR * x / (NEAR + 2 * x)
 def bound_of_arms() -> Theorem:
     """What the claim s4d-left-bound says, under its hypotheses."""
     place = sp.Symbol("q")
-    found = placed(figure9.right_of_the_line(), {alpha: place})
+    found = inst(figure9.right_of_the_line(), {alpha: place})
     right = combined(alpha < place, [found], [assume(LINE), 1])
-    right = placed(right, {place: OTHER})
+    right = inst(right, {place: OTHER})
     stable = STABLE.at({alpha: OTHER})
     right = for_all((OTHER, beta, d), [whole(d), stable], right)
-    return conjoined(right, _reached())
+    return conj(right, _reached())
 
 
 def _reached() -> Theorem:
@@ -223,21 +173,21 @@ def _reached() -> Theorem:
     known = plants()
     top = on_box(sp.expand(sp.fraction(CURVE)[0] - wall * WEIGHT), ranges)
     below = over(CURVE - wall > 0, top, known["weight"])
-    between_ = conjoined(
+    between_ = conj(
         positive(beta > -1, beta >= low, [low + 1]),
         combined(-gamma < wall, [assume(y > 0)]),
         combined(wall < CURVE, [below]),
     )
-    stable = applied(placed(between(), {alpha: wall}), between_)
+    stable = mp(inst(between(), {alpha: wall}), between_)
     stable = of_every_plant(
         closed(stable, *(not_zero(known[n]) for n in ("weight", "late", "toward")))
     )
-    stable = placed(stable, {y: SHORT})
+    stable = inst(stable, {y: SHORT})
     ends = step, small, positive(SHORT >= 0, [step]), positive(SHORT <= NEAR, [small])
     stable = closed(stable, *ends, apart, positive(beta > -1, beta >= low, [low + 1]))
     values = {OTHER: -gamma + SHORT}
     beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
     claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER, d: S.Zero})))
-    there = conjoined(closed(beside, apart), stable)
-    some = closed(witnessed(there, Exists((OTHER,), claim), values), apart)
+    there = conj(closed(beside, apart), stable)
+    some = closed(exists(there, Exists((OTHER,), claim), values), apart)
     return for_all((x, beta), given, some)

@@ -2,61 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Integer, Ne, Rational, S, Symbol, cos, pi
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import HALF, PI, met
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, omega
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    ForAll,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import passive
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    bounded,
-    device_exists,
-    device_static,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    general,
-    part,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import factor, identity, is_whole, number
-from symhaptic.proof.theorems.roots import first_minors, opposite
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    not_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.proof.theorems.familiar import bounded
+from symhaptic.proof.theorems.roots import opposite
 
 p, q = Symbol("p"), Symbol("q")
 EVEN = (2 * p + 1) / (2 * q + 2)
@@ -89,9 +40,9 @@ def within_the_spring() -> Theorem:
     ratio = identity(EVEN * (under + 1), over_)
     steps = [is_whole(s, *known) for s in (over_, under)]
     found = closed(found, ratio, *steps)
-    inside = applied(found, assume(letter(EVEN)))
+    inside = mp(found, assume(letter(EVEN)))
     first, other = (
-        part(signs, signs.conclusion.parts[0])
+        conjunct(signs, signs.conclusion.parts[0])
         for signs in (first_minors(t, 0) for t in (inside, opposite(inside)))
     )
     static = device_static(assume(DEVICE))
@@ -106,9 +57,9 @@ def within_the_spring() -> Theorem:
         return closed(over(total * claim / total > 0, room, pushed), apart)
 
     pushes, pulls = share(gamma + alpha, first), share(gamma - alpha, other)
-    within = conjoined(stiff, positive(alpha > -gamma, [pushes]), positive(alpha < gamma, [pulls]))
+    within = conj(stiff, positive(alpha > -gamma, [pushes]), positive(alpha < gamma, [pulls]))
     powers = [is_whole(h.of[0], *known) for h in within.hypotheses if _exponent(h)]  # type: ignore[attr-defined]
-    found = chosen(device_exists(gamma, delta, NUMBERS), closed(within, *powers, divisor))
+    found = choose(device_exists(gamma, delta, NUMBERS), closed(within, *powers, divisor))
     return for_all(WALLS, GIVEN, found)
 
 
@@ -148,11 +99,11 @@ def drawn_otherwise() -> Theorem:
     for late in DELAYS:
         point = DRAWN | STIFF | {d: late}
         stiff = number(Relation(point[gamma], "<=", point[alpha]))
-        there = conjoined(met(point, *_in_terms(late)), _beyond(point, stiff))
-        found.append(witnessed(there, _some_wall(late), STIFF))
+        there = conj(met(point, *_in_terms(late)), _beyond(point, stiff))
+        found.append(exists(there, _some_wall(late), STIFF))
         free = {alpha: alpha, beta: beta, **FREE, d: late}
-        found.append(general(_beyond(free, number(Relation(S.Zero, "<=", S.Zero))), alpha, beta))
-    return conjoined(*found)
+        found.append(gen(_beyond(free, number(Relation(S.Zero, "<=", S.Zero))), alpha, beta))
+    return conj(*found)
 
 
 def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
@@ -162,7 +113,7 @@ def _beyond(point: Mapping[Symbol, Expr], denial: Theorem) -> Theorem:
     stable = letter(EVEN).at(values)
     given = [fact(proposition(c).at(values)) for c in GIVEN[:-1]]
     within = at(within_the_spring(), values, *given, assume(stable))
-    return absurd(within, not_all(within.conclusion, denial), stable)
+    return not_intro(within, not_all(within.conclusion, denial), stable)
 
 
 def _in_terms(late: Expr) -> list[Any]:

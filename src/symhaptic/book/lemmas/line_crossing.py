@@ -7,35 +7,18 @@ downwards it is then positive between the start and each wall at which it is pos
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Ne, Rational, S, Symbol, div, pi
+from sympy import div
 
 from symhaptic.book.lemmas.arm_numbers import gap, pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
 from symhaptic.model.linear import on_the_line
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x, y
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import safe
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import device_static, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 TOP = {0: Rational(72, 100), 1: Rational(16, 100)}
 """No wall that is stable is as stiff."""
@@ -125,22 +108,22 @@ def stays_stable() -> tuple[Theorem, ...]:
 
 
 def _stays_stable(delay: int) -> Theorem:
-    loop = placed(by_inequalities(delay), {beta: on_the_line(alpha, delay)})
-    wanted = placed(by_inequalities(delay), {alpha: x, beta: on_the_line(x, delay)})
-    known = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
+    loop = inst(by_inequalities(delay), {beta: on_the_line(alpha, delay)})
+    wanted = inst(by_inequalities(delay), {alpha: x, beta: on_the_line(x, delay)})
+    known = mp(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
     parts = []
     for claim in conjuncts(known.conclusion):
         value = expanded(claim.right)  # type: ignore[attr-defined]
-        there = combined(Relation(S.Zero, "<", value), [part(known, claim)])
+        there = combined(Relation(S.Zero, "<", value), [conjunct(known, claim)])
         parts.append(softer(value, there, delay))
     goals = conjuncts(wanted.conclusion.of[1])  # type: ignore[attr-defined]
     shown = [combined(goal, [known]) for goal, known in zip(goals, parts, strict=True)]
-    return of_every_plant(within(applied(wanted, conjoined(*shown)), delay))
+    return of_every_plant(within(mp(wanted, conj(*shown)), delay))
 
 
 def within(theorem: Theorem, delay: int) -> Theorem:
     """The stiffness of both walls is between -0.001 and the top."""
-    stiff = placed(below_the_top(delay), {beta: on_the_line(alpha, delay)})
+    stiff = inst(below_the_top(delay), {beta: on_the_line(alpha, delay)})
     gap = positive(alpha - x >= 0, x <= alpha)
     least = positive(x >= -STIFF, [positive(x + gamma > 0, -gamma < x)], [gamma <= STIFF])
     ends = (
@@ -154,14 +137,14 @@ def within(theorem: Theorem, delay: int) -> Theorem:
 @cache
 def one_crossing() -> Theorem:
     """For -gamma < x < alpha: if alpha is stable, so is x, and alpha < 1; for d = 0 and d = 1."""
-    return conjoined(*map(_one_crossing, TOP))
+    return conj(*map(_one_crossing, TOP))
 
 
 def _one_crossing(delay: int) -> Theorem:
-    stiff = placed(below_the_top(delay), {beta: on_the_line(alpha, delay)})
-    found = conjoined(stays_stable()[delay], positive(alpha < 1, [stiff], [1 - TOP[delay]]))
+    stiff = inst(below_the_top(delay), {beta: on_the_line(alpha, delay)})
+    found = conj(stays_stable()[delay], positive(alpha < 1, [stiff], [1 - TOP[delay]]))
     wall = next(p for p in stiff.hypotheses if isinstance(p, Predicate))
-    return discharged(closed(found, positive(x <= alpha, x < alpha)), wall)
+    return disch(closed(found, positive(x <= alpha, x < alpha)), wall)
 
 
 DAMPING = -Rational(22, 1000), Rational(2, 5)
@@ -178,12 +161,12 @@ def in_the_triangle(delay: int) -> Theorem:
     most = assume(beta <= on_the_line(x, delay))
     walls = {alpha: x, x: there}
     on_it = closed(
-        placed(stays_stable()[delay], walls),
+        inst(stays_stable()[delay], walls),
         positive(-gamma < there, [less], [above]),
         positive(there <= x, [1 / share, most]),
     )
     loop = by_inequalities(delay)
-    known = applied(placed(loop, {alpha: there}), assume(on_it.conclusion))
+    known = mp(inst(loop, {alpha: there}), assume(on_it.conclusion))
     wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: DAMPING}
     parts = []
     for claim, way in zip(conjuncts(loop.conclusion.of[1]), _WAYS[delay], strict=True):  # type: ignore[attr-defined]
@@ -195,13 +178,13 @@ def in_the_triangle(delay: int) -> Theorem:
         else:
             higher = combined(
                 Relation(S.Zero, "<", expanded(value.xreplace({alpha: there}))),
-                [part(known, _like(claim, known, there))],
+                [conjunct(known, _like(claim, known, there))],
             )
             fall = -divided(value, alpha, y)
-            down = placed(on_box(fall, {**wide, y: wide[alpha]}), {y: there})
+            down = inst(on_box(fall, {**wide, y: wide[alpha]}), {y: there})
             parts.append(combined(claim, [higher], [less, down]))
-    found = closed(of_every_plant(applied(loop, conjoined(*parts))), on_it)
-    stiff = placed(below_the_top(delay), {alpha: x, beta: on_the_line(x, delay)})
+    found = closed(of_every_plant(mp(loop, conj(*parts))), on_it)
+    stiff = inst(below_the_top(delay), {alpha: x, beta: on_the_line(x, delay)})
     top = positive(there <= TOP[delay], [1 / share, most], [stiff])
     ends = (
         top,
@@ -243,9 +226,9 @@ def _from_the_start(value: Expr) -> list[list[Any]]:
 def below_the_crossing() -> Theorem:
     """The claim of the triangle for d = 0 and d = 1, each from its parts."""
     every: Any = taken_apart(safe())[2]
-    return conjoined(
+    return conj(
         *(
-            discharged(in_the_triangle(delay), *conjuncts(claim.of[0]))
+            disch(in_the_triangle(delay), *conjuncts(claim.of[0]))
             for delay, claim in zip(TOP, every.of, strict=True)
         )
     )

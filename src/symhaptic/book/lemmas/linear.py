@@ -2,36 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-
-from sympy import Eq, Expr, S
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.notation import B, K, T, b, d, delta, k, m, s, t_d, t_e, x
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, Terms, both, negated
+from symhaptic.notation import b, t_e
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import LAGGING
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.roots import hurwitz
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    either_way,
-    fact,
-    over,
-    positive,
-)
 
 ROOM = b + B - K * t_e
 """What (24) keeps of Hurwitz' determinant, per mass."""
@@ -50,11 +27,11 @@ def stable_with_lag() -> Theorem:
     lead = positive(m * t_e > 0, [heavy, late])
     first = positive(m + b * t_e > 0, [heavy], [loss, late])
     minors = criterion.conclusion.of[1]  # type: ignore[attr-defined]
-    known = [part(assume(minors), minor) for minor in minors.of]
+    known = [conjunct(assume(minors), minor) for minor in minors.of]
     pushes, large = HELD.of  # type: ignore[attr-defined]
-    there = conjoined(over(pushes, known[2], known[1]), combined(large, [known[1]]))
-    spring, room = (part(assume(HELD), p) for p in (pushes, large))
-    back = conjoined(
+    there = conj(over(pushes, known[2], known[1]), combined(large, [known[1]]))
+    spring, room = (conjunct(assume(HELD), p) for p in (pushes, large))
+    back = conj(
         combined(minors.of[0], [first]),
         combined(minors.of[1], [room]),
         combined(minors.of[2], [spring, room]),
@@ -71,11 +48,11 @@ def undamped() -> Theorem:
     pushes, large = HELD.of  # type: ignore[attr-defined]
     _, room = KEPT.of  # type: ignore[attr-defined]
     share = t_e * (b + B + k * t_e)
-    scaled = combined(m * ROOM > 0, [part(assume(HELD), large)], [none, share])
-    there = conjoined(part(assume(HELD), pushes), over(room, scaled, m > 0))
-    kept = part(assume(KEPT), room)
-    back = conjoined(
-        part(assume(KEPT), pushes), combined(large, [assume(m > 0), kept], [none, -share])
+    scaled = combined(m * ROOM > 0, [conjunct(assume(HELD), large)], [none, share])
+    there = conj(conjunct(assume(HELD), pushes), over(room, scaled, m > 0))
+    kept = conjunct(assume(KEPT), room)
+    back = conj(
+        conjunct(assume(KEPT), pushes), combined(large, [assume(m > 0), kept], [none, -share])
     )
     apart = positive(Relation(m, "!=", S.Zero), m > 0)
     found = either_way(closed(there, apart), closed(back, apart), HELD, KEPT)
@@ -85,7 +62,7 @@ def undamped() -> Theorem:
 
 def effective(theorem: Theorem, other: Terms | None = None) -> Theorem:
     """A theorem of the lag, with t_e = t_d + T/2 > 0."""
-    found = placed(theorem, {t_e: lag.DELAY, **(other or {})})
+    found = inst(theorem, {t_e: lag.DELAY, **(other or {})})
     return closed(found, positive_delay())
 
 
@@ -100,7 +77,7 @@ def without_damping() -> Theorem:
     """KEPT, with t_e = t_d + T/2, <=> stable; for b = 0."""
     found = effective(undamped())
     stable, kept = found.conclusion.of  # type: ignore[attr-defined]
-    there, back = applied(found, assume(kept)), applied(found, assume(stable))
+    there, back = mp(found, assume(kept)), mp(found, assume(stable))
     return either_way(there, back, kept, stable)
 
 
@@ -110,11 +87,11 @@ def of_the_walls(walls: Proposition) -> Theorem:
     pulled, linear = walls.of  # type: ignore[attr-defined]
     pushes, room = kept.of
     late = positive_delay()
-    known = [part(assume(walls), p) for p in walls.of]  # type: ignore[attr-defined]
-    there = conjoined(combined(pushes, [known[0]]), combined(room, [late, known[1]]))
-    back = conjoined(
-        combined(pulled, [part(assume(kept), pushes)]),
-        over(linear, part(assume(kept), room), late),
+    known = [conjunct(assume(walls), p) for p in walls.of]  # type: ignore[attr-defined]
+    there = conj(combined(pushes, [known[0]]), combined(room, [late, known[1]]))
+    back = conj(
+        combined(pulled, [conjunct(assume(kept), pushes)]),
+        over(linear, conjunct(assume(kept), room), late),
     )
     apart = positive(Relation(lag.DELAY, "!=", S.Zero), [late])
     same = either_way(closed(there, apart), closed(back, apart), walls, kept)
@@ -130,8 +107,8 @@ def of_the_walls_in_units(walls: Proposition, table: Sequence[Expr]) -> Theorem:
     mass, period = assume(m > 0), assume(T > 0)
     spring = over(m / T**2 > 0, mass, positive(T**2 > 0, [period, period]))
     damper = over(m / T > 0, mass, period)
-    low, high = (part(assume(walls), p) for p in walls.of)  # type: ignore[attr-defined]
-    there = conjoined(
+    low, high = (conjunct(assume(walls), p) for p in walls.of)  # type: ignore[attr-defined]
+    there = conj(
         combined(pushes, [spring, low], [stiff, m / T**2], [sprung, m / T**2]),
         combined(
             room,
@@ -144,8 +121,8 @@ def of_the_walls_in_units(walls: Proposition, table: Sequence[Expr]) -> Theorem:
     )
     square = over(T**2 / m > 0, positive(T**2 > 0, [period, period]), mass)
     length = over(T / m > 0, period, mass)
-    pushing, wide = (part(assume(kept), p) for p in kept.of)
-    back = conjoined(
+    pushing, wide = (conjunct(assume(kept), p) for p in kept.of)
+    back = conj(
         combined(pulled, [square, pushing], [stiff, -S.One], [sprung, -S.One]),
         combined(
             linear,
@@ -174,10 +151,10 @@ def spring_is_free() -> Theorem:
     """With the spring k a wall is stable where it is with the spring x; for b = 0."""
     one = without_damping()
     kept, _ = one.conclusion.of  # type: ignore[attr-defined]
-    other = placed(one, {k: x})
+    other = inst(one, {k: x})
     pushes, room = kept.of
-    here = conjoined(positive(pushes, -k < K), part(assume(other.conclusion.of[0]), room))  # type: ignore[attr-defined]
-    there = conjoined(positive(pushes.at({k: x}), -x < K), part(assume(kept), room))
+    here = conj(positive(pushes, -k < K), conjunct(assume(other.conclusion.of[0]), room))  # type: ignore[attr-defined]
+    there = conj(positive(pushes.at({k: x}), -x < K), conjunct(assume(kept), room))
     same = either_way(there, here, kept, other.conclusion.of[0])  # type: ignore[attr-defined]
     return chained(chained(turned(one), same), other)
 
@@ -185,15 +162,15 @@ def spring_is_free() -> Theorem:
 def turned(equivalence: Theorem) -> Theorem:
     """q <=> p from p <=> q."""
     p, q = equivalence.conclusion.of  # type: ignore[attr-defined]
-    back, there = applied(equivalence, assume(q)), applied(equivalence, assume(p))
+    back, there = mp(equivalence, assume(q)), mp(equivalence, assume(p))
     return either_way(back, there, q, p)
 
 
 def more_with_a_spring(same: Proposition, point: Terms) -> Theorem:
     """At a point a wall is stable with the one spring and not with the other."""
     one, other = same.at(point).of  # type: ignore[attr-defined]
-    held = applied(assume(same.at(point)), stable_at(one))
-    return absurd(held, unstable_at(other), same.at(point))
+    held = mp(assume(same.at(point)), stable_at(one))
+    return not_intro(held, unstable_at(other), same.at(point))
 
 
 @cache
@@ -207,29 +184,29 @@ def safe() -> Theorem:
     room = positive(ROOM.xreplace({t_e: lag.DELAY}) > 0, [late, assume(K < LINEAR)])
     all_of_it = combined(large, [mass, room], [loss, late, room], [loss, late, pull, late])
     apart = positive(Relation(lag.DELAY, "!=", S.Zero), [late])
-    return closed(applied(found, conjoined(pull, all_of_it)), apart)
+    return closed(mp(found, conj(pull, all_of_it)), apart)
 
 
 def forbidden(claim: Proposition, point: Terms) -> Theorem:
     """At a point walls are stable that the linear condition forbids."""
     there = claim.at(point)
     walls, stable = there.of  # type: ignore[attr-defined]
-    held = applied(assume(there), stable_at(stable))
-    return absurd(part(held, walls.of[1]), number(negated(walls.of[1])), there)
+    held = mp(assume(there), stable_at(stable))
+    return not_intro(conjunct(held, walls.of[1]), number(negated(walls.of[1])), there)
 
 
 def stable_at(stable: Predicate) -> Theorem:
     """A loop with the lag in numbers is stable, by Hurwitz' determinants."""
     criterion = hurwitz(stable.of[0], s)
     minors = [number(minor) for minor in criterion.conclusion.of[1].of]  # type: ignore[attr-defined]
-    found = applied(criterion, conjoined(*minors))
+    found = mp(criterion, conj(*minors))
     return closed(found, *map(fact, found.hypotheses))
 
 
 def unstable_at(stable: Predicate) -> Theorem:
     """A loop with the lag in numbers is not stable, for one of the determinants is negative."""
     criterion = hurwitz(stable.of[0], s)
-    held = applied(criterion, assume(stable))
+    held = mp(criterion, assume(stable))
     failing = [m for m in criterion.conclusion.of[1].of if not m.right > 0]  # type: ignore[attr-defined]
-    found = absurd(part(held, failing[0]), number(negated(failing[0])), stable)
+    found = not_intro(conjunct(held, failing[0]), number(negated(failing[0])), stable)
     return closed(found, *map(fact, found.hypotheses))

@@ -7,14 +7,10 @@ stiffness.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, Symbol
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.line_crossing import AT_REST, TOTAL, divided, slow
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -23,28 +19,9 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     on_box,
 )
-from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1, x
-from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear_error import on_boundary_at as here
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import both_ways, device_static, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    instance,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import STIFF
+from symhaptic.proof.theorems.kernel import spec
 
 HALF = S.Half
 LOW, HIGH = -Rational(3, 100), Rational(1, 10)
@@ -88,9 +65,9 @@ def least(delay: int) -> Theorem:
     wide = {**RANGES, alpha: (-STIFF, TOP[delay]), beta: (-WIDEST, LOW)}
     below = positive(beta <= LOW, beta < LOW)
     fails = closed(on_box(-minor(delay), wide), low, below)
-    contrary = absurd(known, combined(Relation(minor(delay), "<=", S.Zero), [fails]))
+    contrary = not_intro(known, combined(Relation(minor(delay), "<=", S.Zero), [fails]))
     wanted = Relation(LOW, "<=", beta)
-    found = by_cases(ordered(beta, LOW), anything(contrary, wanted), assume(wanted))
+    found = disj_cases(ordered(beta, LOW), contr(contrary, wanted), assume(wanted))
     return closed(of_every_plant(found), soft())
 
 
@@ -98,11 +75,11 @@ def least(delay: int) -> Theorem:
 def unstable_at_the_top(delay: int) -> Theorem:
     """Falsehood, from a stable wall at the top with beta <= 0.1."""
     there = {alpha: S(TOP[delay])}
-    low, _, _ = (placed(t, there) for t in damping_between(delay, RANGES))
+    low, _, _ = (inst(t, there) for t in damping_between(delay, RANGES))
     value = minor(delay).subs(there)
     wide = on_box(-value, {**RANGES, beta: (-WIDEST, HIGH)})
-    known = placed(inequalities(delay)[-1], there)
-    contrary = absurd(known, combined(Relation(value, "<=", S.Zero), [wide]))
+    known = inst(inequalities(delay)[-1], there)
+    contrary = not_intro(known, combined(Relation(value, "<=", S.Zero), [wide]))
     return closed(of_every_plant(contrary), low)
 
 
@@ -133,7 +110,7 @@ def enough(delay: int) -> Theorem:
         else:
             known = combined(goal, [on_box(value, box(delay))])
         shown.append(known)
-    return closed(applied(loop, conjoined(*shown)), slow(), soft())
+    return closed(mp(loop, conj(*shown)), slow(), soft())
 
 
 def _push() -> Theorem:
@@ -167,45 +144,45 @@ def falls(delay: int) -> Theorem:
 def on_it(delay: int) -> Theorem:
     """A wall of the boundary with beta <= 0.1 is in the box: alpha <= its top, -0.03 <= beta."""
     boundary = assume(here(delay))
-    left, _, every = (part(boundary, claim) for claim in conjuncts(here(delay)))
+    left, _, every = (conjunct(boundary, claim) for claim in conjuncts(here(delay)))
     middle = (alpha - gamma) / 2
     between = positive(middle < alpha, [HALF, left]), positive(middle > -gamma, [HALF, left])
-    inner = applied(instance(every, {x: middle}), conjoined(between[1], between[0]))
-    damped = closed(placed(least(delay), {alpha: middle}), inner, between[1])
+    inner = mp(spec(every, {x: middle}), conj(between[1], between[0]))
+    damped = closed(inst(least(delay), {alpha: middle}), inner, between[1])
     top = TOP[delay]
     contrary = closed(unstable_at_the_top(delay), _at(every, S(top)))
     wanted = Relation(alpha, "<=", top)
     low = positive(-gamma < top, [top], gamma >= 0)
-    found = by_cases(ordered(top, alpha), anything(contrary, wanted), assume(wanted))
+    found = disj_cases(ordered(top, alpha), contr(contrary, wanted), assume(wanted))
     stiff = closed(found, low)
     less = positive(middle <= top, [between[0]], [stiff])
-    return conjoined(stiff, closed(damped, less))
+    return conj(stiff, closed(damped, less))
 
 
 def _at(every: Theorem, stiffness: Expr) -> Theorem:
     """The wall x of the same damping is stable, for -gamma < x < alpha."""
-    known = conjoined(assume(-gamma < stiffness), assume(stiffness < alpha))
-    return applied(instance(every, {x: stiffness}), known)
+    known = conj(assume(-gamma < stiffness), assume(stiffness < alpha))
+    return mp(spec(every, {x: stiffness}), known)
 
 
 @cache
 def level(delay: int) -> Theorem:
     """The minor of a wall on the boundary is zero, for beta <= 0.1."""
     boundary, value = assume(here(delay)), minor(delay)
-    left, unstable, every = (part(boundary, claim) for claim in conjuncts(here(delay)))
-    before = closed(placed(inequalities(delay)[-1], {alpha: x}), _at(every, x))
+    left, unstable, every = (conjunct(boundary, claim) for claim in conjuncts(here(delay)))
+    before = closed(inst(inequalities(delay)[-1], {alpha: x}), _at(every, x))
     end = tends(value.xreplace({alpha: x}), x, alpha, value)
     above = closed(in_the_limit(before, x, -gamma, alpha, end), left)
     stable = closed(enough(delay), left, *_inside(delay))
-    contrary = absurd(stable, unstable)
+    contrary = not_intro(stable, unstable)
     wanted = Relation(value, "<=", S.Zero)
-    below = by_cases(ordered(S.Zero, value), anything(contrary, wanted), assume(wanted))
+    below = disj_cases(ordered(S.Zero, value), contr(contrary, wanted), assume(wanted))
     return both_ways(below, above)
 
 
 def _inside(delay: int) -> tuple[Theorem, ...]:
     found = on_it(delay)
-    return tuple(part(found, claim) for claim in conjuncts(found.conclusion))
+    return tuple(conjunct(found, claim) for claim in conjuncts(found.conclusion))
 
 
 @cache
@@ -215,16 +192,16 @@ def reached(delay: int) -> Theorem:
     zero, left = assume(Relation(value, "=", S.Zero)), assume(-gamma < alpha)
     wall = here(delay).of[1].of[0]  # type: ignore[attr-defined]
     known = closed(inequalities(delay)[-1], assume(wall))
-    unstable = absurd(known, zero, wall)
+    unstable = not_intro(known, zero, wall)
     less = assume(x < alpha)
     more = positive(
         Relation(S.Zero, "<", value.xreplace({alpha: x})), [less, falls(delay)], [zero, -1]
     )
-    stable = placed(enough(delay), {alpha: x})
+    stable = inst(enough(delay), {alpha: x})
     ends = (
         positive(x <= TOP[delay], [less], alpha <= TOP[delay]),
         positive(x >= -STIFF, -gamma < x, gamma <= STIFF),
     )
     found = closed(stable, more, *ends)
-    every = general(discharged(found, -gamma < x, x < alpha), x)
-    return closed(conjoined(left, unstable, every), soft())
+    every = gen(disch(found, -gamma < x, x < alpha), x)
+    return closed(conj(left, unstable, every), soft())

@@ -5,11 +5,6 @@ The wall is that whose chord y is 25 times the gap: so near to the start the gap
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Ne, Rational, S
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, gap, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import ROOM, slow
@@ -17,25 +12,12 @@ from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, reached
 from symhaptic.book.lemmas.linear_far import arc, on_the_circle, quotient
 from symhaptic.book.lemmas.linear_gap import MOST, narrow
 from symhaptic.book.lemmas.linear_rays import share
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
 from symhaptic.model.linear import CHORD
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import Exists, Relation, both
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LEVEL, error, far_in_the_corner
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.theorems.familiar import magnitude
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import closed, positive
 
 TIMES, TINY = 25, Rational(1, 10**6)
 RANGE = {**RANGES, CHORD: (0, TINY)}
@@ -84,11 +66,11 @@ def wall(delay: int) -> Theorem:
     down = combined(value < -LEVEL, [quotient(away, width)])
     far = combined(wanted.body.of[-1], [down], [magnitude(value, True), -S.One])  # type: ignore[attr-defined]
     far = closed(far, positive(value <= 0, [down], [LEVEL]))
-    found = witnessed(conjoined(boundary, less, far), wanted, {s: s for s in there})
+    found = exists(conj(boundary, less, far), wanted, {s: s for s in there})
     apart = not_zero(size), not_zero(width), positive(Ne(alpha + gamma, 0), [left])
-    exists = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conj(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(exists, named, there), closed(found, *apart, slow()))
+    found = choose(exists(there_is, named, there), closed(found, *apart, slow()))
     return closed(found, not_zero(size))
 
 
@@ -126,6 +108,6 @@ def in_the_corner() -> Theorem:
         combined(BY_GAP.at({CHORD: chord})),
         not_zero(wide),
     )
-    found = [closed(placed(wall(n), {CHORD: chord}), *ends, slow(), not_zero(wide)) for n in LATE]
+    found = [closed(inst(wall(n), {CHORD: chord}), *ends, slow(), not_zero(wide)) for n in LATE]
     weak = positive(gamma >= 0, gamma > 0), positive(delta >= 0, delta > 0)
-    return closed(of_every_plant(conjoined(*found)), *weak)
+    return closed(of_every_plant(conj(*found)), *weak)

@@ -5,10 +5,6 @@ From the start of the line a wall is seen under the slope b/A = (d + 1/2) (1 + e
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_boundary import (
     HIGH,
@@ -31,35 +27,20 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import LATER, LEVEL, beside, error, on_boundary_at
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 
 @cache
 def wall(delay: int) -> tuple[Theorem, ...]:
     """What the lemmas ask of the wall (alpha, beta) of the boundary, by its A and b."""
     inside = on_it(delay)
-    stiff, low = (part(inside, claim) for claim in conjuncts(inside.conclusion))
-    left = part(assume(on_boundary_at(delay)), -gamma < alpha)
+    stiff, low = (conjunct(inside, claim) for claim in conjuncts(inside.conclusion))
+    left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
     place = coordinates(delay)
     top, high = box(delay)[A][1], box(delay)[b][1]
     small = [share(delay), gamma <= STIFF]
@@ -75,7 +56,7 @@ def wall(delay: int) -> tuple[Theorem, ...]:
 
 def later(theorem: Theorem) -> Theorem:
     """The same of the other wall."""
-    return placed(theorem, dict(zip((alpha, beta), LATER, strict=True)))
+    return inst(theorem, dict(zip((alpha, beta), LATER, strict=True)))
 
 
 @cache
@@ -88,7 +69,7 @@ def rises(delay: int) -> Theorem:
     more = assume(beta < LATER[1])
     before = positive(beta <= 0, [more], LATER[1] <= 0)
     turned = closed(
-        placed(wedge(delay), both_), *walls, *others, positive(first[b] < second[b], [more])
+        inst(wedge(delay), both_), *walls, *others, positive(first[b] < second[b], [more])
     )
     one, other = error(delay), beside(error(delay))
     width = [walls[1], others[1]]
@@ -97,7 +78,7 @@ def rises(delay: int) -> Theorem:
         other - one > 0, positive(second[b] * first[A] - first[b] * second[A] > 0, [turned]), size
     )
     rise = closed(combined(one < other, [gap]), *map(not_zero, (*width, size)))
-    found = conjoined(rise, later(small(delay)))
+    found = conj(rise, later(small(delay)))
     return closed(of_every_plant(found), before)
 
 
@@ -106,7 +87,7 @@ def small(delay: int) -> Theorem:
     """The error is less than 2 per cent, for beta <= 0."""
     place, walls = coordinates(delay), wall(delay)
     steep = (1 + LEVEL) * share(delay)
-    below = closed(placed(below_the_ray(delay), place), *walls, _damped(delay))
+    below = closed(inst(below_the_ray(delay), place), *walls, _damped(delay))
     gap = (steep * place[A] - place[b]) / share(delay)
     found = over(LEVEL - error(delay) > 0, positive(gap > 0, [1 / share(delay), below]), walls[1])
     return closed(combined(error(delay) < LEVEL, [found]), not_zero(walls[1]))
@@ -127,7 +108,7 @@ def below_the_ray(delay: int) -> Theorem:
     value, steep = minor_at(delay), (1 + LEVEL) * share(delay)
     wanted = b < steep * A
     contrary = assume(steep * A <= b)
-    lift = placed(on(delay, slope(delay, b, b_1)), {b: steep * A, b_1: b})
+    lift = inst(on(delay, slope(delay, b, b_1)), {b: steep * A, b_1: b})
     damped = delta + share(delay) * gamma
     on_ray = value.xreplace({b: steep * A})
     along = expanded((on_ray - on_ray.xreplace({A: S.Zero})) / A)
@@ -148,8 +129,8 @@ def below_the_ray(delay: int) -> Theorem:
         positive(high / steep >= A, [1 / steep, contrary], [1 / steep, b <= high]),
         positive(A >= 0, A > 0),
     )
-    none = absurd(closed(gain, *ends), zero_of(value))
-    return by_cases(ordered(b, steep * A), assume(wanted), anything(none, wanted))
+    none = not_intro(closed(gain, *ends), zero_of(value))
+    return disj_cases(ordered(b, steep * A), assume(wanted), contr(none, wanted))
 
 
 @cache
@@ -161,5 +142,5 @@ def risen() -> Theorem:
         walls = [here, here.at(dict(zip((alpha, beta), LATER, strict=True)))]
         damped = tuple(positive(s <= HIGH, s <= 0, [HIGH]) for s in (beta, LATER[1]))
         before = positive(beta <= 0, beta < LATER[1], LATER[1] <= 0)
-        found.append(discharged(closed(rises(delay), *damped, before), *walls))
-    return conjoined(*found)
+        found.append(disch(closed(rises(delay), *damped, before), *walls))
+    return conj(*found)

@@ -5,12 +5,6 @@ It is given by the chord y of the zero that the loop then has on the circle.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, S, Symbol
-
 from symhaptic.book.lemmas.arm_numbers import TOTAL, together
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import AT_REST, room, slow
@@ -18,29 +12,16 @@ from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, TOP, minor, reached
 from symhaptic.book.lemmas.linear_rays import (
     share,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model import linear
 from symhaptic.model.circle import expanded
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0
-from symhaptic.notation.proposition import Exists, Relation, both
 from symhaptic.paper.propositions.linear_error import (
     LEVEL,
     error,
     far,
 )
-from symhaptic.proof.theorems.familiar import magnitude
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    relation,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 
@@ -94,13 +75,13 @@ def beyond(delay: int, spring: Expr, more: Expr, ranges: Ranges) -> Theorem:
     down = combined(value < -LEVEL, [quotient(away, width)])
     beyond_ = combined(far_at(delay).body.of[-1], [down], [magnitude(value, True), -S.One])
     beyond_ = closed(beyond_, positive(value <= 0, [down], [LEVEL]))
-    found = conjoined(boundary, push, less, beyond_)
-    found = witnessed(found, far_at(delay), {s: s for s in there})
+    found = conj(boundary, push, less, beyond_)
+    found = exists(found, far_at(delay), {s: s for s in there})
     apart = [*map(not_zero, (*known.values(), width)), positive(Ne(alpha + gamma, 0), [left])]
     found = closed(found, *apart, slow())
-    exists = conjoined(*(identity(w, w) for w in there.values()))
+    there_is = conj(*(identity(w, w) for w in there.values()))
     named = Exists(tuple(there), both([stiff.conclusion, damped.conclusion]))
-    found = chosen(witnessed(exists, named, there), found)
+    found = choose(exists(there_is, named, there), found)
     return of_every_plant(closed(found, not_zero(known[area])))
 
 
@@ -124,7 +105,7 @@ def on_the_circle(delay: int, stiff: Theorem, damped: Theorem) -> Theorem:
     for place, line, known in ((alpha, stiff, {beta: v}), (beta, damped, {})):
         back = combined(Relation(relation(line).right, "=", place), [line, -1])
         pattern = Relation(bare.xreplace(known), "=", S.Zero)
-        found = substituted(pattern, place, found, back)
+        found = subst(pattern, place, found, back)
     return combined(Relation(value, "=", S.Zero), [found], turn(-value))
 
 

@@ -2,26 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S
-
-from symhaptic.notation import alpha, beta, d, z
-from symhaptic.notation.proposition import whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    discharged,
-    part,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole
-from symhaptic.proof.theorems.roots import first_minors
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 HALF = Rational(1, 2)
 
@@ -31,9 +13,9 @@ def minors() -> tuple[Theorem, ...]:
     """0 < alpha, 0 < 2 beta - d alpha and 0 < c_1 c_2 - c_0 c_3 of a stable wall; d is whole."""
     loop = loop_substituted((alpha, beta, S.Zero, S.Zero, d), z, 1, stiffness=False, damping=False)
     stable, _ = loop.conclusion.parts
-    found = first_minors(applied(loop, assume(stable)), 2)
+    found = first_minors(mp(loop, assume(stable)), 2)
     found = closed(found, *(is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)))
-    return tuple(part(found, claim) for claim in found.conclusion.parts)
+    return tuple(conjunct(found, claim) for claim in found.conclusion.parts)
 
 
 @cache
@@ -60,6 +42,6 @@ def of_a_free_mass() -> Theorem:
     above = above_the_line()
     stable = next(p for p in above.hypotheses if p != whole(d))
     border = Eq(beta, alpha * (HALF + d))
-    none = absurd(above, assume(border), stable)
-    found = conjoined(discharged(above, stable), discharged(none, border))
+    none = not_intro(above, assume(border), stable)
+    found = conj(disch(above, stable), disch(none, border))
     return for_all((alpha, beta, d), [whole(d)], found)

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, Rational, S, Symbol, exp
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, damped_or_not, pushed, turned, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.notation import delta, gamma, u
-from symhaptic.notation.proposition import Implies, Relation, both
-from symhaptic.proof.derivative import derivative
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import of_device, rising, square
-from symhaptic.proof.theorems.kernel import Theorem, assume, discharged, placed, unfolded, weakened
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 HALF, QUARTER = S.Half, Rational(1, 4)
 MOST = gamma**2 * delta / 32
@@ -30,15 +21,15 @@ def narrow() -> Theorem:
     given = (DEVICE, gamma >= 0, SLOW)
     implied = Implies((both(given), Relation(ROOM, "<=", MOST)))
     bare = [undamped(p) for p in given]
-    free = discharged(weakened(_undamped(), *bare), *bare)
-    found = damped_or_not(implied, discharged(weakened(_damped(), *given), *given), free)
-    return closed(unfolded(found), number(Relation(S.Zero, "<=", S.Zero)))
+    free = disch(add_assum(_undamped(), *bare), *bare)
+    found = damped_or_not(implied, disch(add_assum(_damped(), *given), *given), free)
+    return closed(undisch(found), number(Relation(S.Zero, "<=", S.Zero)))
 
 
 def _undamped() -> Theorem:
     """There is no gap: n_0 <= n_1 and e = 1."""
     device = assume(undamped(DEVICE))
-    image, less = of_device("device's loss", device), placed(pushed()[2], {delta: S.Zero})
+    image, less = of_device("device's loss", device), inst(pushed()[2], {delta: S.Zero})
     claim = undamped(Relation(ROOM, "<=", MOST))
     return combined(claim, [HALF, assume(gamma >= 0), less], [image, -S.One])
 
@@ -53,7 +44,7 @@ def _damped() -> Theorem:
     kernel = first + second * exp(-way) - derivative(slope, u) - delta * slope - gamma * test
     spring, rest = assume(gamma >= 0), positive(1 - u > 0, u < 1)
     size = closed(over(1 / delta > 0, one(), delta > 0))
-    there = closed(placed(_bent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
+    there = closed(inst(_bent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
     shown = combined(
         kernel >= 0,
         [spring, spring, size, size, rest, there],

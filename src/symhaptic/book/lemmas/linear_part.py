@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Ne, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import corner
 from symhaptic.book.lemmas.passivity import PASSIVE, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     at_every_angle,
     bordering,
@@ -19,33 +15,8 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, theta, w, x, y
-from symhaptic.notation.proposition import Predicate, Relation, Terms
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    fact,
-    follows,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.notation import b, w
+from symhaptic.proof.theorems.familiar import bounded
 
 TURN = phi * (2 * d + 2)
 ONE = S.One
@@ -61,7 +32,7 @@ def known() -> tuple[Theorem, ...]:
         combined(1 + s * cos(TURN) >= 0, [HALF, square(1 + s * cos(TURN))], [HALF, turn])
         for s in (-1, 1)
     )
-    found = placed(corner(), {psi: phi, N: 2 * d + 2})
+    found = inst(corner(), {psi: phi, N: 2 * d + 2})
     return closed(found, positive(2 * d + 2 >= 2, [2, d >= 0])), flat, steep
 
 
@@ -113,7 +84,7 @@ def on_line(stiffness: Theorem, damping: Theorem) -> Theorem:
     """A wall of (8), 0 <= y <= 1, is passive and needs all of the damping; d is whole."""
     always, pushes = met_on_line(stiffness, damping)
     passive = follows(passive_by_angle(), pushes, always)
-    least = placed(limits()[1], {b: x})
+    least = inst(limits()[1], {b: x})
     least = combined(
         b <= x,
         [least],
@@ -172,7 +143,7 @@ def met_at_every_frequency(straight: Any) -> Theorem:
     """On the line (8) the condition (5) is met weakly at each frequency, and just so at none."""
     along, (frequencies, limit) = straight.body.of[0].of, straight.body.of[1].of
     always, _ = met_on_line(*map(assume, (e.at({x: y}) for e in along[-2:])))
-    always = closed(placed(always, {y: x}))
+    always = closed(inst(always, {y: x}))
     angle = omega * T
     inside = positive(angle > 0, [omega > 0, T > 0]), positive(angle < pi, [T > 0, omega < pi / T])
     there = closed(at(always, {theta: angle}, *inside), *divisors())
@@ -185,8 +156,8 @@ def met_at_every_frequency(straight: Any) -> Theorem:
     *_, stiffness, damping = map(assume, along)
     zero = combined(Eq(rest, 0), [stiffness, -T * (d + HALF)], [damping, ONE])
     pattern = Predicate("limit", (omega,), (limit.of[0], S.Zero, w))
-    near = substituted(pattern, w, near, closed(zero, *divisors()))
-    return for_all(straight.over, along, weakened(conjoined(met, near), *along))
+    near = subst(pattern, w, near, closed(zero, *divisors()))
+    return for_all(straight.over, along, add_assum(conj(met, near), *along))
 
 
 def ends_at_corner(limit: Any, one: Theorem) -> Theorem:
@@ -206,11 +177,11 @@ def ends_at_corner(limit: Any, one: Theorem) -> Theorem:
     square = not_zero(positive(T * (4 * d**2 + 8 * d + 3) > 0, [T > 0, low, high]))
     square = positive(Ne(4 * T * d**2 + 8 * T * d + 3 * T, 0), [square])
     found = closed(found, *third, square, *divisors())
-    return substituted(pattern, w, found, combined(Eq(ONE, y), [one, -ONE]))
+    return subst(pattern, w, found, combined(Eq(ONE, y), [one, -ONE]))
 
 
 def at_corner(printed: Any, point: Terms) -> Theorem:
     """The wall of a point is passive, since it is the corner, y = 1 of the line."""
-    found = part(on_line(*map(assume, printed)), PASSIVE)
-    there = placed(found, {**point, y: ONE})
+    found = conjunct(on_line(*map(assume, printed)), PASSIVE)
+    there = inst(found, {**point, y: ONE})
     return closed(there, *map(fact, there.hypotheses))

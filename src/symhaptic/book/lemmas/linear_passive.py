@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Ne, Rational, S
-
 from symhaptic.book.lemmas.linear_part import divisors, passive_below, shares
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import lag
-from symhaptic.notation import B, K, T, alpha, b, b_D, beta, d, delta, m, t_d
+from symhaptic.notation import b
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.linear import on_or_below_the_line
-from symhaptic.proof.theorems.kernel import Theorem, assume, placed
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
 
 HALF = Rational(1, 2)
 
@@ -61,5 +54,5 @@ def passive_on_the_line() -> Theorem:
     apart = [positive(Ne(e, 0), [e > 0]) for e in (m, T)]
     apart += [positive(Ne(T**2, 0), [period, period])]
     below = assume(b + B - K * T * (d + HALF) >= 0)
-    found = placed(passive_below(below), {b: b_D})
+    found = inst(passive_below(below), {b: b_D})
     return closed(found, room, pushes, small, ahead, *apart, *divisors())

@@ -6,11 +6,6 @@ gamma.  On a ray Jury's largest minor is not negative at the start and bent down
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Ne, Rational, S, Symbol, symbols
-
 from symhaptic.book.lemmas.line_crossing import AT_REST, ROOM, divided, room
 from symhaptic.book.lemmas.linear_boundary import (
     HALF,
@@ -20,22 +15,10 @@ from symhaptic.book.lemmas.linear_boundary import (
     minor,
     turn,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import on_box
 from symhaptic.model.circle import expanded, powers, quotient
-from symhaptic.notation import a, alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 A, b, A_1, b_1, y = symbols("A b A_1 b_1 y")
 """Two walls in these coordinates, and a share of the way along a ray."""
@@ -89,12 +72,12 @@ def stiffer(delay: int) -> Theorem:
     there = value.xreplace({A: A_1, b: b_1})
     up = on(delay, slope(delay, b, b_1))
     down = on(delay, -slope(delay, A, A_1))
-    later = placed(up, {A: A_1})
+    later = inst(up, {A: A_1})
     back = assume(A_1 <= A)
     gain = positive(Relation(S.Zero, "<", there - value), [b < b_1, later], [back, down])
     none = combined(Relation(there - value, "=", S.Zero), [zero_of(there)], [zero_of(value), -1])
     wanted = A < A_1
-    return by_cases(ordered(A, A_1), assume(wanted), anything(absurd(gain, none), wanted))
+    return disj_cases(ordered(A, A_1), assume(wanted), contr(not_intro(gain, none), wanted))
 
 
 def zero_of(value: Expr) -> Theorem:
@@ -139,16 +122,16 @@ def wedge(delay: int) -> Theorem:
     less = stiffer(delay)
     gap = positive(A_1 - A > 0, [less])
     low = positive(wanted, [b < b_1, A_1 > 0], [b_1 <= 0, gap])
-    outer = anything(_above_the_ray(delay), wanted)
-    high = by_cases(ordered(b * A_1, b_1 * A), assume(wanted), outer)
-    return closed(by_cases(ordered(S.Zero, b_1), high, low), less)
+    outer = contr(_above_the_ray(delay), wanted)
+    high = disj_cases(ordered(b * A_1, b_1 * A), assume(wanted), outer)
+    return closed(disj_cases(ordered(S.Zero, b_1), high, low), less)
 
 
 def _above_the_ray(delay: int) -> Theorem:
     """Falsehood, from b_1 A <= b A_1: the wall would lie above the ray to the other one."""
     value = minor_at(delay)
     there = value.xreplace({A: A_1, b: b_1})
-    lift = placed(on(delay, slope(delay, b, b_1)), {A: y * A_1, b: y * b_1, b_1: b})
+    lift = inst(on(delay, slope(delay, b, b_1)), {A: y * A_1, b: y * b_1, b_1: b})
     here = value.xreplace({A: y * A_1})
     more = assume(y * b_1 <= b)
     rest, part_way = positive(1 - y > 0, y < 1), positive(y > 0, y > 0)
@@ -169,8 +152,8 @@ def _above_the_ray(delay: int) -> Theorem:
         positive(y >= 0, y > 0),
         positive(y <= 1, y < 1),
     )
-    found = closed(absurd(gain, zero_of(here)), *ends)
-    found = placed(found, {y: A / A_1})
+    found = closed(not_intro(gain, zero_of(here)), *ends)
+    found = inst(found, {y: A / A_1})
     width = assume(A_1 > 0)
     sides = (
         over(A / A_1 > 0, A > 0, width),

@@ -7,11 +7,6 @@ surplus over the line that is larger has its sign.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Add, Expr, Rational, S, Symbol, exp, symbols
-
 from symhaptic.book.lemmas.arm_numbers import SLOW, TOTAL, damped_or_not, pushed, undamped
 from symhaptic.book.lemmas.line_crossing import ROOM, divided, room, slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
@@ -30,32 +25,15 @@ from symhaptic.book.lemmas.linear_rays import (
     zero_of,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded, powers
-from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1, u
-from symhaptic.notation.proposition import Implies, Relation, both, conjuncts
+from symhaptic.notation import u
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import CONSTANT, SMALL, on_boundary_at, second_order
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.derivative import derivative
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import ordered, rising
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, positive
 
 UNEVEN, GAP = symbols("w G")
 """n_1 - n_0, and the gap times n_1 + n_0."""
@@ -72,15 +50,15 @@ def nearly_even() -> Theorem:
     none = number(Relation(S.Zero, "<=", S.Zero))
     free = after_a_blow(assume(undamped(DEVICE)), -1, 1, u, 0, none)
     bare = [undamped(p) for p in given]
-    free = discharged(weakened(combined(undamped(claim), [free]), *bare), *bare)
-    damped = discharged(weakened(combined(claim, [_late()]), *given), *given)
-    return unfolded(damped_or_not(implied, damped, free))
+    free = disch(add_assum(combined(undamped(claim), [free]), *bare), *bare)
+    damped = disch(add_assum(combined(claim, [_late()]), *given), *given)
+    return undisch(damped_or_not(implied, damped, free))
 
 
 def _late() -> Theorem:
     """0 <= n_0 - n_1 + delta/6, from exp(-x) > 1 - x."""
     way = delta * u
-    above = closed(placed(_tangent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
+    above = closed(inst(_tangent(), {_PLACE: way}), positive(way > 0, [delta > 0, u > 0]))
     kernel = exp(-way) - 1 + way + way**2 / 2 + gamma * delta * u**3 / 6
     loss, ago, spring = (assume(p) for p in (delta > 0, u > 0, gamma >= 0))
     more = [S.Half, loss, loss, ago, ago], [Rational(1, 6), spring, loss, ago, ago, ago]
@@ -182,7 +160,7 @@ MOST_B = HIGH + DAMPED + 2 * STIFF
 def _between(delay: int, low: Expr, high: Expr) -> Theorem:
     """0 < (f(high) - f(low))/(high - low) of the minor f."""
     wide = {**BOX, b: (LOW, MOST_B), b_1: (LOW, MOST_B)}
-    return placed(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
+    return inst(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
 
 
 @cache
@@ -197,8 +175,8 @@ def not_above(delay: int) -> Theorem:
         positive(bow <= MOST_B, [contrary], b <= MOST_B),
     )
     wanted = Relation(b, "<=", bow)
-    never = absurd(closed(gain, *ends), zero_of(value))
-    return by_cases(ordered(bow, b), anything(never, wanted), assume(wanted))
+    never = not_intro(closed(gain, *ends), zero_of(value))
+    return disj_cases(ordered(bow, b), contr(never, wanted), assume(wanted))
 
 
 @cache
@@ -206,7 +184,7 @@ def not_below(delay: int) -> Theorem:
     """(d + 1/2) A - 3 (delta + gamma) (A + gamma) <= b of a wall with a minor of zero."""
     value, bow = minor_at(delay), share(delay) * A + BELOW
     contrary, width = assume(b < bow), assume(A > 0)
-    lift = placed(_between(delay, b_1, b), {b: bow, b_1: b})
+    lift = inst(_between(delay, b_1, b), {b: bow, b_1: b})
     there = value.xreplace({b: bow})
     gain = combined(Relation(S.Zero, "<", there), [contrary, lift], [zero_of(value), -S.One])
     less = positive(share(delay) * A - bow >= 0, *_products(width))
@@ -216,8 +194,8 @@ def not_below(delay: int) -> Theorem:
         positive(bow <= MOST_B, [less], [share(delay), BOX[A][1] >= A], [MOST_B - top]),
     )
     wanted = Relation(bow, "<=", b)
-    never = absurd(closed(gain, *ends), negative_below(delay))
-    return by_cases(ordered(b, bow), anything(never, wanted), assume(wanted))
+    never = not_intro(closed(gain, *ends), negative_below(delay))
+    return disj_cases(ordered(b, bow), contr(never, wanted), assume(wanted))
 
 
 def _products(width: Theorem) -> list[list[Any]]:
@@ -230,8 +208,8 @@ def _products(width: Theorem) -> list[list[Any]]:
 def near_the_line(delay: int) -> Theorem:
     """The claim of second order for the wall (alpha, beta), on the boundary."""
     place = coordinates(delay)
-    stiff, low = (part(on_it(delay), c) for c in conjuncts(on_it(delay).conclusion))
-    left = part(assume(on_boundary_at(delay)), -gamma < alpha)
+    stiff, low = (conjunct(on_it(delay), c) for c in conjuncts(on_it(delay).conclusion))
+    left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
     walls = (
         zero(delay),
         positive(place[A] > 0, [left]),
@@ -240,10 +218,10 @@ def near_the_line(delay: int) -> Theorem:
         positive(place[b] >= LOW, [low], delta >= 0, [share(delay), gamma >= 0]),
         positive(place[b] <= MOST_B, beta <= HIGH, delta <= DAMPED, *_room(delay)),
     )
-    found = [closed(placed(f(delay), place), *walls, stiff) for f in (not_above, not_below)]
+    found = [closed(inst(f(delay), place), *walls, stiff) for f in (not_above, not_below)]
     claims = second_order(delay)
     shown = [combined(c, [t]) for c, t in zip(claims, found, strict=True)]
-    return closed(of_every_plant(conjoined(*shown)), slow())
+    return closed(of_every_plant(conj(*shown)), slow())
 
 
 def _room(delay: int) -> list[list[Any]]:
@@ -254,4 +232,4 @@ def _room(delay: int) -> list[list[Any]]:
 @cache
 def linearised() -> Theorem:
     """What the claim of the paper concludes, under its hypotheses."""
-    return conjoined(*(discharged(near_the_line(n), on_boundary_at(n)) for n in LATE))
+    return conj(*(disch(near_the_line(n), on_boundary_at(n)) for n in LATE))

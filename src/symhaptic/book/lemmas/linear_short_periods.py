@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne
-
 from symhaptic.book.lemmas.linear_far import quotient
 from symhaptic.book.lemmas.linear_second_order import near_the_line
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, y
-from symhaptic.notation.proposition import conjuncts
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import (
     CONSTANT,
@@ -20,9 +16,6 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
 )
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, discharged, part, placed
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 
 @cache
@@ -30,15 +23,15 @@ def tends_to_the_line(delay: int) -> Theorem:
     """The claim for a wall on the boundary, of one delay."""
     period, mass, soft = assume(T > 0), assume(m > 0), assume(y >= K * T)
     boundary = assume(on_boundary_at(delay).at(UNITS))
-    pulled = part(boundary, conjuncts(boundary.conclusion)[0])
-    found = closed(placed(near_the_line(delay), UNITS), boundary, *_inside(mass, period, soft))
-    above, below = (part(found, c) for c in conjuncts(found.conclusion))
+    pulled = conjunct(boundary, conjuncts(boundary.conclusion)[0])
+    found = closed(inst(near_the_line(delay), UNITS), boundary, *_inside(mass, period, soft))
+    above, below = (conjunct(found, c) for c in conjuncts(found.conclusion))
     unit = quotient(mass, period)
     share = quotient(period, mass)
     spring = combined((K + k) * T > 0, [unit, pulled])
     gap, stiff, damped = assume(y >= K * T), assume(k >= 0), assume(b >= 0)
     most, least = left_of_line(delay)
-    shown = conjoined(
+    shown = conj(
         combined(
             most, [unit, above], [CONSTANT, share, gap, gap], [2 * CONSTANT, share, gap, spring]
         ),
@@ -69,7 +62,7 @@ def _inside(mass: Theorem, period: Theorem, soft: Theorem) -> list[Theorem]:
 
 
 @cache
-def tends() -> Theorem:
+def all_tend() -> Theorem:
     """What the claim ``short_periods`` concludes, under its hypotheses."""
-    found = (discharged(tends_to_the_line(n), on_boundary_at(n).at(UNITS)) for n in LATE)
-    return conjoined(*found)
+    found = (disch(tends_to_the_line(n), on_boundary_at(n).at(UNITS)) for n in LATE)
+    return conj(*found)

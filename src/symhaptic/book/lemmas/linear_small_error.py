@@ -6,11 +6,6 @@ cent more damping, and from alpha = 0 on negative on that of 5 per cent less.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW, on_it
@@ -29,11 +24,9 @@ from symhaptic.book.lemmas.linear_rays import (
     zero,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.linear import LATE
 from symhaptic.paper.propositions.linear_error import (
     HALF_WAY,
@@ -42,23 +35,7 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import magnitude, ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 MOST_B = HIGH + DAMPED + 2 * STIFF
 
@@ -71,7 +48,7 @@ def box(delay: int) -> dict[Symbol, tuple[Any, Any]]:
 def _lift(delay: int, low: Expr, high: Expr) -> Theorem:
     """0 < (f(high) - f(low))/(high - low) of the minor f."""
     wide = {**box(delay), b: (LOW, MOST_B), b_1: (LOW, MOST_B)}
-    return placed(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
+    return inst(on_box(slope(delay, b, b_1), wide), {b: low, b_1: high})
 
 
 def _rate(delay: int, steep: Expr) -> Expr:
@@ -102,8 +79,8 @@ def below(delay: int) -> Theorem:
         [at_start(delay)],
         [A > 0, on_box(rate, box(delay))],
     )
-    none = absurd(closed(gain, *_inside(delay, steep)), zero_of(minor_at(delay)))
-    return by_cases(ordered(steep * A, b), anything(none, wanted), assume(wanted))
+    none = not_intro(closed(gain, *_inside(delay, steep)), zero_of(minor_at(delay)))
+    return disj_cases(ordered(steep * A, b), contr(none, wanted), assume(wanted))
 
 
 @cache
@@ -123,8 +100,8 @@ def above(delay: int) -> Theorem:
         [heavy, narrow()],
         [Rational(1, 32), heavy, stiffer, assume(gamma >= 0), assume(delta >= 0)],
     )
-    none = absurd(closed(loss, *_inside(delay, steep)), zero_of(minor_at(delay)))
-    return by_cases(ordered(b, steep * A), anything(none, wanted), assume(wanted))
+    none = not_intro(closed(loss, *_inside(delay, steep)), zero_of(minor_at(delay)))
+    return disj_cases(ordered(b, steep * A), contr(none, wanted), assume(wanted))
 
 
 @cache
@@ -132,8 +109,8 @@ def small_error(delay: int) -> Theorem:
     """What the claim ``close`` says, under the hypotheses of the statement."""
     place = coordinates(delay)
     inside = on_it(delay)
-    _, low = (part(inside, claim) for claim in conjuncts(inside.conclusion))
-    left = part(assume(on_boundary_at(delay)), -gamma < alpha)
+    _, low = (conjunct(inside, claim) for claim in conjuncts(inside.conclusion))
+    left = conjunct(assume(on_boundary_at(delay)), -gamma < alpha)
     top, weight = box(delay)[A][1], share(delay)
     width, rest = positive(place[A] > 0, [left]), (2 - weight) * STIFF
     ends = (
@@ -147,7 +124,7 @@ def small_error(delay: int) -> Theorem:
             place[b] <= MOST_B, beta <= HIGH, delta <= DAMPED, [weight, gamma <= STIFF], [rest]
         ),
     )
-    more, less = (closed(placed(t, place), *ends) for t in (below(delay), above(delay)))
+    more, less = (closed(inst(t, place), *ends) for t in (below(delay), above(delay)))
     value = error(delay)
     off = place[b] / weight - place[A]
     gaps = [
@@ -160,14 +137,14 @@ def small_error(delay: int) -> Theorem:
     up = combined(wanted, [most], [magnitude(value)])
     down = combined(wanted, [least], [magnitude(value, True)])
     up = closed(up, positive(value >= 0, value > 0))
-    found = closed(by_cases(ordered(S.Zero, value), up, down), not_zero(width))
+    found = closed(disj_cases(ordered(S.Zero, value), up, down), not_zero(width))
     found = closed(of_every_plant(found), slow())
-    return discharged(found, on_boundary_at(delay), alpha >= 0, alpha <= RANGE[delay])
+    return disch(found, on_boundary_at(delay), alpha >= 0, alpha <= RANGE[delay])
 
 
 @cache
 def small_errors() -> Theorem:
     """The claim: for all arms of (23) and both delays."""
     symbols, given, _ = taken_apart(CLAIMED["s6-linear-small-error"](()))
-    both_ = conjoined(*map(small_error, LATE))
-    return for_all(symbols, given, weakened(both_, *given))
+    both_ = conj(*map(small_error, LATE))
+    return for_all(symbols, given, add_assum(both_, *given))

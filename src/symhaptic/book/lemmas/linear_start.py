@@ -2,28 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Ne, S, Symbol, cos, sin
-
 from symhaptic.book.lemmas.arm_numbers import ARM, NUMBERS, TOTAL, signs, together
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.circle import expanded
-from symhaptic.notation import a, d, delta, e, gamma, n_0, n_1, s_1, s_2, theta
-from symhaptic.notation.proposition import And, Predicate, Proposition, Relation, Terms
 from symhaptic.paper.propositions.stability import SQUARE, damping, stiffness
-from symhaptic.proof.theorems.familiar import device_static
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, tends
-from symhaptic.proof.theorems.tactics import closed, every, for_all, positive
 
 HALF = S.Half
 GIVEN = (*ARM[1:], gamma * delta > 0, d >= 0)
@@ -62,7 +45,7 @@ def limit_at_start(expr: Expr, value: Expr) -> Predicate:
 @cache
 def no_bound() -> Theorem:
     """The theorem of :func:`unbounded`, but for its outer quantifier, as hypotheses."""
-    found = conjoined(
+    found = conj(
         tends_at_start((ACROSS + gamma) / theta**2, WIDTH),
         width(),
         tends_at_start((ACROSS + gamma) / APART, S.Zero),
@@ -78,12 +61,12 @@ def tends_at_start(expr: Expr, value: Expr, arm: Terms | None = None) -> Theorem
     limit = closed(tends(expr.xreplace({a: rest}), theta, S.Zero, value), *apart(arm))
     equal = combined(Relation(rest, "=", a), [static, S.One])
     pattern = limit_at_start(expr.xreplace({a: _PLACE}), value)
-    return closed(substituted(pattern, _PLACE, limit, equal), *apart(arm))
+    return closed(subst(pattern, _PLACE, limit, equal), *apart(arm))
 
 
 def apart(arm: Terms) -> tuple[Theorem, ...]:
     """What limits divide by is not zero: of n_1 + n_0 and, without a given arm, the gap."""
-    total = placed(together(), dict(arm)) if arm else together()
+    total = inst(together(), dict(arm)) if arm else together()
     powers = [(n, k) for k in (1, 2, 3) for n in (1, 2, 12)]
     found = [
         positive(Relation(expanded(n * TOTAL**k), "!=", S.Zero), [n, *[total] * k])
@@ -96,7 +79,7 @@ def apart(arm: Terms) -> tuple[Theorem, ...]:
 def width() -> Theorem:
     """0 < s_2 + (d+1) s_1 + d (d+1) gamma/2."""
     known = signs()
-    mass, line = (part(known, p) for p in known.conclusion.parts[2:4])
+    mass, line = (conjunct(known, p) for p in known.conclusion.parts[2:4])
     first = positive(NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
     sprung = [HALF, d >= 0, d >= 0, gamma >= 0], [HALF, d >= 0, gamma >= 0]
     found = positive(WIDTH > 0, [mass], [d >= 0, first], [first], *sprung)
@@ -107,7 +90,7 @@ def width() -> Theorem:
 def divisors() -> tuple[Theorem, ...]:
     """n_1 + n_0, d + 1/2 and, for 0 < gamma delta, the gap are not zero."""
     total, known = together(), signs()
-    above = applied(part(known, known.conclusion.parts[4]), assume(gamma * delta > 0))
+    above = mp(conjunct(known, known.conclusion.parts[4]), assume(gamma * delta > 0))
     apart = positive(Ne(TOTAL, 0), [total])
     start = 2 * delta * n_0 + 2 * delta * n_1 + 2 * e - gamma * n_0 + gamma * n_1 - 2
     below = closed(positive(start < 0, [2, above, total]), apart)

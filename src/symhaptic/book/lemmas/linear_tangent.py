@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational, Rel, S, Symbol, pi
+from sympy import Rel
 
 from symhaptic.book.lemmas.arm_numbers import ARM, GAP, NUMBERS, TOTAL, pushed, share, signs
 from symhaptic.book.lemmas.linear_start import (
@@ -18,25 +16,10 @@ from symhaptic.book.lemmas.linear_start import (
     width,
 )
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
-from symhaptic.notation import d, delta, gamma, n_0, n_1, nu, s_1, s_2, theta, u
-from symhaptic.notation.proposition import Proposition, Relation, both, implied
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import u
 from symhaptic.proof.theorems.analysis import no_other_limit
-from symhaptic.proof.theorems.familiar import both_ways, decided, of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, number
 from symhaptic.proof.theorems.samples import after_a_blow
-from symhaptic.proof.theorems.tactics import closed, every, for_all, positive
 
 HALF = S.Half
 GIVEN = (*ARM[1:], d >= 0)
@@ -75,10 +58,10 @@ def free_mass_only() -> Theorem:
     arms = for_all(
         DEVICE_NUMBERS,
         [DEVICE],
-        conjoined(tends_at_start((ACROSS + gamma) / theta**2, WIDTH), width(), _only()),
+        conj(tends_at_start((ACROSS + gamma) / theta**2, WIDTH), width(), _only()),
     )
     free = for_all(DEVICE_NUMBERS, [DEVICE.at(FREE)], _along())
-    return conjoined(arms, free)
+    return conj(arms, free)
 
 
 def _only() -> Theorem:
@@ -87,9 +70,9 @@ def _only() -> Theorem:
     level = _must(-GAP, below, _ON[0])
     beyond = tends_at_start((SURPLUS + GAP) / theta**2, LOW)
     pattern = limit_at_start((SURPLUS - _PLACE) / theta**2, LOW)
-    flat = _must(LOW, substituted(pattern, _PLACE, beyond, level), _ON[1])
+    flat = _must(LOW, subst(pattern, _PLACE, beyond, level), _ON[1])
     known = signs()
-    mass, line = (part(known, p) for p in known.conclusion.parts[2:4])
+    mass, line = (conjunct(known, p) for p in known.conclusion.parts[2:4])
     first = positive(NUMBERS[s_1] >= 0, [line], [delta >= 0], [HALF, gamma >= 0])
     slim = positive(HALF - NUMBERS[nu] >= 0, [share()[1]])
     sums = [2, slim, mass], [d >= 0, d >= 0, first], [2, d >= 0, first], [line]
@@ -100,8 +83,8 @@ def _only() -> Theorem:
         rows = [[times, *row] for row in (*sums, *late, rest)]
         less = _sum(of <= 0, rows, [flat, -2 * S(times)])
         zeros.append(both_ways(less, positive(of >= 0, of >= 0)))
-    found = conjoined(*reversed(zeros))
-    return discharged(closed(found, *apart({})), *_ON)
+    found = conj(*reversed(zeros))
+    return disch(closed(found, *apart({})), *_ON)
 
 
 def _sum(claim: object, rows: list[list[object]], equation: list[object]) -> Theorem:
@@ -113,8 +96,8 @@ def _must(value: Expr, limit: Theorem, claim: Proposition) -> Theorem:
     """What tends to a value, and to zero as assumed, tends to a value that is zero."""
     equal = _zero(value)
     other = no_other_limit(limit, assume(Relation(value, "!=", S.Zero)))
-    never = anything(absurd(assume(claim), other), equal)
-    return by_cases(decided(value, S.Zero), assume(equal), never)
+    never = contr(not_intro(assume(claim), other), equal)
+    return disj_cases(decided(value, S.Zero), assume(equal), never)
 
 
 def _along() -> Theorem:
@@ -123,7 +106,7 @@ def _along() -> Theorem:
     nothing = number(Relation(S.Zero, "<=", S.Zero))
     known = nothing, number(Relation(S.Zero, "<", pi**2))
     image = of_device("device's loss", device)
-    less = placed(pushed()[2], FREE)
+    less = inst(pushed()[2], FREE)
     more = positive(n_0 >= n_1, [after_a_blow(device, -1, 1, u, 0, nothing)])
     same = both_ways(less, more)
     gap, low = GAP.xreplace(FREE), LOW.xreplace(FREE)
@@ -131,10 +114,10 @@ def _along() -> Theorem:
     rest = NUMBERS[s_2].xreplace(FREE)
     flat = combined(_zero(low), [image, (d + 1) ** 2 / (2 * TOTAL)], [same, rest / (2 * TOTAL)])
     start = tends_at_start(SURPLUS, -GAP, FREE)
-    first = substituted(limit_at_start(SURPLUS.xreplace(FREE), -_PLACE), _PLACE, start, level)
+    first = subst(limit_at_start(SURPLUS.xreplace(FREE), -_PLACE), _PLACE, start, level)
     bare = SURPLUS.xreplace(FREE)
     beyond = tends_at_start((SURPLUS + GAP) / theta**2, LOW, FREE)
     pattern = limit_at_start((bare + _PLACE) / theta**2, low)
-    second = substituted(pattern, _PLACE, beyond, level)
-    second = substituted(limit_at_start(bare / theta**2, _PLACE), _PLACE, second, flat)
-    return closed(conjoined(first, second), *apart(FREE), *known)
+    second = subst(pattern, _PLACE, beyond, level)
+    second = subst(limit_at_start(bare / theta**2, _PLACE), _PLACE, second, flat)
+    return closed(conj(first, second), *apart(FREE), *known)

@@ -2,24 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from symhaptic.book.lemmas.linear import turned
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
-from symhaptic.notation import alpha, beta, d, delta, gamma
-from symhaptic.notation.proposition import Not, Proposition, Relation, Terms, negated
 from symhaptic.paper.propositions.linear import EXCHANGED, decides
-from symhaptic.proof.theorems.kernel import (
-    NotShown,
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import chained, either_way
 
 
 @cache
@@ -37,12 +23,12 @@ def at_point(same: Proposition, point: Terms) -> Theorem:
     known = [_settled(part) for part in there.parts]
     (one, p), (other, q) = zip(known, there.parts, strict=True)
     if one.conclusion == p and other.conclusion == q:
-        return either_way(weakened(other, p), weakened(one, q), p, q)
+        return either_way(add_assum(other, p), add_assum(one, q), p, q)
     if one.conclusion != p and other.conclusion != q:
-        never = [absurd(assume(c), t) for c, t in zip(there.parts, known, strict=True)]
-        return either_way(anything(never[0], q), anything(never[1], p), p, q)
+        never = [not_intro(assume(c), t) for c, t in zip(there.parts, known, strict=True)]
+        return either_way(contr(never[0], q), contr(never[1], p), p, q)
     held, denied = (one, other) if one.conclusion == p else (other, one)
-    return absurd(applied(assume(there), held), denied, there)
+    return not_intro(mp(assume(there), held), denied, there)
 
 
 def _settled(claim: Proposition) -> Theorem:

@@ -6,10 +6,6 @@ for all stiffer walls.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.line_crossing import slow
 from symhaptic.book.lemmas.linear_boundary import HIGH, LOW
@@ -29,13 +25,11 @@ from symhaptic.book.lemmas.linear_rays import (
     share,
     slope,
     start_by_gap,
-    y,
     zero_of,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import of_every_plant, on_box
 from symhaptic.model.circle import expanded
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import Relation
 from symhaptic.paper.propositions.linear_error import (
     BETWEEN,
     LEVEL,
@@ -44,21 +38,7 @@ from symhaptic.paper.propositions.linear_error import (
     on_boundary_at,
     size,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.familiar import magnitude, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 STEEP = 1 - LEVEL
 """How steep the ray of an error of -2 per cent is, beside the line."""
@@ -69,7 +49,7 @@ def within(delay: int, most: Expr) -> Theorem:
     """(26) is at most 2 per cent for gamma = 0.001 and delta <= most, alpha >= 0 and beta < 0."""
     place, walls = coordinates(delay), wall(delay)
     weight, value = share(delay), error(delay)
-    above = closed(placed(_above_the_ray(delay, most), place), *walls)
+    above = closed(inst(_above_the_ray(delay, most), place), *walls)
     above = closed(above, positive(place[A] >= gamma, alpha >= 0))
     top = positive((place[b] - STEEP * weight * place[A]) / weight >= 0, [1 / weight, above])
     least = combined(value >= -LEVEL, [quotient(top, walls[1])])
@@ -77,7 +57,7 @@ def within(delay: int, most: Expr) -> Theorem:
     up = combined(wanted, [small(delay)], [magnitude(value)])
     down = combined(wanted, [least], [magnitude(value, True)])
     up = closed(up, positive(value >= 0, value > 0))
-    found = closed(by_cases(ordered(S.Zero, value), up, down), not_zero(walls[1]))
+    found = closed(disj_cases(ordered(S.Zero, value), up, down), not_zero(walls[1]))
     ends = (
         positive(beta <= 0, beta < 0),
         positive(beta <= HIGH, beta < 0, [HIGH]),
@@ -92,22 +72,22 @@ def _above_the_ray(delay: int, most: Expr) -> Theorem:
     on_ray = value.xreplace({b: steep * A})
     top, high = (box(delay)[s][1] for s in (A, b))
     wide = {**RANGES, A: (0, top), b: (LOW, high), b_1: (LOW, steep * top)}
-    lift = placed(on_box(slope(delay, b, b_1), wide), {b_1: steep * A})
+    lift = inst(on_box(slope(delay, b, b_1), wide), {b_1: steep * A})
     contrary = assume(b < steep * A)
     above = Relation(S.Zero, "<", on_ray)
     gain = combined(above, [contrary, lift], [zero_of(value), -S.One])
     way = on_ray.xreplace({A: y * A})
     along, rest = assume(y > 0), assume(y <= 1)
-    bent_ = placed(bent_downwards(delay), {A_1: A, b_1: steep * A})
+    bent_ = inst(bent_downwards(delay), {A_1: A, b_1: steep * A})
     less = combined(
         Relation(y * on_ray, "<=", S.Zero),
         [assume(Relation(way, "<", S.Zero))],
         [rest, at_start(delay)],
         [along, rest, bent_],
     )
-    never = absurd(positive(y * on_ray > 0, [along, gain]), less)
+    never = not_intro(positive(y * on_ray > 0, [along, gain]), less)
     wanted = Relation(steep * A, "<=", b)
-    found = placed(anything(never, wanted), {y: gamma / A})
+    found = inst(contr(never, wanted), {y: gamma / A})
     width = assume(A > 0)
     ends = (
         _below_at_gamma(delay, most),
@@ -125,7 +105,7 @@ def _above_the_ray(delay: int, most: Expr) -> Theorem:
         not_zero(width),
     )
     found = closed(found, *ends)
-    return by_cases(ordered(b, steep * A), found, assume(wanted))
+    return disj_cases(ordered(b, steep * A), found, assume(wanted))
 
 
 def _below_at_gamma(delay: int, most: Expr) -> Theorem:
@@ -153,21 +133,21 @@ def on_either_side() -> Theorem:
     """What the claim ``threshold`` concludes, under its hypotheses."""
     found = []
     for delay, (low, high) in BETWEEN.items():
-        found.append(discharged(general(nowhere_at(delay), alpha, beta), delta <= low))
+        found.append(disch(gen(nowhere_at(delay), alpha, beta), delta <= low))
         ranges = {gamma: (STIFF, STIFF), delta: (high, DAMPED)}
         there = beyond(delay, SPRINGS[delay], S.Zero, ranges)
-        found.append(discharged(_stiff(there), delta >= high))
-    return conjoined(*found)
+        found.append(disch(_stiff(there), delta >= high))
+    return conj(*found)
 
 
 def nowhere_at(delay: int) -> Theorem:
     """The implication of the claim ``nowhere``, for gamma = 0.001 and delta up to the threshold."""
     found = within(delay, BETWEEN[delay][0])
     given = [on_boundary_at(delay), *PUSHING]
-    return _stiff(discharged(found, *given))
+    return _stiff(disch(found, *given))
 
 
 def _stiff(theorem: Theorem) -> Theorem:
     """For gamma = 0.001."""
     ends = (Relation(S.Zero, "<=", STIFF), Relation(STIFF, "<=", STIFF))
-    return closed(placed(theorem, {gamma: STIFF}), *map(number, ends))
+    return closed(inst(theorem, {gamma: STIFF}), *map(number, ends))

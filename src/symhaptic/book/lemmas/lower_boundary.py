@@ -5,33 +5,13 @@ A wall that leaves the line some room keeps a margin with less damping of the de
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.linear_part import divisors, known, on_line, shares
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import first_half, limits, on_first_half, pushes, sufficient
-from symhaptic.notation import B, K, T, b, d, x, y
-from symhaptic.notation.proposition import Exists, both, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import BORDER, LITTLE, MINIMAL
-from symhaptic.proof.theorems.familiar import both_ways, decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, either_way, one, over, positive
 
 THIRD = Rational(1, 3)
 ROOM = b + B - K * T * (d + HALF)
@@ -42,14 +22,14 @@ LESS = b - ROOM * (d + 3) / (3 * (d + 1))
 
 def border_needs(damping: Expr, passive: Theorem, *known: Theorem) -> Theorem:
     """b <= x for a wall of the boundary that is passive with a damping x >= 0."""
-    denied = at(part(assume(BORDER), MINIMAL), {x: damping}, *known, assume(damping < b))
-    never = anything(absurd(passive, denied), b <= damping)
-    return by_cases(ordered(damping, b), never, assume(b <= damping))
+    denied = at(conjunct(assume(BORDER), MINIMAL), {x: damping}, *known, assume(damping < b))
+    never = contr(not_intro(passive, denied), b <= damping)
+    return disj_cases(ordered(damping, b), never, assume(b <= damping))
 
 
 def of_border(theorem: Theorem) -> Theorem:
     """What is known of a passive wall, of one on the boundary."""
-    return closed(theorem, part(assume(BORDER), PASSIVE))
+    return closed(theorem, conjunct(assume(BORDER), PASSIVE))
 
 
 @cache
@@ -70,7 +50,7 @@ def on_the_line() -> Theorem:
         [THIRD, share, rest, flat],
     )
     always = on_first_half(closed(margin, *divisors()))
-    passive = closed(placed(sufficient(), {b: LESS}), always, pushing, *divisors())
+    passive = closed(inst(sufficient(), {b: LESS}), always, pushing, *divisors())
     three = positive(d + 3 > 0, [d >= 0], [3])
     part_of = over((d + 3) / (d + 1) > 0, three, more)
     enough = positive(
@@ -105,14 +85,14 @@ def nothing_else(printed: Any) -> Theorem:
     wanted = Exists((y,), both([y >= 0, y <= 1, *printed]))
     apart = strictly(assume(b >= 0), combined(Ne(S.Zero, b), [assume(Ne(b, 0))]))
     damped = closed(_damped(wanted), apart)
-    return closed(by_cases(decided(b, 0), _undamped(wanted), damped), *divisors())
+    return closed(disj_cases(decided(b, 0), _undamped(wanted), damped), *divisors())
 
 
 def lower_boundary(claim: Any) -> Theorem:
     """The walls of the boundary with B <= b d/(2d+3) are those of (8); d is whole."""
     lower, line = claim.of
     known = assume(lower)
-    there = closed(nothing_else(line.body.of[2:]), part(known, BORDER), part(known, LITTLE))
+    there = closed(nothing_else(line.body.of[2:]), conjunct(known, BORDER), conjunct(known, LITTLE))
     along = [assume(p) for p in line.body.of]
     more, _, high = shares()
     whole_way = over(
@@ -120,7 +100,7 @@ def lower_boundary(claim: Any) -> Theorem:
     )
     left = [3, whole_way, positive(1 - y >= 0, y <= 1)]
     little = closed(combined(LITTLE, left, [along[3], S.One]), *divisors())
-    back = chosen(assume(line), conjoined(on_line(*along[2:]), little))
+    back = choose(assume(line), conj(on_line(*along[2:]), little))
     return either_way(there, back, lower, line)
 
 
@@ -141,14 +121,14 @@ def _damped(wanted: Any) -> Theorem:
         ),
         combined(damping, [share, -3 * b * (d + 1) / (2 * d + 3)]),
     ]
-    found = chosen(is_some(y, SHARE), witnessed(conjoined(*shown), wanted, {y: y}))
+    found = choose(is_some(y, SHARE), exists(conj(*shown), wanted, {y: y}))
     return closed(found, not_zero(whole_way), not_zero(assume(b > 0)))
 
 
 def is_some(symbol: Symbol, value: Expr) -> Theorem:
     """There is a number that is this one."""
     named = Exists((symbol,), proposition(Eq(symbol, value)))
-    return witnessed(identity(value, value), named, {symbol: value})
+    return exists(identity(value, value), named, {symbol: value})
 
 
 def _undamped(wanted: Any) -> Theorem:
@@ -165,4 +145,4 @@ def _undamped(wanted: Any) -> Theorem:
         combined(stiffness, [line, -share], [zero, share], [none, share], [start, -b * end]),
         combined(damping, [zero, S.One], [none, S.One], [start, -b * turn]),
     ]
-    return chosen(is_some(y, S.Zero), witnessed(conjoined(*shown), wanted, {y: y}))
+    return choose(is_some(y, S.Zero), exists(conj(*shown), wanted, {y: y}))

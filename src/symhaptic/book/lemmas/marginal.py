@@ -6,32 +6,15 @@ not pull if there is no damper.
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol, pi
-
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import UNDELAYED, beside, linear
 from symhaptic.book.lemmas.undamped_robust import excluded
-from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
-from symhaptic.notation.proposition import Exists, Proposition, Relation, conjuncts
 from symhaptic.paper.propositions import conclusion
 from symhaptic.paper.propositions.conclusion import CHANGES, FACTOR
 from symhaptic.paper.propositions.ratio import WALL
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import at, closed, fact, over, positive, reductio
+from symhaptic.paper.ranges import DAMPED, STIFF
 
 LIMIT = Rational("0.6899") + Rational("1.2") * delta
 """A little stiffer than every stable wall without delay, for all springs of (23)."""
@@ -45,7 +28,7 @@ def behind(delay: int, claim: Proposition, theorem: Theorem) -> Theorem:
     """What holds for one delay, with d in its place, under d = that."""
     place = d
     equal = combined(Relation(S(delay), "=", d), [assume(Eq(d, delay)), -1])
-    return substituted(claim, place, theorem, equal)
+    return subst(claim, place, theorem, equal)
 
 
 def by_a_factor(claim: Any, best: dict[Any, Expr], others: dict[Any, Expr]) -> Theorem:
@@ -61,13 +44,13 @@ def by_a_factor(claim: Any, best: dict[Any, Expr], others: dict[Any, Expr]) -> T
         return positive(wanted, [limit], *linear(rest, RANGES[delta]))
 
     more = number(Relation(S.Zero, "<", SMALL))
-    found = conjoined(more, beside(some, stable, wall, bound))
-    return behind(0, claim, witnessed(found, undelayed, {FACTOR: SMALL}))
+    found = conj(more, beside(some, stable, wall, bound))
+    return behind(0, claim, exists(found, undelayed, {FACTOR: SMALL}))
 
 
 def _there(theorem: Theorem, values: dict[Any, Expr]) -> Theorem:
     """For one spring or one damper of the range."""
-    return numbers_known(placed(theorem, values))
+    return numbers_known(inst(theorem, values))
 
 
 def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theorem:
@@ -78,9 +61,9 @@ def none_pushes(claim: Exists, wall: tuple[Expr, Expr], stable: Theorem) -> Theo
     below = at(others, dict(zip(WALL, wall, strict=True)), stable)
     push = over(x > 0, positive(FACTOR * x > 0, [below], [wall[0]]), factor)
     least = closed(positive(x >= 0, [push]), positive(Ne(FACTOR, 0), [factor]))
-    false = placed(excluded(), {alpha: x, beta: y, d: S(49)})
+    false = inst(excluded(), {alpha: x, beta: y, d: S(49)})
     false = closed(false, least, best, *(fact(p) for p in false.hypotheses if not p.free))
-    return reductio(chosen(assume(claim), chosen(some, false)), claim)
+    return reductio(choose(assume(claim), choose(some, false)), claim)
 
 
 @cache
@@ -95,7 +78,7 @@ def changed(parameter: Symbol, other: Expr, delay: int) -> Theorem:
         wall, held = wall_below(best, delay, FINE)
         limit, softer = none_above(others, delay, FINE)
         found.append(beside(some, held, wall, partial(_below, limit, softer)))
-    return conjoined(*found)
+    return conj(*found)
 
 
 def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
@@ -108,6 +91,4 @@ def _below(limit: Expr, softer: Theorem, wanted: Any) -> Theorem:
 def changes(parameter: Symbol) -> Theorem:
     """All changes with one parameter."""
     rows = CHANGES[parameter]
-    return conjoined(
-        *(changed(parameter, v, n) for v, row in rows.items() for n in range(len(row)))
-    )
+    return conj(*(changed(parameter, v, n) for v, row in rows.items() for n in range(len(row))))

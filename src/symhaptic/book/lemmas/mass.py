@@ -2,19 +2,10 @@
 
 from __future__ import annotations
 
-from sympy import Expr, S
-
 from symhaptic.book.lemmas.passivity import WALL
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import v
 from symhaptic.proof.theorems.energy import stored
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-)
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import either_way, positive
 
 
 def of_mass(mass: Expr) -> Theorem:
@@ -27,6 +18,6 @@ def no_mass_differs(one: Expr, other: Expr) -> Theorem:
     """passive with one mass <=> passive with the other."""
     light, heavy = of_mass(one), of_mass(other)
     first, second = (t.conclusion.of[0] for t in (light, heavy))  # type: ignore[attr-defined]
-    there = applied(heavy, applied(light, assume(first)))
-    back = applied(light, applied(heavy, assume(second)))
+    there = mp(heavy, mp(light, assume(first)))
+    back = mp(light, mp(heavy, assume(second)))
     return either_way(there, back, first, second)

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, I, Ne, S, exp, pi
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model import plant
 from symhaptic.model.parts import Parts
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, l, n_1, z
-from symhaptic.notation.proposition import Predicate, Relation, conjuncts, whole
 from symhaptic.paper.propositions.comparison import (
     LATE,
     MIRROR,
@@ -22,31 +16,7 @@ from symhaptic.paper.propositions.comparison import (
     q,
     split_off,
 )
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    of_device,
-    rising,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    general,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    factor,
-    identity,
-    is_whole,
-    number,
-)
-from symhaptic.proof.theorems.roots import jury, pole_at
-from symhaptic.proof.theorems.tactics import chained, closed, either_way, for_all, positive
+from symhaptic.proof.theorems.roots import pole_at
 
 
 @cache
@@ -93,7 +63,7 @@ def inside() -> tuple[Theorem, Theorem]:
 def undamped() -> dict[str, Theorem]:
     """a = -2, e = 1, n_1 = n_0 and n_1 = 2/pi^2 of the device without damping."""
     device = axiom("undamped device", pi, *NUMBERS)
-    turn, alike = (part(device, claim) for claim in device.conclusion.parts)
+    turn, alike = (conjunct(device, claim) for claim in device.conclusion.parts)
     here = assume(Predicate("device", (), (pi**2, S.Zero, *NUMBERS)))
     loss = combined(Eq(e, 1), [of_device("device's loss", here)])
     half = 1 / (2 * pi**2)
@@ -133,12 +103,12 @@ def split() -> Theorem:
     apart = combined(Ne(below, 0), [more, more], [z, known["turn"]], [-1, known["loss"]])
     quotient = closed(quotient, apart, combined(Ne(z + 1, 0), [more]))
     pairs = ((shown, turned), (quotient, left))
-    at_each = general(conjoined(*(discharged(t, p.of[0]) for t, p in pairs)), z)  # type: ignore[attr-defined]
+    at_each = gen(conj(*(disch(t, p.of[0]) for t, p in pairs)), z)  # type: ignore[attr-defined]
     value, sum_ = once.of  # type: ignore[attr-defined]
     there = combined(sum_, [-(pi**2) / 2, assume(value)])
     back = combined(value, [-TURNED, assume(sum_)])
-    found = conjoined(at_each, either_way(there, back, value, sum_))
-    return for_all(claim.over, given, weakened(found, *given))  # type: ignore[attr-defined]
+    found = conj(at_each, either_way(there, back, value, sum_))
+    return for_all(claim.over, given, add_assum(found, *given))  # type: ignore[attr-defined]
 
 
 @cache
@@ -155,9 +125,9 @@ def triangle() -> Theorem:
     there = {p: combined(p, [half, assume(m)]) for p, m in zip(sides, minors, strict=True)}
     back = [combined(m, [share, assume(p)]) for p, m in zip(sides, minors, strict=True)]
     same = either_way(
-        conjoined(*(there[p] for p in conjuncts(walls))),
-        conjoined(*back),
+        conj(*(there[p] for p in conjuncts(walls))),
+        conj(*back),
         inside.conclusion.of[1],  # type: ignore[attr-defined]
         walls,
     )
-    return general(chained(inside, numbers_known(same)), alpha, beta)
+    return gen(chained(inside, numbers_known(same)), alpha, beta)

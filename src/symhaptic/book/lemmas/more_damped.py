@@ -6,15 +6,10 @@ it rises with the damper.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at, unstable_at
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -32,8 +27,6 @@ from symhaptic.book.lemmas.undelayed_curve import (
     needed,
     plants,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_1
-from symhaptic.notation.proposition import Proposition, Relation
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import CURVE
 from symhaptic.paper.propositions.stability import (
@@ -43,35 +36,11 @@ from symhaptic.paper.propositions.stability import (
     damping_can_destabilise,
     reached,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES, STIFF
+from symhaptic.paper.ranges import DAMPED, STIFF
 from symhaptic.proof import box
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import BALLS, SLOPES, named
 from symhaptic.proof.plants import NUMBERS as SAMPLED
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import device_exists
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    cut,
-    discharged,
-    part,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, more_damped, number, tends
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    for_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.proof.theorems.leaves import more_damped
 
 OTHERS = sp.symbols("n_1'' n_0'' a'' e''")
 BARE = STABLE.at({d: S.Zero})
@@ -108,11 +77,11 @@ def at_the_end() -> dict[str, Theorem]:
     }
 
     def ended(theorem: Theorem) -> Theorem:
-        here: Any = closed(placed(theorem, way), on_it)
+        here: Any = closed(inst(theorem, way), on_it)
         rest = here.conclusion.right - here.conclusion.left
         end: Any = theorem.conclusion
         end = tends(rest, WAY, S.One, sp.expand(end.right - end.left))
-        return cut(in_the_limit(here, WAY, S.Zero, S.One, end), one())
+        return prove_hyp(in_the_limit(here, WAY, S.Zero, S.One, end), one())
 
     return {name: ended(theorem) for name, theorem in known.items()}
 
@@ -134,9 +103,9 @@ def grows() -> Theorem:
     apart = [not_zero(known[n]) for n in ("weight", "late", "toward", "total")]
     left = closed(combined(alpha < CURVE, [bound]), *apart)
     other = {delta: HEAVIER, **dict(zip(NUMBERS, OTHERS, strict=True))}
-    there = closed(placed(left, other), positive(after > 0, [minor], [rise]))
+    there = closed(inst(left, other), positive(after > 0, [minor], [rise]))
     right = assume(alpha > -gamma)
-    found = applied(placed(between(), other), conjoined(assume(beta > -1), right, there))
+    found = mp(inst(between(), other), conj(assume(beta > -1), right, there))
     steep = LIMIT.coeff(delta)
     ends = [
         weak,
@@ -150,7 +119,7 @@ def grows() -> Theorem:
         ),
     ]
     found = closed(closed(found, above), *ends)
-    found = of_every_plant(chosen(device_exists(gamma, HEAVIER, OTHERS), found))
+    found = of_every_plant(choose(device_exists(gamma, HEAVIER, OTHERS), found))
     less = positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED)
     return closed(found, less, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
 
@@ -159,16 +128,16 @@ def grows() -> Theorem:
 def more_damped_is_stable() -> Theorem:
     """A stable wall is one of these, the end of no way."""
     begin = dict(zip(START, (alpha, beta), strict=True))
-    still = for_all([WAY], [WAY >= 0, WAY < 1], weakened(assume(BARE), WAY >= 0, WAY < 1))
-    right = of_every_plant(part(needed(), alpha > -gamma))
-    found = closed(placed(grows(), begin), still, closed(right, above_minus_one()))
+    still = for_all([WAY], [WAY >= 0, WAY < 1], add_assum(assume(BARE), WAY >= 0, WAY < 1))
+    right = of_every_plant(conjunct(needed(), alpha > -gamma))
+    found = closed(inst(grows(), begin), still, closed(right, above_minus_one()))
     return closed(found, positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED))
 
 
 def kept() -> Theorem:
     """A wall that is stable with the larger damper is right of alpha = -gamma."""
-    right = of_every_plant(part(needed(), alpha > -gamma))
-    found = placed(closed(right, above_minus_one()), {delta: HEAVIER})
+    right = of_every_plant(conjunct(needed(), alpha > -gamma))
+    found = inst(closed(right, above_minus_one()), {delta: HEAVIER})
     return closed(found, positive(HEAVIER >= 0, delta >= 0, delta < HEAVIER))
 
 
@@ -177,10 +146,10 @@ def grown(then: Proposition) -> Theorem:
     more, wider, right = then.parts
     wide: Any = wider
     there = for_all(wide.over, [wide.body.of[0]], grows())
-    return conjoined(
-        discharged(more_damped_is_stable(), more.parts[0]),
+    return conj(
+        disch(more_damped_is_stable(), more.parts[0]),
         there,
-        discharged(kept(), right.parts[0]),
+        disch(kept(), right.parts[0]),
     )
 
 
@@ -202,4 +171,4 @@ def lost_by_a_damper() -> Theorem:
     before, after = stable_at(STIFF_ONE), {**STIFF_ONE, delta: STIFF_ONE[HEAVIER]}
     larger = number(Relation(STIFF_ONE[delta], "<", STIFF_ONE[HEAVIER]))
     values = {s: STIFF_ONE[s] for s in some.over}
-    return witnessed(conjoined(larger, before, unstable_at(after)), some, values)
+    return exists(conj(larger, before, unstable_at(after)), some, values)

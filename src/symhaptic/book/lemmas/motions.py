@@ -2,23 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, TypeAlias
-
-from sympy import Rational, S
-
 from symhaptic.book.lemmas.passivity import PASSIVE
-from symhaptic.notation.proposition import Proposition, Terms, conjuncts
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import gains
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-)
-from symhaptic.proof.theorems.leaves import number
 
 Motion: TypeAlias = Sequence[tuple[Any, Any]]
 
@@ -42,13 +28,13 @@ def not_passive(then: Proposition, point: Terms, motion: Motion = HALF_LATE) -> 
     """That what a claim concludes is false of a wall, since a motion gains from it."""
     there, passive = then.at(point), PASSIVE.at(point)
     found = gains(list(passive.of), motion)  # type: ignore[attr-defined]
-    return absurd(part(assume(there), passive), found, there)
+    return not_intro(conjunct(assume(there), passive), found, there)
 
 
 def not_on_boundary(then: Proposition, point: Terms, motion: Motion) -> Theorem:
     """That the walls of a curve are on the boundary is false of a wall: a motion gains from it."""
     there, passive = then.at(point), PASSIVE.at(point)
-    curve = part(assume(there), there.parts[0])
-    given = conjoined(*map(number, conjuncts(there.parts[0].parts[0])))
+    curve = conjunct(assume(there), there.parts[0])
+    given = conj(*map(number, conjuncts(there.parts[0].parts[0])))
     found = gains(list(passive.of), motion)  # type: ignore[attr-defined]
-    return absurd(part(applied(curve, given), passive), found, there)
+    return not_intro(conjunct(mp(curve, given), passive), found, there)

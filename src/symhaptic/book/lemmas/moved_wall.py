@@ -6,13 +6,8 @@ springs.  Delays are none.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Rational, S
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (
     CHANGE,
     COST,
@@ -48,25 +43,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     inequalities,
     on_box,
 )
-from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import (
-    Relation,
-    conjuncts,
-)
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.familiar import device_exists, of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    relation,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, positive
+from symhaptic.paper.ranges import STIFF
 
 
 class Moved:
@@ -92,7 +70,7 @@ class Moved:
 
     def on_walls(self, expr: Expr) -> Theorem:
         """0 < f of this wall and these devices."""
-        return closed(placed(on_walls(expr), self.places), *self.ends)
+        return closed(inst(on_walls(expr), self.places), *self.ends)
 
     def _ends(self) -> list[Theorem]:
         """That wall and devices lie in the box."""
@@ -159,7 +137,7 @@ class Moved:
 
     def there(self) -> tuple[Theorem, list[Theorem]]:
         """stable <=> Jury's inequalities of the moved wall, and these."""
-        loop = placed(
+        loop = inst(
             by_inequalities(0), {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
         )
         wanted = list(conjuncts(loop.conclusion.of[1]))  # type: ignore[attr-defined]
@@ -206,7 +184,7 @@ class Moved:
         """The other half plane, far away."""
         plane = by_inequalities(0).conclusion.of[1].of[2].right  # type: ignore[attr-defined]
         wide = {**RANGES, alpha: (-2 * STIFF, WIDE), beta: (LOW, HIGH)}
-        found = placed(
+        found = inst(
             on_box(plane, wide), {gamma: OTHER, **PRIMED, alpha: self.stiffness, beta: self.damping}
         )
         known = bounds()
@@ -257,9 +235,9 @@ class Moved:
     def stable(self) -> Theorem:
         """The moved wall is stable with the other spring."""
         loop, known = self.there()
-        found = closed(applied(loop, conjoined(*known)))
-        found = chosen(device_exists(OTHER, delta, tuple(PRIMED.values())), found)
-        return chosen(device_exists(gamma, delta, NUMBERS), found)
+        found = closed(mp(loop, conj(*known)))
+        found = choose(device_exists(OTHER, delta, tuple(PRIMED.values())), found)
+        return choose(device_exists(gamma, delta, NUMBERS), found)
 
 
 def _plane(softer: bool) -> Expr:

@@ -5,17 +5,13 @@ Where the tip is comes from a search; what is said of it is shown.
 
 from __future__ import annotations
 
-from functools import cache
 from math import log
 
-from sympy import Expr, Rational
-
 from symhaptic.book.lemmas.outpaced import softer_than
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known
-from symhaptic.notation import alpha, beta, d, delta, gamma
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
-from symhaptic.proof.theorems.kernel import Theorem, placed
 
 Arm = tuple[Expr, Expr]
 """gamma and delta."""
@@ -67,7 +63,7 @@ def none_above(arm: Arm, delay: int, share: Expr = CLOSE) -> tuple[Expr, Theorem
     here = dict(zip((gamma, delta), arm, strict=True))
     ranges = {s: (v, v) for s, v in here.items()}
     if delay == 0:  # one point of the circle is not enough
-        found = placed(no_stiffer(0, (limit, damping), ranges), here)
+        found = inst(no_stiffer(0, (limit, damping), ranges), here)
     else:
-        found = placed(softer_than(limit, delay, angle, ranges), here)
+        found = inst(softer_than(limit, delay, angle, ranges), here)
     return limit, numbers_known(found)

@@ -8,53 +8,14 @@ r sin chi, and the margin over b^2 is 1 - r ((1 - epsilon) sin (chi - 2 psi) + e
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, Symbol, cos, pi, sin, sqrt, tan
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_damping import END, LOW, all_between, begins, divisors, ends
 from symhaptic.book.lemmas.late_passivity import GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE, every_margin, passive_by_angle
-from symhaptic.notation import B, K, N, T, b, d, epsilon, kappa, l, psi, r, theta
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    not_negative,
-    ordered,
-    polar,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    cut,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b, kappa, r
+from symhaptic.proof.theorems.familiar import polar
 
 CHI = N * psi - kappa
 STIFF, DAMPED = 2 * b * r * cos(kappa) * tan(psi) / T, b * r * (sin(kappa) - cos(kappa) * tan(psi))
@@ -242,8 +203,8 @@ def _early() -> Theorem:
 def at_one_angle() -> Theorem:
     """0 <= margin over b^2 at an angle, from the margins of the next whole delay."""
     late, early, first = beyond(_early()), before(_here()), low(_at_the_end())
-    later = by_cases(ordered(CHI, pi / 2), early, late)
-    return by_cases(ordered(CHI, psi / 2), first, later)
+    later = disj_cases(ordered(CHI, pi / 2), early, late)
+    return disj_cases(ordered(CHI, psi / 2), first, later)
 
 
 # -- the wall --------------------------------------------------------------------------
@@ -261,19 +222,19 @@ def rounded_up() -> Proposition:
 @cache
 def safe_when_rounded_up() -> Theorem:
     """That."""
-    by_angle = closed(placed(passive_by_angle(), {d: l + 1}), is_whole(l + 1, assume(whole(l))))
-    found = applied(by_angle, assume(NEXT_WALL))
-    pushes = part(found, K >= 0)
+    by_angle = closed(inst(passive_by_angle(), {d: l + 1}), is_whole(l + 1, assume(whole(l))))
+    found = mp(by_angle, assume(NEXT_WALL))
+    pushes = conjunct(found, K >= 0)
     stiff = strictly(pushes, combined(Ne(0, K), [assume(Ne(K, 0))]))
-    sprung = cut(closed(_sprung(), stiff), part(found, every_margin(l + 1)))
-    either = by_cases(decided(K, S.Zero), _soft(), sprung)
-    return for_all(WALLS, [*GIVEN, NEXT_WALL], weakened(either, *GIVEN, NEXT_WALL))
+    sprung = prove_hyp(closed(_sprung(), stiff), conjunct(found, every_margin(l + 1)))
+    either = disj_cases(decided(K, S.Zero), _soft(), sprung)
+    return for_all(WALLS, [*GIVEN, NEXT_WALL], add_assum(either, *GIVEN, NEXT_WALL))
 
 
 def _sprung() -> Theorem:
     """passive, for 0 < K: at each angle the wall has an r and a kappa."""
     margin = for_all([theta], INSIDE, _margin())
-    return applied(passive_late(), conjoined(positive(K >= 0, K > 0), margin))
+    return mp(passive_late(), conj(positive(K >= 0, K > 0), margin))
 
 
 def _margin() -> Theorem:
@@ -295,12 +256,12 @@ def _margin() -> Theorem:
     bottom = positive(2 * b * sin(theta / 2) > 0, [2, assume(b > 0), wave])
     apart = [not_zero(t) for t in (wave, side, assume(b > 0), assume(T > 0))]
     names = closed(polar(along, across, r, kappa), over(along > 0, top, bottom))
-    return closed(chosen(names, closed(found, *apart)), *apart)
+    return closed(choose(names, closed(found, *apart)), *apart)
 
 
 def _turned(stiff: Expr, damped: Expr) -> Theorem:
     """0 <= margin at an angle, by r and kappa."""
-    found = placed(at_one_angle(), {N: 2 * l + 4, psi: theta / 2})
+    found = inst(at_one_angle(), {N: 2 * l + 4, psi: theta / 2})
     size = positive(2 * l + 4 >= 4, [2, not_negative(assume(whole(l)))])
     wall = {K: stiff, B: damped}
     x = Symbol("x")  # theta is in the wall
@@ -329,23 +290,23 @@ def _written(
     place = Symbol("q")
     one_, other = stiff.conclusion.terms, damped.conclusion.terms
     found = known or assume(claim)
-    found = substituted(claim.at({K: place, B: other[0]}), place, found, stiff)
-    return substituted(claim.at({K: one_[1], B: place}), place, found, damped)
+    found = subst(claim.at({K: place, B: other[0]}), place, found, stiff)
+    return subst(claim.at({K: one_[1], B: place}), place, found, damped)
 
 
 def _soft() -> Theorem:
     """passive, for K = 0: the damping is b at most."""
     at_once, place = {epsilon: S.One}, Symbol("q")
     none = assume(Eq(K, 0))
-    damper = substituted(NEXT_WALL.at({K: place}), place, assume(NEXT_WALL), none)
-    bounds = [closed(placed(t, at_once), damper) for t in (begins(), ends())]
+    damper = subst(NEXT_WALL.at({K: place}), place, assume(NEXT_WALL), none)
+    bounds = [closed(inst(t, at_once), damper) for t in (begins(), ends())]
     rest = positive(1 - epsilon >= 0, epsilon <= 1)
     share = positive(END - b >= 0, [HALF, assume(b > 0), assume(epsilon >= 0), rest, square(LOW)])
     below = positive(B <= END, [bounds[1]], [share])
     found = closed(all_between(), bounds[0], below)
     back = combined(Eq(0, K), [none, -S.One])
     numbers = (fact(Relation(S(n), "<=", S.One)) for n in (0, 1))
-    found = substituted(LATE_WALL.at({K: place}), place, found, back)
+    found = subst(LATE_WALL.at({K: place}), place, found, back)
     return closed(found, *numbers, *divisors())
 
 
@@ -356,5 +317,5 @@ NOTHING = {K: S.Zero, B: S.Zero, b: S.One, T: S.One, l: S.Zero, epsilon: HALF}
 @cache
 def nothing_is_passive() -> Theorem:
     """No wall is passive one period late."""
-    found = placed(all_between(), {s: v for s, v in {**NOTHING, epsilon: S.One}.items() if s != K})
+    found = inst(all_between(), {s: v for s, v in {**NOTHING, epsilon: S.One}.items() if s != K})
     return closed(found, *map(fact, found.hypotheses))

@@ -2,29 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, Symbol, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passive_boundary import on_boundary
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.upper_boundary import upper_boundary
-from symhaptic.notation import T, alpha, b, beta, d, delta, m, omega, omega_hat
-from symhaptic.notation.proposition import Exists, Relation, both
+from symhaptic.notation import b, omega_hat
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.passivity import printed_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 TABLE = normalised(alpha, beta, delta)
 CURVE = printed_of("eq27")
@@ -35,7 +20,7 @@ ON_CURVE = Exists((omega_hat,), both([omega_hat > 0, omega_hat < pi, *CURVE]))
 def in_units() -> Theorem:
     """A wall of (27) is on the boundary, by Table I and for omega_hat <= pi/(d+1)."""
     stiff, damped, lossy, spring, damper = map(assume, (*TABLE, *CURVE))
-    known = placed(on_boundary(*map(assume, printed_of("eq7"))), {omega: omega_hat / T})
+    known = inst(on_boundary(*map(assume, printed_of("eq7"))), {omega: omega_hat / T})
     stiffness, damping = (line.subs(omega, omega_hat / T) for line in printed_of("eq7"))
     wall = [
         combined(stiffness, [stiff, -m / T**2], [_damped(spring, lossy), m / T**2]),
@@ -55,7 +40,7 @@ def _damped(line: Theorem, lossy: Theorem) -> Theorem:
     said: Any = line.conclusion
     place, known = Symbol("q"), lossy.conclusion.left  # type: ignore[attr-defined]
     pattern = Relation(said.left, "=", said.right.xreplace({known: place}))
-    return substituted(pattern, place, line, lossy)
+    return subst(pattern, place, line, lossy)
 
 
 def above_in_units(wanted: Any) -> Theorem:
@@ -75,5 +60,5 @@ def above_in_units(wanted: Any) -> Theorem:
             for goal, of, line, scale in zip(there[2:], table, lines, scales, strict=True)
         ),
     ]
-    at = witnessed(conjoined(*shown), wanted, {omega_hat: omega * T})
-    return closed(chosen(found, at), *map(not_zero, (period, assume(m > 0))))
+    at = exists(conj(*shown), wanted, {omega_hat: omega * T})
+    return closed(choose(found, at), *map(not_zero, (period, assume(m > 0))))

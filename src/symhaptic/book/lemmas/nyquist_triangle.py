@@ -6,27 +6,11 @@ z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import I, Rational, S, exp, pi
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import alpha, beta, delta, gamma, z
-from symhaptic.notation.proposition import (
-    Proposition,
-    Relation,
-    both,
-    conjuncts,
-    proposition,
-    whole,
-)
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import (
     ARMS,
     BESIDE,
@@ -37,33 +21,10 @@ from symhaptic.paper.propositions.plots import (
     triangle,
     undelayed,
 )
-from symhaptic.paper.ranges import DAMPED, RANGES
+from symhaptic.paper.ranges import DAMPED
 from symhaptic.proof import box
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import rising, sign_of, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, number
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import (
-    chained,
-    closed,
-    either_way,
-    fact,
-    for_all,
-    over,
-    positive,
-)
 
 f, NU = LEFT, (1 + LEFT) / NYQUIST
 SIDES = 1 + f + NU * alpha, 1 + NU * beta, 1 - f - NU * (alpha + 2 * beta)
@@ -119,8 +80,8 @@ def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
 
 def needed() -> Theorem:
     """The wall of a stable loop is inside the triangle."""
-    found = applied(inequalities(), assume(undelayed(spring=NYQUIST)))
-    known = [part(found, p) for p in conjuncts(found.conclusion)]
+    found = mp(inequalities(), assume(undelayed(spring=NYQUIST)))
+    known = [conjunct(found, p) for p in conjuncts(found.conclusion)]
     s = shares()
     one, three, two = SIDES
     right = over(one > 0, combined((1 + f) * one > 0, [known[0]]), s["more"])
@@ -138,7 +99,7 @@ def needed() -> Theorem:
         over(p, combined(NU * (p.gts - p.lts) > 0, [t]), s["nu"])
         for p, t in zip(triangle(), (right, low, top), strict=True)
     ]
-    return closed(conjoined(*sides), *(not_zero(t) for t in (*s.values(), top, room)))
+    return closed(conj(*sides), *(not_zero(t) for t in (*s.values(), top, room)))
 
 
 def enough() -> Theorem:
@@ -160,7 +121,7 @@ def enough() -> Theorem:
             [low, s["lost"], s["left"], low],
         ),
     ]
-    found = closed(applied(loop, conjoined(*known)), *(not_zero(t) for t in s.values()))
+    found = closed(mp(loop, conj(*known)), *(not_zero(t) for t in s.values()))
     return closed(found, *_divisors(found.hypotheses))
 
 
@@ -188,7 +149,7 @@ def reached() -> Theorem:
         combined(low, [over(NYQUIST / (1 + f) + WALL[1] > 0, down, s["more"])]),
         combined(top, [room, s["lost"]], [-WALL[0] - 2 * WALL[1]]),
     )
-    found = applied(placed(is_triangle(), wall), conjoined(*known))
+    found = mp(inst(is_triangle(), wall), conj(*known))
     return closed(found, not_zero(s["more"]))
 
 
@@ -199,17 +160,17 @@ def stiffer() -> Theorem:
     gap = combined(
         Relation(TIMES * alpha, "<", WALL[0]), [TIMES, limit], [WALL[0] - TIMES * Rational(72, 100)]
     )
-    others = for_all((alpha, beta, gamma), given, weakened(gap, *given))
+    others = for_all((alpha, beta, gamma), given, add_assum(gap, *given))
     wanted = taken_apart(shape_and_size().parts[2])[2]
-    return witnessed(conjoined(reached(), others), wanted, dict(zip(BESIDE, WALL, strict=True)))
+    return exists(conj(reached(), others), wanted, dict(zip(BESIDE, WALL, strict=True)))
 
 
 @cache
 def other_shape_and_size() -> Theorem:
     """All three parts."""
-    shape = for_all((alpha, beta, delta), DAMPERS, weakened(is_triangle(), *DAMPERS))
-    size = for_all((delta,), DAMPERS, weakened(stiffer(), *DAMPERS))
-    return conjoined(line_and_curve(), shape, size)
+    shape = for_all((alpha, beta, delta), DAMPERS, add_assum(is_triangle(), *DAMPERS))
+    size = for_all((delta,), DAMPERS, add_assum(stiffer(), *DAMPERS))
+    return conj(line_and_curve(), shape, size)
 
 
 @cache
@@ -217,15 +178,15 @@ def hardly_moved() -> Theorem:
     """The triangle for every damper of (23), and that its sides move by less than 0.05."""
     shape, sides = CLAIMED["s5c-delta-hardly-visible"](()).parts
     symbols, given, _ = taken_apart(shape)
-    kept = for_all(symbols, given, weakened(is_triangle(), *given))
+    kept = for_all(symbols, given, add_assum(is_triangle(), *given))
     symbols, given, goals = taken_apart(sides)
     known = []
     for goal in conjuncts(goals):
         gap = goal.right - goal.left  # type: ignore[attr-defined]
         known.append(combined(goal, [on_plain_box(box.positive(gap, {delta: (0, DAMPED)}))]))
     ends = positive(delta >= 0, delta > 0)
-    moved = for_all(symbols, given, weakened(closed(conjoined(*known), ends), *given))
-    return conjoined(kept, moved)
+    moved = for_all(symbols, given, add_assum(closed(conj(*known), ends), *given))
+    return conj(kept, moved)
 
 
 def shape_and_size() -> Proposition:

@@ -2,40 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-from typing import Any
-
-from sympy import Ne, S, pi
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passive_tip import known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import moved
 from symhaptic.book.lemmas.ratio_peak import least, passive_wall
 from symhaptic.book.lemmas.stiffest_passive import bound
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, stable_wall
 from symhaptic.book.lemmas.stiffness_claims import LATE, UNDELAYED, beside, linear
 from symhaptic.book.lemmas.walls import damped, divisors, margins
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    b_D,
-    b_H,
-    beta,
-    d,
-    delta,
-    gamma,
-    k_H,
-    m_D,
-    m_H,
-    omega,
-)
-from symhaptic.notation.proposition import Relation, conjuncts, negated
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE, passive
 from symhaptic.paper.propositions.one_delta import (
     ARM,
@@ -58,33 +36,7 @@ from symhaptic.paper.propositions.one_delta import (
     still_true,
 )
 from symhaptic.paper.propositions.ratio import BEST
-from symhaptic.paper.ranges import DAMPED, RANGES
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    relation,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    counterexample,
-    either_way,
-    example,
-    fact,
-    for_all,
-    one,
-    over,
-    positive,
-)
+from symhaptic.paper.ranges import DAMPED
 
 
 @cache
@@ -121,7 +73,7 @@ def right() -> Theorem:
     claim: Any = instead().parts[0]
     symbols, given, then = taken_apart(claim)
     found = either_way(back, there, *then.of)  # type: ignore[attr-defined]
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 @cache
@@ -147,11 +99,11 @@ def stays_stable() -> Theorem:
     units = signs()
     stiff = positive(UNITS[alpha] > 0, [over(T**2 / MASS > 0, _square(), units["mass"]), K > 0])
     spring = over(SPRING >= 0, positive(T**2 * k_H >= 0, [_square(), k_H >= 0]), units["mass"])
-    own = placed(damped(passive()), {**UNITS, delta: OWN})
+    own = inst(damped(passive()), {**UNITS, delta: OWN})
     own = closed(own, positive(UNITS[alpha] >= 0, [stiff]))
     both_ = positive(WHOLE > 0, [own], [units["more"]])
-    robust = placed(part(passive_is_stable(), STABLE), here)
-    every = placed(margins(passive()), here)
+    robust = inst(conjunct(passive_is_stable(), STABLE), here)
+    every = inst(margins(passive()), here)
     found = closed(
         robust,
         every,
@@ -164,7 +116,7 @@ def stays_stable() -> Theorem:
     )
     found = closed(found, more_damped(), in_units()[0], *_apart())
     assert loop
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 def _square() -> Theorem:
@@ -189,16 +141,16 @@ def outdone_by_the_arm() -> Theorem:
     _, others = some.body.at(values).of  # type: ignore[attr-defined]
     passive_, wanted = others.body.of
     share = over(T**2 / MASS > 0, _square(), units["mass"])
-    softer = positive(wanted, [share, together, placed(bound(), {b: b_D})])
+    softer = positive(wanted, [share, together, inst(bound(), {b: b_D})])
     bare = for_all([K, B], [passive_], closed(softer, *known()))
-    held = closed(placed(stable, loop), damper, spring)
-    found = closed(witnessed(conjoined(held, bare), some, values), *known(), *_apart())
-    return for_all(symbols, given, weakened(found, *given))
+    held = closed(inst(stable, loop), damper, spring)
+    found = closed(exists(conj(held, bare), some, values), *known(), *_apart())
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 def shown() -> Theorem:
     """What holds instead of one delta."""
-    return conjoined(right(), stays_stable(), outdone_by_the_arm())
+    return conj(right(), stays_stable(), outdone_by_the_arm())
 
 
 # -- numbers -------------------------------------------------------------------------------------
@@ -226,7 +178,7 @@ def in_numbers() -> Theorem:
         passive_, wall = passive_wall(0, damper)
         less = number(Relation(S.Zero, "<", high * wall[0] - limit))
         found.append(beside(next(claims_), passive_, wall, partial(_from, ([softer], [less]))))
-    return conjoined(*found)
+    return conj(*found)
 
 
 @cache
@@ -247,7 +199,7 @@ def drawn_too_large() -> Theorem:
     more = over(DAMPED - FIGURES * OWN >= 0, room, signs()["mass"])
     wanted = positive(plane.body.of[1], [FIGURES, there], [more])  # type: ignore[attr-defined]
     found = closed(for_all([omega], inside, _on_the_circle(wanted)), in_units()[0], *_apart())
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 @cache
@@ -256,7 +208,7 @@ def ratios_kept() -> Theorem:
     symbols, given, both_ = taken_apart(still_true())
     parts = []
     for claim, delay, wall in zip(both_.of, (0, 1), (UNDELAYED, LATE), strict=True):  # type: ignore[attr-defined]
-        softer = placed(bound(), {K: alpha, B: beta, T: S.One, d: S(delay)})
+        softer = inst(bound(), {K: alpha, B: beta, T: S.One, d: S(delay)})
         softer = numbers_known(softer)
         slope_ = softer.conclusion.right.subs(b, 1)  # type: ignore[attr-defined]
         size = number(Relation(S.Zero, "<", slope_))
@@ -268,7 +220,7 @@ def ratios_kept() -> Theorem:
             return positive(wanted, [share, softer], more, *linear(rest, RANGES[delta]))
 
         parts.append(beside(claim, stable_wall(delay, wall, RANGES), wall, less))
-    return for_all(symbols, given, weakened(conjoined(*parts), *given))
+    return for_all(symbols, given, add_assum(conj(*parts), *given))
 
 
 def easy(claim: Any) -> Case:
@@ -307,8 +259,8 @@ def counterexample_of() -> Case:
     ends = [fact(p.at(angle)) for p in conjuncts(device.body.of[0])]
     short = at(assume(device), angle, *ends)
     contrary = negated(relation(short))
-    fails = absurd(short, number(contrary), device)
+    fails = not_intro(short, number(contrary), device)
     both_ways = assume(there)
-    differ = absurd(applied(both_ways, held), fails, there)
+    differ = not_intro(mp(both_ways, held), fails, there)
     assert given
     return counterexample(claim, values, differ)

@@ -2,74 +2,20 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S
-
 from symhaptic.book.lemmas.boundary import at_rest, zero_on_circle_is_explicit
 from symhaptic.book.lemmas.connections import passive_wall_is_stable
 from symhaptic.book.lemmas.enclosed import enclosed_walls_are_stable
 from symhaptic.book.lemmas.late_passivity import passive_late
 from symhaptic.book.lemmas.normalised_boundary import ON_CURVE, above_in_units, in_units
 from symhaptic.book.lemmas.passive_is_stable import LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    epsilon,
-    gamma,
-    l,
-    m,
-    theta,
-    z,
-)
-from symhaptic.notation.proposition import Relation, proposition, whole
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import PASSIVE_WALL, STABLE
 from symhaptic.paper.propositions.passivity import BORDER
 from symhaptic.paper.propositions.plots import solid
 from symhaptic.paper.propositions.stability import at_angle
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.familiar import (
-    device_exists,
-    loop_of_device,
-    ordered,
-    with_rest,
-)
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number
-from symhaptic.proof.theorems.roots import zero_on_circle
-from symhaptic.proof.theorems.tactics import (
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    one,
-    positive,
-    zero_beyond,
-)
 
 UNIT = {m: S.One, T: S.One, K: alpha, B: beta, b: DAMPED, delta: DAMPED}
 """Mass, period and damper of Fig. 11."""
@@ -79,13 +25,13 @@ def passive_curve(claim: Any) -> Theorem:
     """The walls of (27) for delta = 0.02, and no others, are on the boundary; d is whole."""
     found = []
     for implication, made in zip(claim.of, (in_units(), above_in_units(ON_CURVE)), strict=True):
-        given, there = implication.of[0], placed(made, UNIT)
+        given, there = implication.of[0], inst(made, UNIT)
         known = [fact(h) for h in there.hypotheses if not h.free]
         there = closed(there, *known, *_same(there))
         if implication is claim.of[1]:
-            there = closed(there, part(assume(given), BORDER.at(UNIT)))
-        found.append(discharged(there, given))
-    return conjoined(*found)
+            there = closed(there, conjunct(assume(given), BORDER.at(UNIT)))
+        found.append(disch(there, given))
+    return conj(*found)
 
 
 def _same(theorem: Theorem) -> list[Theorem]:
@@ -99,14 +45,14 @@ def stable_curve() -> Theorem:
     """What is said of the curve of stable walls, for a whole delay and every plant."""
     exact, never = solid().of  # type: ignore[attr-defined]
     walls, inside, _ = taken_apart(exact)
-    on_it = for_all(walls, inside, weakened(zero_on_circle_is_explicit(), *inside))
+    on_it = for_all(walls, inside, add_assum(zero_on_circle_is_explicit(), *inside))
     readings = loop_of_device(NUMBERS, LOOP)
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     none = denied_by(loop, closed(zero_on_circle(zeros, z, theta, assume(at_angle())), *steps))
     walls, inside, _ = taken_apart(never)
-    return conjoined(on_it, for_all(walls, inside, weakened(closed(none, *steps), *inside)))
+    return conj(on_it, for_all(walls, inside, add_assum(closed(none, *steps), *inside)))
 
 
 @cache
@@ -114,17 +60,17 @@ def right_of_the_line() -> Theorem:
     """-gamma < alpha of a stable wall beside a damped device, behind a whole delay."""
     static, pushed = at_rest()
     readings = loop_of_device(NUMBERS, LOOP)
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     left = assume(Relation(alpha, "<=", -gamma))
     away = positive(-gamma - alpha >= 0, [left])
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     denial = denied_by(loop, zero_beyond(zeros, z, value))
-    never = chosen(device_exists(gamma, delta, NUMBERS), closed(denial, *steps))
+    never = choose(device_exists(gamma, delta, NUMBERS), closed(denial, *steps))
     wanted = Relation(-gamma, "<", alpha)
-    outside = anything(absurd(assume(STABLE), never), wanted)
-    return by_cases(ordered(-gamma, alpha), assume(wanted), outside)
+    outside = contr(not_intro(assume(STABLE), never), wanted)
+    return disj_cases(ordered(-gamma, alpha), assume(wanted), outside)
 
 
 @cache
@@ -134,14 +80,14 @@ def in_one_plane() -> Theorem:
     symbols, given, then = taken_apart(drawn)
     arm = {gamma: STIFF, delta: DAMPED}
     curve, *_, left = then.of  # type: ignore[attr-defined]
-    line = numbers_known(placed(right_of_the_line(), arm))
+    line = numbers_known(inst(right_of_the_line(), arm))
     line = for_all(left.over, [left.body.of[0]], line)
     curves = (stable_curve(), enclosed_walls_are_stable())
-    found = conjoined(passive_curve(curve), *(placed(t, arm) for t in curves), line)
-    shown = for_all(symbols, given, weakened(_at_each(found, given[0]), *given))
+    found = conj(passive_curve(curve), *(inst(t, arm) for t in curves), line)
+    shown = for_all(symbols, given, add_assum(_at_each(found, given[0]), *given))
     walls, inside, _ = taken_apart(region)
-    stable = _at_each(numbers_known(placed(held_passive_is_stable(), arm)), inside[0])
-    return conjoined(shown, for_all(walls, inside, weakened(stable, *inside)))
+    stable = _at_each(numbers_known(inst(held_passive_is_stable(), arm)), inside[0])
+    return conj(shown, for_all(walls, inside, add_assum(stable, *inside)))
 
 
 @cache
@@ -149,19 +95,19 @@ def up_to_nyquist() -> Theorem:
     """Fig. 13."""
     drawn, region = CLAIMED["fig13"](()).of  # type: ignore[attr-defined]
     symbols, given, then = taken_apart(drawn)
-    curves = conjoined(stable_curve(), enclosed_walls_are_stable())
+    curves = conj(stable_curve(), enclosed_walls_are_stable())
     found = []
     for claim, damper in zip(then.of, (DAMPED, S.Zero), strict=True):  # type: ignore[attr-defined]
         springs = claim.body.of[0].of
-        found.append(for_all([gamma], springs, weakened(placed(curves, {delta: damper}), *springs)))
-    shown = for_all(symbols, given, weakened(_at_each(conjoined(*found), given[0]), *given))
+        found.append(for_all([gamma], springs, add_assum(inst(curves, {delta: damper}), *springs)))
+    shown = for_all(symbols, given, add_assum(_at_each(conj(*found), given[0]), *given))
     walls, inside, robust = taken_apart(region)
     springs = robust.body.of[0].of  # type: ignore[attr-defined]
     stable = closed(passive_wall_is_stable(), positive(alpha + gamma > 0, alpha > 0, gamma >= 0))
-    stable = numbers_known(placed(stable, {delta: DAMPED}))
-    stable = for_all([gamma], springs, weakened(stable, *springs))
+    stable = numbers_known(inst(stable, {delta: DAMPED}))
+    stable = for_all([gamma], springs, add_assum(stable, *springs))
     stable = _at_each(stable, inside[0])
-    return conjoined(shown, for_all(walls, inside, weakened(stable, *inside)))
+    return conj(shown, for_all(walls, inside, add_assum(stable, *inside)))
 
 
 def _at_each(theorem: Theorem, delays: Any) -> Theorem:
@@ -173,8 +119,8 @@ def _at_each(theorem: Theorem, delays: Any) -> Theorem:
             value = choice.terms[1]
             equal = combined(Relation(value, "=", d), [assume(choice), -S.One])
             there = fact(hypothesis.at({d: value}))
-            cases.append(substituted(hypothesis, d, there, equal))
-        theorem = closed(theorem, by_cases(assume(delays), *cases))
+            cases.append(subst(hypothesis, d, there, equal))
+        theorem = closed(theorem, disj_cases(assume(delays), *cases))
     return theorem
 
 
@@ -184,12 +130,12 @@ def not_pulling() -> Theorem:
     turns = closed(with_rest(d, S.One, l), one())
     units = {K: alpha, B: beta, b: delta, T: S.One, epsilon: d - l}
     passive = closed(
-        placed(passive_late(), units),
+        inst(passive_late(), units),
         combined(d - l >= 0, [assume(l <= d)]),
         positive(d - l <= 1, [combined(d - l < 1, [assume(d < l + 1)])]),
         number(Relation(S.Zero, "<", S.One)),
     )
-    return chosen(turns, part(applied(passive, assume(PASSIVE_WALL)), alpha >= 0))
+    return choose(turns, conjunct(mp(passive, assume(PASSIVE_WALL)), alpha >= 0))
 
 
 @cache

@@ -7,33 +7,12 @@ the angle of the tip of the stable region this bound is the tip itself.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any, TypeAlias
-
-import sympy as sp
-from sympy import Expr, S, Symbol, cos
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import Ranges, of_every_plant
 from symhaptic.model.circle import powers
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta
-from symhaptic.notation.proposition import Relation, whole
 from symhaptic.proof import box
 from symhaptic.proof.plants import BALLS, LATE, named
-from symhaptic.proof.theorems.familiar import loop_of_device, ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, on_plants
-from symhaptic.proof.theorems.roots import outpaces
-from symhaptic.proof.theorems.tactics import closed, fact, positive
 
 Side: TypeAlias = tuple[Expr, Expr, Expr]
 """p, q and c of the half plane p alpha + q beta < c."""
@@ -62,8 +41,8 @@ ROOM = sp.Add(
 def room() -> Theorem:
     """0 < ROOM of a stable wall, for a whole d and every theta."""
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, d))
-    loop: Any = part(readings, readings.conclusion.parts[1])
-    zeros = applied(loop, assume(loop.conclusion.of[0]))
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
+    zeros = mp(loop, assume(loop.conclusion.of[0]))
     found = combined(Relation(S.Zero, "<", ROOM), [outpaces(zeros, theta)])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     return closed(found, *steps)
@@ -87,7 +66,7 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
     """
     p, q, limit = side
     there = {d: S(delay), theta: angle}
-    known = closed(placed(room(), there), fact(whole(S(delay))))
+    known = closed(inst(room(), there), fact(whole(S(delay))))
     value = known.conclusion.right  # type: ignore[attr-defined]
     other = beta if p != 0 else alpha
     over_, along = sp.symbols("u v")
@@ -113,9 +92,9 @@ def on_this_side(side: Side, delay: int, angle: Expr, ranges: Ranges) -> Theorem
         *([at_point(f, ranges), *[outside] * n] for n, f in enumerate(rest)),
     )
     above = Relation(S.Zero, "<", 4 * bend * value)
-    contrary = absurd(positive(above, [4, turn, known]), less)
+    contrary = not_intro(positive(above, [4, turn, known]), less)
     wanted = Relation(p * alpha + q * beta, "<", limit)
-    found = by_cases(ordered(wanted.left, limit), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(wanted.left, limit), assume(wanted), contr(contrary, wanted))
     return of_every_plant(found)
 
 

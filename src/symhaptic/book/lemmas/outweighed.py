@@ -2,40 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import I, Ne, Rational, S, cos, exp
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, LOOP, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import numbers_known, of_every_plant
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, d, e, gamma, n_0, n_1, theta, y, z
-from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.paper.propositions.ratio import ARM
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    device_at_rest,
-    device_comes_to_rest,
-    loop_of_device,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, is_whole, mirrored
-from symhaptic.proof.theorems.roots import all_inside, roots_stay
-from symhaptic.proof.theorems.tactics import closed, one, over, positive
 
 LATE = Rational(59, 10**5)
 """The stiffness of a wall without virtual damping that is stable behind every delay, for the arm of
@@ -82,8 +55,8 @@ def no_crossing() -> Theorem:
     ahead = combined(Relation(S.Zero, "<", gap), [lead()], *sizes)
     nothing = combined(Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push])
     wanted = proposition(Ne(late + push, 0))
-    contrary = anything(absurd(ahead, nothing), wanted)
-    return by_cases(decided(late + push, S.Zero), contrary, assume(wanted))
+    contrary = contr(not_intro(ahead, nothing), wanted)
+    return disj_cases(decided(late + push, S.Zero), contrary, assume(wanted))
 
 
 @cache
@@ -91,7 +64,7 @@ def stable_behind_every_delay() -> Theorem:
     """The wall (LATE, 0) is stable for every whole d, with the arm of the figures."""
     device = assume(DEVICE)
     rest = device_at_rest(device)
-    static, pushed, _ = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    static, pushed, _ = (conjunct(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
     plant, wall = z**2 - a * z + e, (n_1 * z + n_0) * (LATE * z)
     at_one = positive(
         Ne(1 - a + e + y * LATE * (n_1 + n_0), 0),
@@ -101,7 +74,7 @@ def stable_behind_every_delay() -> Theorem:
     begin = all_inside(z, d + 1, device_comes_to_rest(device))
     zeros = roots_stay(z ** (d + 1) * plant, wall, z, y, theta, no_crossing(), at_one, begin)
     readings = loop_of_device(NUMBERS, (LATE, S.Zero, *LOOP[2:]))
-    loop: Any = part(readings, readings.conclusion.parts[1])
+    loop: Any = conjunct(readings, readings.conclusion.parts[1])
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
-    found = placed(of_every_plant(closed(applied(loop, zeros), *steps)), ARM)
+    found = inst(of_every_plant(closed(mp(loop, zeros), *steps)), ARM)
     return numbers_known(found)

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.corners import on_envelope, waves, wide
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     bordering,
     limits,
@@ -19,23 +15,8 @@ from symhaptic.book.lemmas.region import (
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, x
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    decided,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import bounded
 
 TWICE = {N: 2 * d + 2, phi: omega * T / 2}
 ANGLE = omega * T / 2
@@ -56,10 +37,10 @@ def _place() -> list[Theorem]:
 
 def inside(stiffness: Theorem, damping: Theorem) -> Theorem:
     """A wall of (7) with 0 < omega T < pi/(d+1) is on the boundary."""
-    found = closed(placed(on_envelope(), {**TWICE, psi: phi}), *_place())
+    found = closed(inst(on_envelope(), {**TWICE, psi: phi}), *_place())
     margin = measured(stiffness, damping, [assume(b >= 0), found])
     always = on_first_half(margin)
-    shared = closed(placed(wide(phi), TWICE), *_place())
+    shared = closed(inst(wide(phi), TWICE), *_place())
     full = ANGLE * (2 * d + 2)
     more = shares()[0]
     low = positive(full >= 0, [_place()[1], positive(2 * d + 2 > 0, [2, more])])
@@ -72,7 +53,7 @@ def inside(stiffness: Theorem, damping: Theorem) -> Theorem:
     pushes = combined(K >= 0, [assume(b >= 0), slope], [stiffness, -S.One])
     apart = not_zero(shared), not_zero(bottom)
     passive = closed(sufficient(), always, closed(pushes, *apart))
-    there = at(placed(needed(), {b: x}), {phi: ANGLE}, *_place()[1:])
+    there = at(inst(needed(), {b: x}), {phi: ANGLE}, *_place()[1:])
     return bordering(passive, closed(_least(there, stiffness, damping), *apart))
 
 
@@ -86,7 +67,7 @@ def _least(there: Theorem, stiffness: Theorem, damping: Theorem) -> Theorem:
 
 def _sine() -> Theorem:
     """0 < sin(omega T/2)."""
-    wave = placed(waves(phi)[1], TWICE)
+    wave = inst(waves(phi)[1], TWICE)
     return closed(wave, *_place())
 
 
@@ -95,8 +76,8 @@ def of_the_end(stiffness: Expr, damping: Expr, equation: Theorem) -> tuple[Theor
     turn, angle = (d + 1) * omega * T, omega * T
     half = combined(Eq(pi, turn), [equation, -T * (d + 1)])
     zero, one = identity(S.Zero, S.Zero), identity(S.NegativeOne, S.NegativeOne)
-    none = substituted(Eq(sin(phi), 0), phi, zero, half)
-    low = substituted(Eq(cos(phi), -1), phi, one, half)
+    none = subst(Eq(sin(phi), 0), phi, zero, half)
+    low = subst(Eq(cos(phi), -1), phi, one, half)
     bottom = 1 / (sin((2 * d + 2) * angle) - (2 * d + 2) * sin(angle))
     rest = 2 * d - 2 * (d + 1) * cos(angle) - 2 * cos(turn)
     spring = combined(Eq(stiffness, 0), [none, 4 * b * (d + 1) * (cos(angle) - 1) * bottom / T])
@@ -126,7 +107,7 @@ def at_the_end(stiffness: Theorem, damping: Theorem, equation: Theorem) -> Theor
     margin = measured(spring, damper, [assume(b >= 0), up])
     pushes = combined(K >= 0, [spring, -S.One])
     passive = closed(sufficient(), on_first_half(margin), pushes)
-    least = combined(b <= x, [placed(limits()[0], {b: x})], [spring, -T / 2], [damper, -S.One])
+    least = combined(b <= x, [inst(limits()[0], {b: x})], [spring, -T / 2], [damper, -S.One])
     return closed(bordering(passive, least), not_zero(assume(T > 0)))
 
 
@@ -135,6 +116,6 @@ def on_boundary(stiffness: Theorem, damping: Theorem) -> Theorem:
     end = pi / (T * (d + 1))
     before = strictly(assume(omega <= end), assume(Ne(omega, end)))
     beside = at_the_end(stiffness, damping, assume(Eq(omega, end)))
-    found = by_cases(decided(omega, end), beside, closed(inside(stiffness, damping), before))
+    found = disj_cases(decided(omega, end), beside, closed(inside(stiffness, damping), before))
     divisors = not_zero(assume(T > 0)), not_zero(shares()[0])
     return closed(found, not_zero(positive(T * (d + 1) > 0, [T > 0, shares()[0]])), *divisors)

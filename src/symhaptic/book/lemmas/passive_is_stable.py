@@ -2,70 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, I, Ne, exp, pi
-
 from symhaptic.book.lemmas.passivity import INSIDE, at_every_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin, mirror
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    gamma,
-    n_0,
-    n_1,
-    theta,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import Predicate, Relation, proposition, whole
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    both_ways,
-    decided,
-    device_at_rest,
-    device_comes_to_rest,
-    device_exists,
-    held_steady_state,
-    linear,
-    loop_of_device,
-    ordered,
-    rising,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    cut,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    is_whole,
-    mirrored,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.roots import all_inside, roots_stay
-from symhaptic.proof.theorems.tactics import at, closed, positive
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import linear
 
 NUMBERS = (n_1, n_0, a, e)
 LOOP = (alpha, beta, gamma, delta, d)
@@ -83,10 +24,10 @@ def margin_to_the_end(margin_: Expr = MARGIN) -> Theorem:
     end = margin_.xreplace({theta: pi})
     limit = tends(margin_, theta, pi, end)
     last = in_the_limit(below, theta, sp.S.Zero, pi, limit)
-    last = cut(last, number(sp.Lt(0, pi, evaluate=False)))
+    last = prove_hyp(last, number(sp.Lt(0, pi, evaluate=False)))
     equal = both_ways(assume(theta >= pi), assume(theta <= pi))
-    there = substituted(margin_ >= 0, theta, last, equal)
-    return by_cases(ordered(theta, pi), below, there)
+    there = subst(margin_ >= 0, theta, last, equal)
+    return disj_cases(ordered(theta, pi), below, there)
 
 
 @cache
@@ -126,9 +67,9 @@ def no_crossing() -> Theorem:
         [mirrored(root), -turned],
         [root, -mirror(turned)],
     )
-    contrary = absurd(both, closed(balance, apart))
+    contrary = not_intro(both, closed(balance, apart))
     wanted = proposition(Ne(path, 0))
-    return by_cases(decided(path, sp.S.Zero), anything(contrary, wanted), assume(wanted))
+    return disj_cases(decided(path, sp.S.Zero), contr(contrary, wanted), assume(wanted))
 
 
 @cache
@@ -137,9 +78,9 @@ def passive_is_stable() -> Theorem:
     stable = turned_up(d + 1, n_1 * z + n_0, no_crossing())
     steps = [is_whole(d + n, assume(whole(d))) for n in (1, 2, 3)]
     found = loop_of_device(NUMBERS, LOOP)
-    readings = [part(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
-    both = conjoined(*(applied(reading, closed(stable, *steps)) for reading in readings))
-    return chosen(device_exists(gamma, delta, NUMBERS), both)
+    readings = [conjunct(found, reading) for reading in found.conclusion.of]  # type: ignore[attr-defined]
+    both = conj(*(mp(reading, closed(stable, *steps)) for reading in readings))
+    return choose(device_exists(gamma, delta, NUMBERS), both)
 
 
 def turned_up(power: Expr, top: Expr, crossing: Theorem, *same: Theorem) -> Theorem:
@@ -149,7 +90,7 @@ def turned_up(power: Expr, top: Expr, crossing: Theorem, *same: Theorem) -> Theo
     """
     device = assume(DEVICE)
     rest = device_at_rest(device)
-    static, pushed, decay = (part(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
+    static, pushed, decay = (conjunct(rest, claim) for claim in rest.conclusion.of)  # type: ignore[attr-defined]
     below_one = positive(1 - y >= 0, y <= 1)
     stiff = positive(y * alpha + gamma > 0, [y > 0, alpha + gamma > 0], [below_one, gamma >= 0])
     total = top.subs(z, 1)
@@ -165,7 +106,7 @@ def turned_up(power: Expr, top: Expr, crossing: Theorem, *same: Theorem) -> Theo
     pushes = positive(total > 0, [pushed], *([t, -sp.S.One] for t in same))
     free = _from_a_pole_at_one(power, top, crossing, static, pushes, decay)
     nothing = both_ways(assume(gamma <= 0), assume(gamma >= 0))
-    return by_cases(ordered(sp.S.Zero, gamma), sprung, cut(free, nothing))
+    return disj_cases(ordered(sp.S.Zero, gamma), sprung, prove_hyp(free, nothing))
 
 
 def _from_a_pole_at_one(
@@ -176,13 +117,13 @@ def _from_a_pole_at_one(
     free = assume(sp.Eq(gamma, 0))
     trace = combined(sp.Eq(a, 1 + e), [static, -1], [free, -(n_1 + n_0)])
     devices = (
-        substituted(known.at({a: place}), place, assume(known), trace)
+        subst(known.at({a: place}), place, assume(known), trace)
         for known in crossing.hypotheses
         if a in known.free
     )
     pull = combined(alpha > 0, [assume(alpha + gamma > 0)], [free, 1])
     plant, wall = z**2 - (1 + e) * z + e, top * ((alpha + beta) * z - beta)
-    crossing = cut(placed(crossing, {a: 1 + e}), *devices)
+    crossing = prove_hyp(inst(crossing, {a: 1 + e}), *devices)
     total = top.subs(z, 1)
     at_one = positive(Ne(y * total * alpha, 0), [y > 0, pushes, pull])
     below_one = closed(rising(exp, -delta, sp.S.Zero), positive(-delta < 0, delta > 0))
@@ -194,4 +135,4 @@ def _from_a_pole_at_one(
     stable = roots_stay(start, wall, z, y, theta, crossing, at_one, begin, *inwards)
     back = combined(sp.Eq(1 + e, a), [trace, -1])
     pattern = Predicate("stable", (z,), (z**power * (z**2 - place * z + e) + wall,))
-    return substituted(pattern, place, stable, back)
+    return subst(pattern, place, stable, back)

@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, S, cos, sin
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passivity import passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import bound, divisors, slope, stiffest_wall, waves
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, Wall
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma
-from symhaptic.notation.proposition import Relation, conjuncts, whole
+from symhaptic.notation import b
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.familiar import not_negative
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, part, placed
-from symhaptic.proof.theorems.leaves import identity
-from symhaptic.proof.theorems.tactics import closed, fact, one, positive
 
 
 @cache
@@ -46,15 +37,15 @@ UNIT = {b: delta, T: S.One}
 def passive_wall() -> Theorem:
     """The wall (11) is passive; 0 <= b, 0 < T, d whole."""
     walls = {line.lhs: line.rhs for line in ELEVEN}
-    best = placed(stiffest_wall(*map(assume, ELEVEN)), walls)
+    best = inst(stiffest_wall(*map(assume, ELEVEN)), walls)
     best = closed(best, *(identity(v, v) for v in walls.values()))
-    return part(best, best.conclusion.parts[0])
+    return conjunct(best, best.conclusion.parts[0])
 
 
 @cache
 def is_passive() -> Theorem:
     """The wall (11) for b = delta and T = 1 is passive; 0 <= delta, d whole."""
-    return closed(placed(passive_wall(), UNIT), *known())
+    return closed(inst(passive_wall(), UNIT), *known())
 
 
 @cache
@@ -62,21 +53,21 @@ def passive_tip() -> tuple[Theorem, Wall]:
     """That wall is stable; 0 <= gamma, 0 < delta, d whole.  And its stiffness and damping."""
     best, unit = passive_wall(), UNIT
     passive: Any = best.conclusion
-    angles = placed(passive_by_angle(), dict(zip((K, B), passive.of[:2], strict=True)))
-    always = placed(applied(angles, best), unit)
+    angles = inst(passive_by_angle(), dict(zip((K, B), passive.of[:2], strict=True)))
+    always = inst(mp(angles, best), unit)
     _, every = conjuncts(always.conclusion)
     stiffness, damping = (v.xreplace(unit) for v in passive.of[:2])
-    stiff = positive(stiffness > 0, [placed(slope(), unit), delta > 0])
-    loop = placed(part(passive_is_stable(), STABLE), {alpha: stiffness, beta: damping})
+    stiff = positive(stiffness > 0, [inst(slope(), unit), delta > 0])
+    loop = inst(conjunct(passive_is_stable(), STABLE), {alpha: stiffness, beta: damping})
     pushes = positive(stiffness + gamma > 0, [stiff], gamma >= 0)
     damped = positive(delta >= 0, delta > 0)
-    found = closed(loop, part(always, every), pushes, *known(), damped)
+    found = closed(loop, conjunct(always, every), pushes, *known(), damped)
     return closed(found, *known(), damped), (stiffness, damping)
 
 
 @cache
 def softer_than_the_tip() -> Theorem:
     """alpha <= (11) of a passive wall; 0 <= delta, d whole."""
-    found = placed(bound(), {K: alpha, B: beta, b: delta, T: S.One})
+    found = inst(bound(), {K: alpha, B: beta, b: delta, T: S.One})
     wanted = alpha <= passive_tip()[1][0]
     return closed(positive(wanted, [found]), *known())

@@ -2,38 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import margin
-from symhaptic.notation import B, K, T, b, d, theta, z
-from symhaptic.notation.proposition import (
-    And,
-    ForAll,
-    Implies,
-    Predicate,
-    Proposition,
-    both,
-    proposition,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.proof.theorems.energy import toeplitz
 from symhaptic.proof.theorems.familiar import whole_delay
-from symhaptic.proof.theorems.kernel import Theorem, assume, conjoined, part
-from symhaptic.proof.theorems.leaves import is_whole
-from symhaptic.proof.theorems.tactics import (
-    at,
-    chained,
-    closed,
-    either_way,
-    for_all,
-    one,
-    over,
-    positive,
-    sine_of_half,
-)
 
 WALL = (K, B, b, T, d)
 PASSIVE = Predicate("passive_wall", (), WALL)
@@ -74,8 +47,8 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
     condition = And((static, wanted))
     known = And((static, always))
     same = either_way(
-        conjoined(part(assume(known), static), _under(there, always, known)),
-        conjoined(part(assume(condition), static), _under(back, wanted, condition)),
+        conj(conjunct(assume(known), static), _under(there, always, known)),
+        conj(conjunct(assume(condition), static), _under(back, wanted, condition)),
         known,
         condition,
     )
@@ -90,4 +63,4 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
 
 def _under(theorem: Theorem, claim: Proposition, whole_claim: Proposition) -> Theorem:
     """A claim for every angle that follows from one part of a conjunction."""
-    return closed(for_all([theta], INSIDE, theorem), part(assume(whole_claim), claim))
+    return closed(for_all([theta], INSIDE, theorem), conjunct(assume(whole_claim), claim))

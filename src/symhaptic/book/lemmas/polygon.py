@@ -7,48 +7,19 @@ way from the one wall to any other no zero then crosses the circle.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import Any, TypeAlias
 
 import numpy as np
-import sympy as sp
-from sympy import Expr, I, Ne, Rational, S, cos, exp, pi, sin
 
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import stable_at
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, y, z
-from symhaptic.notation.proposition import Relation, proposition, whole
 from symhaptic.numeric.plant import discretize
 from symhaptic.paper.propositions.areas import Side, Wall, sides, within
 from symhaptic.paper.propositions.stability import SQUARE
-from symhaptic.proof.theorems.familiar import (
-    decided,
-    device_exists,
-    loop_of_device,
-    of_device,
-    ordered,
-    sign_of,
-    square,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored, number
-from symhaptic.proof.theorems.roots import roots_stay
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 Arm: TypeAlias = tuple[Expr, Expr]
 
@@ -185,7 +156,9 @@ def _not_beyond(side: Side, delay: int, ranges: Any) -> Theorem:
         [root, -share],
         [mirrored(root), -mirror(share)],
     )
-    found = absurd(outer, combined(Relation((p * alpha + q * beta - c) * size, "<=", 0), [inner]))
+    found = not_intro(
+        outer, combined(Relation((p * alpha + q * beta - c) * size, "<=", 0), [inner])
+    )
     return closed(found, positive(Ne(sin(theta / 2), 0), [known["sine"]]))
 
 
@@ -210,7 +183,7 @@ def _not_outweighed(corners: Sequence[Wall], delay: int, ranges: Any) -> Theorem
         *([size, more, turn] for more, turn in zip(less, wide, strict=True)),
     )
     nothing = combined(Relation(S.Zero, "=", gap), [root, -mirror(late)], [mirrored(root), push])
-    return absurd(ahead, nothing)
+    return not_intro(ahead, nothing)
 
 
 def _at_most(value: Expr, limit: Rational, corners: Sequence[Wall]) -> Theorem:
@@ -251,7 +224,7 @@ def no_zero(arm: Arm, delay: int, corners: Sequence[Wall]) -> Theorem:
             theta < pi, theta < stretch.high, [number(Relation(stretch.high, "<", pi))]
         )
         found = closed(found, high, below)
-        return by_cases(ordered(theta, stretch.high), found, shown(index + 1))
+        return disj_cases(ordered(theta, stretch.high), found, shown(index + 1))
 
     found = shown(0)
     low = positive(theta >= 0, theta > 0)
@@ -271,10 +244,10 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
         for side, (p, q, c) in zip(within(sides(corners)), sides(corners), strict=True)
     ]
     leftmost = min(x for x, _ in corners)
-    none = closed(placed(no_zero(arm, delay, corners), wall), *kept)
+    none = closed(inst(no_zero(arm, delay, corners), wall), *kept)
     path = ROOT.at({d: late, **wall}).left  # type: ignore[attr-defined]
     wanted = proposition(Ne(path, 0))
-    crossing = by_cases(decided(path, S.Zero), anything(none, wanted), assume(wanted))
+    crossing = disj_cases(decided(path, S.Zero), contr(none, wanted), assume(wanted))
 
     left = _at_most(-alpha, -leftmost, corners)
     static = of_device("device at rest", assume(DEVICE))
@@ -291,16 +264,16 @@ def all_stable(arm: Arm, delay: int, corners: tuple[Wall, ...]) -> Theorem:
     )
     held = stable_at({**dict(zip((alpha, beta), start, strict=True)), **here, d: late})
     loops = loop_of_device(NUMBERS, (*start, gamma, delta, late))
-    loop = placed(part(loops, loops.conclusion.parts[1]), here)
-    begin = applied(loop, held)
+    loop = inst(conjunct(loops, loops.conclusion.parts[1]), here)
+    begin = mp(loop, held)
     top = n_1 * z + n_0
     bottom, push = z ** (late + 1) * (z**2 - a * z + e), top * ((alpha + beta) * z - beta)
     first = bottom + top * ((start[0] + start[1]) * z - start[1])
     change = bottom + push - first
-    zeros = placed(roots_stay(first, change, z, y, theta, crossing, at_one, begin), here)
+    zeros = inst(roots_stay(first, change, z, y, theta, crossing, at_one, begin), here)
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    reading = placed(part(readings, readings.conclusion.parts[1]), here)
-    stable = applied(reading, zeros)
-    found = chosen(device_exists(*arm, NUMBERS), closed(stable, fact(whole(late))))
+    reading = inst(conjunct(readings, readings.conclusion.parts[1]), here)
+    stable = mp(reading, zeros)
+    found = choose(device_exists(*arm, NUMBERS), closed(stable, fact(whole(late))))
     found = numbers_known(found)
     return for_all((alpha, beta), within(sides(corners)), found)

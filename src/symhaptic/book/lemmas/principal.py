@@ -2,60 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-
-from sympy import Eq, Expr, I, Rational, S, Symbol, pi
-
 from symhaptic.book.lemmas.late_loop import ALL_NUMBERS
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    delta,
-    e,
-    gamma,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    x,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    Terms,
-    both,
-    whole,
-)
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import m_0, m_1
 from symhaptic.proof.theorems.axioms import LATE_NUMBERS
-from symhaptic.proof.theorems.familiar import axiom, device_exists
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    chosen,
-    conjoined,
-    part,
-    substituted,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    none_right,
-    number,
-    one_right,
-    root_outside,
-    roots_inside,
-)
-from symhaptic.proof.theorems.tactics import closed, denied_by, fact
+from symhaptic.proof.theorems.leaves import none_right, one_right
 
 HALF = Rational(1, 2)
 LOOP = (alpha, beta, gamma, delta)
@@ -89,9 +41,9 @@ def read_wrongly() -> Proposition:
 def both_errors() -> Theorem:
     """That."""
     larger, smaller = read_wrongly().parts
-    one = conjoined(_on_the_sheet(SPRING, LARGE, True), in_truth(SPRING, LARGE, False))
-    other = conjoined(in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
-    return conjoined(witnessed(one, larger, LARGE), witnessed(other, smaller, SMALL))
+    one = conj(_on_the_sheet(SPRING, LARGE, True), in_truth(SPRING, LARGE, False))
+    other = conj(in_truth(SPRING, SMALL, True), _on_the_sheet(SPRING, SMALL, False))
+    return conj(exists(one, larger, LARGE), exists(other, smaller, SMALL))
 
 
 def read_too_largely() -> Proposition:
@@ -102,8 +54,8 @@ def read_too_largely() -> Proposition:
 @cache
 def one_error() -> Theorem:
     """That."""
-    found = conjoined(_on_the_sheet(FREE, BETWEEN, True), in_truth(FREE, BETWEEN, False))
-    return witnessed(found, read_too_largely(), BETWEEN)
+    found = conj(_on_the_sheet(FREE, BETWEEN, True), in_truth(FREE, BETWEEN, False))
+    return exists(found, read_too_largely(), BETWEEN)
 
 
 def in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
@@ -111,7 +63,7 @@ def in_truth(device: Terms, wall: Terms, stable: bool) -> Theorem:
     loop = closed(true_loop(device, wall, S.Zero), fact(whole(S.Zero)))
     zeros = loop.conclusion.parts[1].of[0]  # type: ignore[attr-defined]
     if stable:
-        return applied(loop, roots_inside(zeros, z, {}))
+        return mp(loop, roots_inside(zeros, z, {}))
     return denied_by(loop, root_outside(zeros, z))
 
 
@@ -122,9 +74,9 @@ def true_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
     numbers = (_device(), _late()) if device is SPRING else (_free(), _late_free())
     loop = _in_numbers(loop, numbers[0] | numbers[1])
     facts = (number(Relation(v, "<=", w)) for v, w in ((S.Zero, HALF), (HALF, S.One)))
-    exists = axiom("late device", *device.values(), HALF)
-    exists = closed(exists, *(fact(h) for h in exists.hypotheses))
-    return chosen(exists, closed(loop, *facts))
+    there_is = axiom("late device", *device.values(), HALF)
+    there_is = closed(there_is, *(fact(h) for h in there_is.hypotheses))
+    return choose(there_is, closed(loop, *facts))
 
 
 def _on_the_sheet(device: Terms, wall: Terms, stable: bool) -> Theorem:
@@ -134,7 +86,7 @@ def _on_the_sheet(device: Terms, wall: Terms, stable: bool) -> Theorem:
     root = Symbol("v")
     polynomial = never.body.parts[1].left.xreplace({x + I * y: root})  # type: ignore[attr-defined]
     if stable:
-        return applied(sheet, none_right(polynomial, root, x, y))
+        return mp(sheet, none_right(polynomial, root, x, y))
     return denied_by(sheet, one_right(polynomial, root, x, y))
 
 
@@ -143,7 +95,7 @@ def read_loop(device: Terms, wall: Terms, periods: Expr) -> Theorem:
     values = [{**device, **wall}[s] for s in LOOP]
     sheet = axiom("half a period on the principal sheet", *values, periods, *NUMBERS)
     sheet = _in_numbers(sheet, _device() if device is SPRING else _free())
-    return chosen(device_exists(device[gamma], device[delta], NUMBERS), sheet)
+    return choose(device_exists(device[gamma], device[delta], NUMBERS), sheet)
 
 
 def _in_numbers(theorem: Theorem, numbers: Mapping[Symbol, Theorem]) -> Theorem:
@@ -152,14 +104,14 @@ def _in_numbers(theorem: Theorem, numbers: Mapping[Symbol, Theorem]) -> Theorem:
     for name, equation in numbers.items():
         if name in theorem.conclusion.free:
             pattern = theorem.conclusion.at({name: place})
-            theorem = substituted(pattern, place, theorem, equation)
+            theorem = subst(pattern, place, theorem, equation)
     return theorem
 
 
 def _swing(rate: Expr) -> tuple[Theorem, Theorem, Theorem]:
     """a = 2 cos x, n_1 = n_0 and e = 1, without a damper."""
     device = axiom("undamped device", rate, *NUMBERS)
-    trace, same = (part(device, claim) for claim in device.conclusion.parts)
+    trace, same = (conjunct(device, claim) for claim in device.conclusion.parts)
     return trace, same, axiom("device's loss", rate**2, S.Zero, *NUMBERS)
 
 
@@ -189,7 +141,7 @@ def _late() -> dict[Symbol, Theorem]:
     """Those of the late spring: m_2 = m_0 = 1/(2 gamma) and m_1 = 2/gamma."""
     stiff = SPRING[gamma]
     moved = axiom("undamped late device", 2 * pi / 3, HALF, *LATE_NUMBERS, a, e)
-    first, second = (part(moved, claim) for claim in moved.conclusion.parts)
+    first, second = (conjunct(moved, claim) for claim in moved.conclusion.parts)
     two = combined(Eq(m_2, 1 / (2 * stiff)), [first, 1 / stiff])
     one = combined(Eq(m_1, 2 / stiff), [second, 1 / stiff], [_device()[a], -m_2])
     return _with_the_last(two, one, _device(), SPRING)
@@ -199,7 +151,7 @@ def _late() -> dict[Symbol, Theorem]:
 def _late_free() -> dict[Symbol, Theorem]:
     """Those of the late mass: m_2 = m_0 = 1/8 and m_1 = 3/4."""
     moved = axiom("free late mass", HALF, *LATE_NUMBERS, a, e)
-    two, second = (part(moved, claim) for claim in moved.conclusion.parts)
+    two, second = (conjunct(moved, claim) for claim in moved.conclusion.parts)
     one = combined(Eq(m_1, Rational(3, 4)), [second], [two, -3], [_free()[a], -m_2])
     return _with_the_last(two, one, _free(), FREE)
 
@@ -209,7 +161,7 @@ def _with_the_last(
 ) -> dict[Symbol, Theorem]:
     """m_0, from m_2 + m_1 + m_0 = n_1 + n_0."""
     sums = axiom("late device and device", *of.values(), HALF, *ALL_NUMBERS)
-    total = part(sums, sums.conclusion.parts[0])
+    total = conjunct(sums, sums.conclusion.parts[0])
     known = [device[n_1], device[n_0], one, two]
     value = [t.conclusion.right for t in known]  # type: ignore[attr-defined]
     rest = [[t, sign] for t, sign in zip(known, (1, 1, -1, -1), strict=True)]

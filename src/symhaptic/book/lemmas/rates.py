@@ -2,17 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, S
-
-from symhaptic.notation import T, omega, y
-from symhaptic.notation.proposition import Proposition
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.passivity import scaled
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.tactics import at, closed, either_way, for_all, one, over, positive
 
 
 @cache

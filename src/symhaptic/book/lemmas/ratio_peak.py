@@ -6,62 +6,20 @@ long ones have the wall (0.00059, 0).
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, Symbol, symbols
-
 from symhaptic.book.lemmas.counted_delays import each_delay
 from symhaptic.book.lemmas.marginal import behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, wall_below
 from symhaptic.book.lemmas.outweighed import LATE, stable_behind_every_delay
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import limits, pushes
 from symhaptic.book.lemmas.stiffest_passive import bound, stiffest_wall
 from symhaptic.book.lemmas.stiffest_stable import numbers_known
 from symhaptic.book.lemmas.stiffness_claims import ELEVEN, beside, passive_walls
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Implies,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import b
 from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.passivity import PASSIVE
 from symhaptic.paper.propositions.ratio import BEST, END, RATE, WALL, stable
 from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.proof.theorems.familiar import decided
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    discharged,
-    part,
-    placed,
-    unfolded,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    over,
-    positive,
-    reductio,
-)
 
 PEAK, SHARE = 40, Rational(9998, 10**4)
 """The delay at which eta is largest, and a number between that and all others."""
@@ -91,7 +49,7 @@ def above(share: Expr, delay: Any, arm: Arm = SPRUNG) -> Any:
 @cache
 def least(delay: int, damper: Expr = DAMPED) -> Theorem:
     """alpha <= 2 delta tan(pi/(4 (d+1))) of a passive wall."""
-    found = placed(bound(), {K: alpha, B: beta, b: damper, T: S.One, d: S(delay)})
+    found = inst(bound(), {K: alpha, B: beta, b: damper, T: S.One, d: S(delay)})
     return numbers_known(found)
 
 
@@ -99,7 +57,7 @@ def of_delay(claim: Any, delay: int, arm: Arm = SPRUNG) -> Theorem:
     """One delay's :func:`below`, of a wall next to the tip or of the one for long delays."""
     if arm == SPRUNG and delay >= LONG:
         wall: tuple[Expr, Expr] = (LATE, S.Zero)
-        found = placed(stable_behind_every_delay(), {d: S(delay)})
+        found = inst(stable_behind_every_delay(), {d: S(delay)})
         held = closed(found, fact(whole(S(delay))))
     else:
         wall, held = wall_below(arm, delay)
@@ -114,7 +72,7 @@ def of_delay(claim: Any, delay: int, arm: Arm = SPRUNG) -> Theorem:
 
 def late(claim: Any) -> Theorem:
     """The same for all delays from FAR on: a passive wall has alpha (d+1) <= 2 delta."""
-    high, low = (placed(t, {K: alpha, B: beta, b: DAMPED, T: S.One}) for t in limits())
+    high, low = (inst(t, {K: alpha, B: beta, b: DAMPED, T: S.One}) for t in limits())
     known = [
         positive(d >= 0, d >= FAR, [FAR]),
         *(fact(p) for t in (high, low) for p in t.hypotheses if not p.free),
@@ -142,16 +100,14 @@ def elsewhere() -> Theorem:
     def build(delay: int) -> Theorem:
         here = {d: S(delay)}
         if delay != PEAK:
-            return discharged(
-                weakened(of_delay(claim.at(here), delay), other.at(here)), other.at(here)
-            )
-        none = absurd(assume(other.at(here)), number(Relation(S(PEAK), "=", S(PEAK))))
-        return discharged(anything(none, claim.at(here)), other.at(here))
+            return disch(add_assum(of_delay(claim.at(here), delay), other.at(here)), other.at(here))
+        none = not_intro(assume(other.at(here)), number(Relation(S(PEAK), "=", S(PEAK))))
+        return disch(contr(none, claim.at(here)), other.at(here))
 
-    far = discharged(weakened(late(claim), other), other)
+    far = disch(add_assum(late(claim), other), other)
     found = each_delay(Implies((other, claim)), FAR, build, far)
     given = [whole(d), other]
-    return for_all([d], given, unfolded(found))
+    return for_all([d], given, undisch(found))
 
 
 @cache
@@ -159,10 +115,10 @@ def by_limit() -> Theorem:
     """eta(d) > rho > 0 where rho L is less than (11), and L more than every stable stiffness."""
     walls = {line.lhs: line.rhs for line in ELEVEN}
     unit = {b: DAMPED, T: S.One}
-    found = placed(stiffest_wall(*map(assume, ELEVEN)), walls)
+    found = inst(stiffest_wall(*map(assume, ELEVEN)), walls)
     found = closed(found, *(identity(v, v) for v in walls.values()))
     values = tuple(walls[s].subs(unit) for s in (K, B))
-    passive_ = part(placed(found, unit), PASSIVE.at({K: values[0], B: values[1], **unit}))
+    passive_ = conjunct(inst(found, unit), PASSIVE.at({K: values[0], B: values[1], **unit}))
     stable_ = stable(d).at({delta: DAMPED})
     bounded, rate = assume(every(WALL, [stable_], alpha < LIMIT)), assume(RATE > 0)
     softer = at(bounded, {s: s for s in WALL}, assume(stable_))
@@ -179,7 +135,7 @@ def at_peak(delay: int, share: Expr, arm: Arm) -> Theorem:
     """eta(d) > share, of the stiffest passive wall and a bound next to the tip."""
     limit, bounded = none_above(arm, delay)
     here = {d: S(delay), RATE: share, LIMIT: limit, gamma: arm[0]}
-    found = placed(by_limit(), here)
+    found = inst(by_limit(), here)
     stable_ = at_arm(stable(delay), arm)
     return closed(
         found,
@@ -192,7 +148,7 @@ def at_peak(delay: int, share: Expr, arm: Arm) -> Theorem:
 def passive_wall(delay: int, damper: Expr = DAMPED) -> tuple[Theorem, tuple[Expr, Expr]]:
     """The stiffest passive wall, of the figures or beside another damper."""
     found, _, wall = passive_walls(delay, ELEVEN)
-    found = placed(found, {delta: damper})
+    found = inst(found, {delta: damper})
     values: Any = tuple(v.subs(delta, damper) for v in wall)
     return numbers_known(found), values
 
@@ -213,7 +169,7 @@ def instead() -> Any:
 def near_one() -> Theorem:
     """:func:`instead`."""
     _, _, under, _, fallen = instead().of
-    return conjoined(
+    return conj(
         elsewhere(),
         at_peak(PEAK, SHARE, SPRUNG),
         of_delay(under, PEAK),
@@ -227,10 +183,10 @@ def never_met(some: Any) -> Theorem:
     late, same, _ = (assume(p) for p in some.body.of)
     other = symbols("x_1 y_1")
     met: Any = same.conclusion
-    met = part(same, Exists(other, met.body.at(dict(zip(BEST, other, strict=True)))))
+    met = conjunct(same, Exists(other, met.body.at(dict(zip(BEST, other, strict=True)))))
     best, rest = (assume(p) for p in met.conclusion.body.of)
     unit = {K: other[0], B: other[1], b: DAMPED, T: S.One, d: END}
-    least_ = placed(pushes(), unit)
+    least_ = inst(pushes(), unit)
     least_ = numbers_known(least_)
 
     def contrary(share: Expr) -> Theorem:
@@ -240,16 +196,16 @@ def never_met(some: Any) -> Theorem:
         far = positive(x > 0, [1 / share, softer], [1 / share, least_])
         more = [[1 - share, far]] if share < 1 else []
         equal = at(rest, dict(zip(WALL, BEST, strict=True)), held)
-        wrong = absurd(positive(other[0] < x, [softer], *more), equal)
-        return chosen(met, chosen(assume(claim), wrong))
+        wrong = not_intro(positive(other[0] < x, [softer], *more), equal)
+        return choose(met, choose(assume(claim), wrong))
 
     _, _, under, *_ = instead().of
     there = proposition(Ne(END, PEAK))
-    elsewhere_ = at(elsewhere(), {d: END}, conjoined(late, assume(there)))
+    elsewhere_ = at(elsewhere(), {d: END}, conj(late, assume(there)))
     of_peak = behind(PEAK, below(S.One), of_delay(under, PEAK))
     cases = (
-        closed(contrary(S.One), placed(of_peak, {d: END})),
+        closed(contrary(S.One), inst(of_peak, {d: END})),
         closed(contrary(SHARE), elsewhere_),
     )
-    false = by_cases(decided(END, S(PEAK)), *cases)
-    return reductio(chosen(assume(some), false), some)
+    false = disj_cases(decided(END, S(PEAK)), *cases)
+    return reductio(choose(assume(some), false), some)

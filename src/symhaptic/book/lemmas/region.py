@@ -5,29 +5,12 @@ A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.extent import ends, extent, first_half_turn, sine
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, N, T, b, d, phi, psi, theta, u, w, x
-from symhaptic.notation.proposition import Proposition
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import at, closed, follows, for_all, positive, sine_of_half
+from symhaptic.notation import b, u, w
 
 WHOLE_WALL = {u: K * T / 2, w: B + K * T / 2, N: 2 * (d + 1)}
 
@@ -40,7 +23,7 @@ def first_half(wall: Any = WHOLE_WALL) -> Proposition:
 @cache
 def at_every_angle() -> Theorem:
     """The margin at every angle, from that on the first half turn; for every real d >= 0."""
-    found = placed(extent(), {**WHOLE_WALL, psi: theta / 2})
+    found = inst(extent(), {**WHOLE_WALL, psi: theta / 2})
     half = sine_of_half(theta)
     margin = positive(passivity.margin() >= 0, [found])
     inside = [
@@ -64,7 +47,7 @@ def needed() -> Theorem:
     """A passive wall has a margin on the first half turn; d whole."""
     inside = positive(2 * phi < pi, phi * (2 * d + 2) < pi, [2, d >= 0, phi > 0])
     low = positive(2 * phi > 0, [2, phi > 0])
-    always = part(applied(passive_by_angle(), assume(PASSIVE)), every_margin())
+    always = conjunct(mp(passive_by_angle(), assume(PASSIVE)), every_margin())
     there = positive(first_half().body.of[1], [at(always, {theta: 2 * phi}, low, inside)])  # type: ignore[attr-defined]
     below = positive(phi < pi / 2, [HALF, inside])
     found = closed(there, not_zero(sine(phi)), below)
@@ -74,7 +57,7 @@ def needed() -> Theorem:
 @cache
 def pushes() -> Theorem:
     """A passive wall does not pull."""
-    return part(applied(passive_by_angle(), assume(PASSIVE)), K >= 0)
+    return conjunct(mp(passive_by_angle(), assume(PASSIVE)), K >= 0)
 
 
 @cache
@@ -82,7 +65,7 @@ def limits() -> tuple[Theorem, Theorem]:
     """B <= b - KT/2 and KT (d + 1/2) <= b + B for a passive wall; d whole."""
     claims = b - K * T / 2 >= B, K * T * (d + HALF) <= b + B
     found = [
-        closed(positive(claim, [placed(end, WHOLE_WALL)]), positive(2 * d + 2 >= 2, [2, d >= 0]))
+        closed(positive(claim, [inst(end, WHOLE_WALL)]), positive(2 * d + 2 >= 2, [2, d >= 0]))
         for claim, end in zip(claims, ends(), strict=True)
     ]
     return closed(found[0], needed()), closed(found[1], needed())
@@ -93,8 +76,8 @@ def bordering(passive: Theorem, least: Theorem) -> Theorem:
 
     ``least`` concludes that a passive wall needs the damping b, of one with the damping x.
     """
-    lesser = absurd(least, assume(x < b), PASSIVE.at({b: x}))
-    return conjoined(passive, for_all([x], [x >= 0, x < b], weakened(lesser, x >= 0, x < b)))
+    lesser = not_intro(least, assume(x < b), PASSIVE.at({b: x}))
+    return conj(passive, for_all([x], [x >= 0, x < b], add_assum(lesser, x >= 0, x < b)))
 
 
 def on_first_half(margin: Theorem) -> Theorem:

@@ -2,20 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Symbol
-
-from symhaptic.notation.proposition import Proposition, Relation
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation.terms import is_complex
 from symhaptic.proof.theorems.definedness import real
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined
 
 
 def _place(name: Symbol, form: Expr, met: frozenset[Symbol]) -> Symbol:
@@ -51,7 +40,7 @@ def renamed(theorem: Theorem, pattern: Proposition, *equations: Theorem) -> Theo
         place = _place(name, form, met)
         here = {name: place} | {n: v.xreplace({name: place}) for n, v in later.items()}
         turned = combined(Relation(form, "=", name), [equation, -sp.S.One])
-        theorem = substituted(pattern.at(here), place, theorem, turned)
+        theorem = subst(pattern.at(here), place, theorem, turned)
     return theorem
 
 
@@ -71,6 +60,6 @@ def unnamed(theorem: Theorem, *equations: Theorem) -> list[Theorem]:
         if name in theorem.conclusion.free:
             form = equation.conclusion.right  # type: ignore[attr-defined]
             place = _place(name, form, theorem.conclusion.free | form.free_symbols)
-            theorem = substituted(theorem.conclusion.at({name: place}), place, theorem, equation)
+            theorem = subst(theorem.conclusion.at({name: place}), place, theorem, equation)
             found.append(theorem)
     return found

@@ -7,12 +7,9 @@ and that of the Nyquist frequency.
 
 from __future__ import annotations
 
-from functools import cache, partial
 from itertools import pairwise
-from typing import Any
 
 from scipy.optimize import minimize_scalar
-from sympy import Expr, Rational, S, expand, pi, symbols
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import none_above
@@ -20,33 +17,16 @@ from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
 from symhaptic.book.lemmas.stiffness_claims import Wall, beside
-from symhaptic.notation import alpha, beta, d, delta, gamma, n_0, n_1, x, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, conjuncts, whole
 from symhaptic.numeric.tracing.extremes import max_stable_stiffness
 from symhaptic.paper.propositions import robust as claims
 from symhaptic.paper.propositions.plots import NYQUIST
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive
 from symhaptic.paper.propositions.robust import robust
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.proof.theorems.familiar import loop_of_device, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import at, chained, closed, fact, for_all, over, positive
 
 STIFFEST = Rational(98702, 10**4)
 """A little more than the spring of the Nyquist frequency for delta = 0.02."""
@@ -62,7 +42,7 @@ WALLS: dict[int, Wall] = {
 def stable_beside_all(delay: int) -> Theorem:
     """A wall of WALLS is robustly stable, by Jury's inequalities for each spring."""
     loops = loop_of_device(NUMBERS, (*WALLS[delay], gamma, delta, S(delay)))
-    loop: Any = part(loops, loops.conclusion.parts[1])
+    loop: Any = conjunct(loops, loops.conclusion.parts[1])
     zeros = loop.conclusion.of[1].of[0]
     criterion = closed(chained(loop, jury(zeros, z)), fact(whole(S(delay))))
     goals = conjuncts(criterion.conclusion.of[1])  # type: ignore[attr-defined]
@@ -70,16 +50,16 @@ def stable_beside_all(delay: int) -> Theorem:
     soft = _by_springs(goals, criterion, (S.Zero, turn))
     stiff = _by_springs(goals, criterion, (turn, STIFFEST))
     low = positive(gamma <= turn, gamma < turn)
-    found = by_cases(ordered(gamma, turn), closed(soft, low), stiff)
+    found = disj_cases(ordered(gamma, turn), closed(soft, low), stiff)
     found = of_every_plant(found)
-    return numbers_known(placed(found, {delta: DAMPED}))
+    return numbers_known(inst(found, {delta: DAMPED}))
 
 
 def _by_springs(goals: Any, criterion: Theorem, springs: tuple[Expr, Expr]) -> Theorem:
     """Jury's inequalities for the springs of an interval."""
     ranges = {gamma: springs, delta: (DAMPED, DAMPED)}
     shown = [combined(goal, [at_point(goal.right, ranges)]) for goal in goals]
-    return applied(criterion, conjoined(*shown))
+    return mp(criterion, conj(*shown))
 
 
 @cache
@@ -89,7 +69,7 @@ def is_robust(delay: int) -> Theorem:
     given = conjuncts(claim.body.of[0])
     room = number(Relation(NYQUIST.subs(delta, DAMPED), "<=", STIFFEST))
     ends = positive(gamma <= STIFFEST, [assume(given[1])], [room])
-    return for_all([gamma], given, weakened(closed(stable_beside_all(delay), ends), *given))
+    return for_all([gamma], given, add_assum(closed(stable_beside_all(delay), ends), *given))
 
 
 @cache
@@ -98,7 +78,7 @@ def tip_is_robust() -> tuple[Theorem, Wall]:
     stable, tip = passive_tip()
     claim: Any = robust(d, tip)
     given = conjuncts(claim.body.of[0])
-    return for_all([gamma], given, weakened(stable, *given)), tip
+    return for_all([gamma], given, add_assum(stable, *given)), tip
 
 
 # -- from above --------------------------------------------------------------------------------
@@ -138,9 +118,9 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
     for spring in springs:
         ends = [fact(p.at({gamma: spring})) for p in conjuncts(held.conclusion.body.of[0])]  # type: ignore[attr-defined]
         stable.append(at(held, {gamma: spring}, *ends))
-    triangle = numbers_known(placed(needed(), {delta: damper}))
+    triangle = numbers_known(inst(needed(), {delta: damper}))
     triangle = closed(triangle, stable[1])
-    side: Any = part(triangle, conjuncts(triangle.conclusion)[2])
+    side: Any = conjunct(triangle, conjuncts(triangle.conclusion)[2])
     edge = Rational(int(float(side.conclusion.right) * 10**7) + 1, 10**7)
     more = number(Relation(S.Zero, "<", edge - side.conclusion.right))
     right = positive(alpha + 2 * beta < edge, [side], [more])
@@ -151,7 +131,7 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
     value: Expr = minor.conclusion.right  # type: ignore[attr-defined]
     plant = {s: (value_, value_) for s, value_ in here.items()}
     reach = {u: (S.Zero, 8 * damper), v: (S.Zero, 4 * damper)}
-    none = placed(
+    none = inst(
         at_point(-value.xreplace(wall), {**plant, **reach}),
         {u: alpha - limit, v: (edge - alpha) / 2 - beta},
     )
@@ -184,10 +164,10 @@ def _undelayed(damper: Rational, held: Theorem) -> tuple[Expr, Theorem]:
             [4 * damper + limit / 2 - edge / 2 + low],
         ),
     ]
-    contrary = closed(absurd(minor, less), *ends, not_zero(positive(4 * n_0 > 0, [4, late])))
+    contrary = closed(not_intro(minor, less), *ends, not_zero(positive(4 * n_0 > 0, [4, late])))
     wanted = Relation(alpha, "<", limit)
-    found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
-    found = numbers_known(placed(of_every_plant(found), here))
+    found = disj_cases(ordered(alpha, limit), assume(wanted), contr(contrary, wanted))
+    found = numbers_known(inst(of_every_plant(found), here))
     return limit, closed(found, stable[0], stable[1], held)
 
 
@@ -209,9 +189,7 @@ def outdone(kind: Proposition, held: Theorem, here: Loop, other: Loop, share: Ex
     claim = outdoes(kind, others, alpha < share * x)
     room = assume(Relation(limit, "<", share * tip[0]))
     found = beside(claim, held, tip, lambda wanted: combined(wanted, [softer], [room]))
-    found = placed(
-        closed(found, *known()), dict(zip((d, delta), (S(here[0]), here[1]), strict=True))
-    )
+    found = inst(closed(found, *known()), dict(zip((d, delta), (S(here[0]), here[1]), strict=True)))
     numbers = [p for p in found.hypotheses if isinstance(p, (Relation, Predicate)) and not p.free]
     return closed(found, *map(fact, numbers))
 
@@ -221,7 +199,7 @@ def shrinks() -> Theorem:
     """The largest robustly stable stiffness falls with each period."""
     best = robust(d, BEST), tip_is_robust()[0]
     later = ((n, DAMPED) for n in range(claims.LONGEST + 1))
-    return conjoined(*(outdone(*best, one, other, S.One) for one, other in pairwise(later)))
+    return conj(*(outdone(*best, one, other, S.One) for one, other in pairwise(later)))
 
 
 @cache
@@ -231,7 +209,7 @@ def grows() -> Theorem:
     for n in claims.DELAYS:
         for light, heavy in pairwise(claims.DAMPERS):
             found.append(outdone(*best, (n, heavy), (n, light), S.One))
-    return conjoined(*found)
+    return conj(*found)
 
 
 @cache
@@ -244,10 +222,10 @@ def conservative() -> Theorem:
         most = least(n)
         room = number(Relation(S.Zero, "<", WALLS[n][0] - low * most.conclusion.right))  # type: ignore[attr-defined]
         above = beside(more, is_robust(n), WALLS[n], partial(_softer, low, most, room))
-        found.append(conjoined(above, outdone(*best, (n, DAMPED), (n, DAMPED), high)))
+        found.append(conj(above, outdone(*best, (n, DAMPED), (n, DAMPED), high)))
     for n, end in claims.AT_MOST.items():
         found.append(outdone(*best, (n, DAMPED), (n, DAMPED), Rational(end)))
-    return conjoined(*found)
+    return conj(*found)
 
 
 def _softer(low: Expr, most: Theorem, room: Theorem, wanted: Any) -> Theorem:

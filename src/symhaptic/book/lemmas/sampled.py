@@ -2,34 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Ne, S, exp, sqrt
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed, unnamed
 from symhaptic.model.plant import Plant
-from symhaptic.notation import B, K, T, X, X_d, b, d, d_1, d_2, k, l, m, s, t, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.notation import X_d, b, d_1, d_2
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units, shifted
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    general,
-    part,
-    placed,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, factor, identity
 from symhaptic.proof.theorems.samples import held_answer, one_answer, turns
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, one, over, positive
 
 DEVICE = (m, b, k)
 RATE, SPRING = b * T / m, k * T**2 / m
@@ -85,8 +64,8 @@ def answer(late: bool = False) -> Theorem:
     units = in_units(DEVICE, delay * T, z, found, T, (T, m / T**2))
     device = (sp.S.One, RATE, SPRING)
     held = held_answer(device, (delay, 0), s, z, m / T**2 * found, motion(device), t)
-    given = applied(held, applied(units, assume(claim)))
-    alive, apart, equation = (part(given, p) for p in given.conclusion.of)  # type: ignore[attr-defined]
+    given = mp(held, mp(units, assume(claim)))
+    alive, apart, equation = (conjunct(given, p) for p in given.conclusion.of)  # type: ignore[attr-defined]
     below = denominator()
     kept = combined(Relation(below, "!=", sp.S.Zero), [apart])
     pushed = Relation(2 * SPLIT * SPRING * m / T**2 * found * below, "=", numerator() * z**-delay)
@@ -95,7 +74,7 @@ def answer(late: bool = False) -> Theorem:
     force = closed(positive(Ne(m / T**2, 0), [assume(m > 0), positive_square()]), mass, period)
     lemmas = (*poles_apart(), mass, period, force, alive)
     steps = () if late else (fact(whole(0)),)
-    return closed(conjoined(alive, kept, solved), *lemmas, *steps)
+    return closed(conj(alive, kept, solved), *lemmas, *steps)
 
 
 def positive_square() -> Theorem:
@@ -106,7 +85,7 @@ def positive_square() -> Theorem:
 @cache
 def late_answer() -> Theorem:
     """X_d = z^-d X behind whole delays, for every device."""
-    later = applied(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
+    later = mp(shifted(DEVICE, 0, z, X, T, d), assume(PROMPT))
     return one_answer(assume(LATE), later)
 
 
@@ -120,23 +99,23 @@ def lumped(claim: Proposition) -> Theorem:
     own = next(p for p in given if isinstance(p, Predicate) and p.over and p.of[2] == X)
     total = next(p for p in given if isinstance(p, Relation) and p.left == d)
     late = (d_1 + d_2) * T
-    moved = applied(shifted(DEVICE, late, z, X, T, l), assume(own))
+    moved = mp(shifted(DEVICE, late, z, X, T, l), assume(own))
     rate = sp.Dummy("rate")  # of exp(rate s)
     behind = answers(transfer(DEVICE, -rate, s), s, z, z**-l * X, T)
     sum_ = combined(Relation(-(late + l * T), "=", -d * T), [assume(total), T])
-    equal = one_answer(assume(LATE), substituted(behind, rate, moved, sum_))
+    equal = one_answer(assume(LATE), subst(behind, rate, moved, sum_))
     factor_ = (K + B * (z - 1) / (T * z)) * -S.One
     alive, period = turns(assume(LATE)), positive(Ne(T, 0), T > 0)
     same = closed(combined(wall, [equal, factor_]), alive, period)
     polynomial = cleared.body  # type: ignore[attr-defined]
     found = closed(identity(polynomial.left, polynomial.right), alive)
-    return conjoined(same, general(found, *cleared.over))  # type: ignore[attr-defined]
+    return conj(same, gen(found, *cleared.over))  # type: ignore[attr-defined]
 
 
 def sampled_as(form: Expr) -> Theorem:
     """X = form, a quotient in the parameters of the device alone; hypotheses as of ``answer``."""
     given = answer()
-    _, apart, equation = (part(given, p) for p in given.conclusion.of)  # type: ignore[attr-defined]
+    _, apart, equation = (conjunct(given, p) for p in given.conclusion.of)  # type: ignore[attr-defined]
     cofactor = T**2 / (2 * SPLIT * SPRING * m * denominator())
     found = combined(Relation(X, "=", form), [equation, cofactor])
     return closed(found, apart, *device_divisors())
@@ -166,8 +145,8 @@ def loop_as(form: Expr, bottom: Expr, wall: Expr, late: bool = True) -> Theorem:
     Without ``late`` the delay is 0, and X_d a second name of the answer.
     """
     first, second = answer(), answer(late) if late else _twice()
-    _, apart, equation = (part(first, p) for p in first.conclusion.of)  # type: ignore[attr-defined]
-    alive, _, delayed = (part(second, p) for p in second.conclusion.of)  # type: ignore[attr-defined]
+    _, apart, equation = (conjunct(first, p) for p in first.conclusion.of)  # type: ignore[attr-defined]
+    alive, _, delayed = (conjunct(second, p) for p in second.conclusion.of)  # type: ignore[attr-defined]
     steps = d + 1 if late else sp.S.One
     gain, unit = 1 + X_d * wall, 2 * SPLIT * SPRING * m / T**2
     loop = assume(Relation(gain, "!=", sp.S.Zero))
@@ -185,7 +164,7 @@ def loop_as(form: Expr, bottom: Expr, wall: Expr, late: bool = True) -> Theorem:
 
 
 def _twice() -> Theorem:
-    return placed(answer(), {X: X_d})
+    return inst(answer(), {X: X_d})
 
 
 def device_claim(claim: Proposition, conditions: Sequence[Any]) -> Theorem:
@@ -218,4 +197,4 @@ def _claimed(claim: Proposition, conditions: Sequence[Any], found: Theorem) -> T
         scale = closed(over(1 / m > 0, one(), m > 0), mass)
         apart.append(positive(Ne(SPRING, 0), [Ne(k, 0), T > 0, T > 0, scale]))
     found = closed(found, mass, period, *apart)
-    return for_all(symbols, [*given, *conditions], weakened(found, *given))
+    return for_all(symbols, [*given, *conditions], add_assum(found, *given))

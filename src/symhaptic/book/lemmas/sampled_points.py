@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, S, Symbol, pi
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.sampled import DEVICE, motion
-from symhaptic.notation import B, K, T, X, b, d, k, m, s, t, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, negated
+from symhaptic.notation import b
 from symhaptic.proof.theorems.familiar import amplified
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    conjoined,
-)
 from symhaptic.proof.theorems.samples import held_answer
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, fact
 
 SWINGING = {m: 1, b: 0, k: pi**2, T: 1, K: 1, B: 0, d: 1, z: 4}
 """Half a swing per period, without a damper."""
@@ -43,9 +30,9 @@ def answered(values: Mapping[Symbol, Expr], late: bool = False) -> tuple[Expr, T
     value = sp.factor(equation.right / apart.left)
     law = held_answer(device, parts, s, at, value, motion(device), t)
     claims = law.conclusion.of[1].of  # type: ignore[attr-defined]
-    shown = conjoined(*(fact(claim) for claim in claims))
+    shown = conj(*(fact(claim) for claim in claims))
     steps = [fact(h) for h in law.hypotheses]
-    return value, closed(applied(law, shown), *steps)
+    return value, closed(mp(law, shown), *steps)
 
 
 def completed(
@@ -69,7 +56,7 @@ def completed(
                 device, gain = [values[p] for p in DEVICE], before.xreplace(values)
                 more = amplified(device, 0, values[z], value, S.One, gain)
                 more = closed(more, *(fact(h) for h in more.hypotheses))
-                value, shown = gain * value, applied(more, shown)
+                value, shown = gain * value, mp(more, shown)
             values[claimed.of[2]] = value
             answers.append(shown)
     return values, answers

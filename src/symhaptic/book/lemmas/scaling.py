@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, Rational, S, Symbol
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
     no_stiffer,
@@ -17,16 +11,7 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
 )
 from symhaptic.model.circle import powers
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, gamma, k, m, m_D, m_H, n_0, y, z
-from symhaptic.notation.proposition import (
-    Exists,
-    Predicate,
-    Proposition,
-    Relation,
-    proposition,
-    whole,
-)
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.stability import (
     HEAVY,
     MORE,
@@ -39,32 +24,6 @@ from symhaptic.paper.propositions.stability import (
     SHARE as LIGHTER,
 )
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.roots import (
-    jury,
-    last_coefficient,
-)
-from symhaptic.proof.theorems.tactics import closed, either_way, fact, for_all, over, positive
 
 DAMPER, SPRING = MORE[1:]
 """Damper and spring of another loop."""
@@ -123,9 +82,9 @@ def _carried(
     pair = (assume(named), wall) if free == K else (wall, assume(named))
     known = [*pair, spring, damper]
     found = moved(assume(before), after.at({free: other}), known)
-    some = witnessed(found, Exists((free,), after), {free: other})
-    there_is = witnessed(identity(value, value), Exists((other,), named), {other: value})
-    return chosen(assume(Exists((free,), before)), chosen(there_is, some))
+    some = exists(found, Exists((free,), after), {free: other})
+    there_is = exists(identity(value, value), Exists((other,), named), {other: value})
+    return choose(assume(Exists((free,), before)), choose(there_is, some))
 
 
 def moved(found: Theorem, wanted: Any, known: Sequence[Theorem | None]) -> Theorem:
@@ -139,7 +98,7 @@ def moved(found: Theorem, wanted: Any, known: Sequence[Theorem | None]) -> Theor
             share = sp.cancel(difference / (right - left))
             same = combined(Relation(terms[i], "=", wanted.terms[i]), [equation, share])
             terms[i] = place
-            found = substituted(Predicate(wanted.name, (), tuple(terms)), place, found, same)
+            found = subst(Predicate(wanted.name, (), tuple(terms)), place, found, same)
     return found
 
 
@@ -162,7 +121,7 @@ def with_the_stiffness(stiffer: Symbol) -> Theorem:
     same = combined(Eq(stiffer / HEAVY, K / m), [equally, 1 / HEAVY])
     known = [equally, None, None, None]
     there, back = moved(assume(before), after, known), moved(assume(after), before, known)
-    found = conjoined(same, either_way(there, back, before, after))
+    found = conj(same, either_way(there, back, before, after))
     return closed(found, *APART)
 
 
@@ -186,7 +145,7 @@ def _both_ways(
 def free_mass(theorem: Theorem, kept: Sequence[Any]) -> Theorem:
     """The same with one damper and spring, b = 0 and k = 0, which ``kept`` keeps."""
     same = {DAMPER: b, SPRING: k}
-    found = placed(theorem, same)
+    found = inst(theorem, same)
     for equation, symbol, none in zip(kept, (b, k), NOTHING, strict=True):
         wanted: Any = proposition(equation).at(same)
         share = sp.expand((wanted.left - wanted.right) / symbol)
@@ -202,15 +161,15 @@ def lighter_hands() -> Theorem:
     both_ = [m_H > 0, LIGHTER >= 0]
     masses = positive(heavy > 0, m_D > 0, m_H > 0), positive(light > 0, [m_D > 0], both_)
     free = free_mass(with_the_mass(STIFFER, STRONGER), HELD)
-    found = placed(free, {m: heavy, HEAVY: light, b: S.Zero, k: S.Zero})
+    found = inst(free, {m: heavy, HEAVY: light, b: S.Zero, k: S.Zero})
     rest = light / heavy
-    found = placed(found, {STIFFER: K * rest, STRONGER: B * rest})
+    found = inst(found, {STIFFER: K * rest, STRONGER: B * rest})
     zero = identity(S.Zero, S.Zero)
     apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in masses]  # type: ignore[attr-defined]
     same = [identity(wall * rest, wall * rest) for wall in (K, B)]
     found = closed(found, zero, *same, *masses, *apart)
     symbols, given, _ = taken_apart(walls)
-    kept = for_all(symbols, given, weakened(found, *given))
+    kept = for_all(symbols, given, add_assum(found, *given))
     symbols, given, less = taken_apart(rises)
     lost = positive(m_H * (1 - LIGHTER) * (HEAVY - m_D) > 0, [m_H > 0, LIGHTER < 1, m_D < HEAVY])
     more = positive(HEAVY + m_H > 0, [m_D < HEAVY], [m_D > 0], [m_H > 0])
@@ -218,8 +177,8 @@ def lighter_hands() -> Theorem:
     top, bottom = lost.conclusion.right, size.conclusion.right  # type: ignore[attr-defined]
     gap = combined(less, [over(top / bottom > 0, lost, size)])
     apart = [positive(Ne(t.conclusion.right, 0), [t]) for t in (more, masses[0], size)]  # type: ignore[attr-defined]
-    steep = for_all(symbols, given, weakened(closed(gap, *apart), *given))
-    return conjoined(kept, steep)
+    steep = for_all(symbols, given, add_assum(closed(gap, *apart), *given))
+    return conj(kept, steep)
 
 
 # -- walls that cannot be made stable ----------------------------------------------------
@@ -230,11 +189,11 @@ def never(free: Symbol, wall: Proposition) -> Theorem:
     values = wall.terms
     parts = {"stiffness": values[2] != 0, "damping": values[3] != 0}
     loop = closed(loop_substituted(values, z, 1, **parts), fact(whole(values[4])))
-    found = applied(loop, assume(wall))
+    found = mp(loop, assume(wall))
     contrary = _too_damped(found) if free == K else _too_stiff(found, free)
     some = Exists((free,), wall)
-    wrong = chosen(assume(some), anything(contrary, Relation(S.One, "<", S.Zero)))
-    return absurd(wrong, number(Relation(S.Zero, "<=", S.One)), some)
+    wrong = choose(assume(some), contr(contrary, Relation(S.One, "<", S.Zero)))
+    return not_intro(wrong, number(Relation(S.Zero, "<=", S.One)), some)
 
 
 def none_as_stiff(free: Symbol, wall: Predicate) -> Theorem:
@@ -250,7 +209,7 @@ def none_as_damped(free: Symbol, wall: Predicate) -> Theorem:
     *_, inside = damping_between(0, arm)
     wrong = Relation(S.One, "<", S.One)
     more = on_box(n_0 * limit - 1, arm)
-    never = combined(wrong, [placed(inside, {beta: limit})], [more])
+    never = combined(wrong, [inst(inside, {beta: limit})], [more])
     return _none(of_every_plant(never), free, wall, wrong)
 
 
@@ -264,16 +223,16 @@ def _none(never: Theorem, free: Symbol, wall: Predicate, wrong: Relation) -> The
     """There is no such wall: of one that were stable something wrong is shown."""
     values = dict(zip((alpha, beta, gamma, delta), wall.of[:4], strict=True))
     some = Exists((free,), wall)
-    found = chosen(assume(some), numbers_known(placed(never, values)))
-    return absurd(found, number(Relation(wrong.right, "<=", wrong.left)), some)
+    found = choose(assume(some), numbers_known(inst(never, values)))
+    return not_intro(found, number(Relation(wrong.right, "<=", wrong.left)), some)
 
 
 def _too_damped(inside: Theorem) -> Theorem:
     """The product of the zeros is not below 1."""
     product = last_coefficient(inside)
-    above = part(product, product.conclusion.parts[0])
+    above = conjunct(product, product.conclusion.parts[0])
     last = above.conclusion.terms[1]
-    return absurd(above, number(Relation(last, "<=", -S.One)))
+    return not_intro(above, number(Relation(last, "<=", -S.One)))
 
 
 def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
@@ -281,8 +240,8 @@ def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
 
     With u for the damping it is -A u^2 - D u - C, and -A (u - r)^2 - (D + 2 A r) u - (C - A r^2).
     """
-    criterion = applied(jury(inside.conclusion.terms[0], z), inside)
-    _, plane, _, minor = (part(criterion, p) for p in criterion.conclusion.parts)
+    criterion = mp(jury(inside.conclusion.terms[0], z), inside)
+    _, plane, _, minor = (conjunct(criterion, p) for p in criterion.conclusion.parts)
     u = plane.conclusion.terms[1]
     slope, place = u.coeff(free, 1), Symbol("u")
     least = minor.conclusion.terms[1]
@@ -292,4 +251,4 @@ def _too_stiff(inside: Theorem, free: Symbol) -> Theorem:
     sizes = high, low + 2 * high * r, last - high * r**2
     signs = [number(Relation(S.Zero, "<", size)) for size in sizes]
     sums = [signs[0], square(u - r)], [signs[1], plane], [signs[2]]
-    return absurd(minor, combined(Relation(least, "<=", S.Zero), *sums))
+    return not_intro(minor, combined(Relation(least, "<=", S.Zero), *sums))

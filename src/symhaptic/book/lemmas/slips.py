@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from sympy import S
-
-from symhaptic.notation import delta, gamma
-from symhaptic.notation.proposition import TRUE, Not, Proposition, Relation, Terms
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation.proposition import TRUE
 from symhaptic.paper.propositions.slips import END, ENDS, below
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-)
-from symhaptic.proof.theorems.tactics import at, fact
 
 
 def neither_end() -> Theorem:
@@ -26,8 +13,8 @@ def neither_end() -> Theorem:
     damped, undamped = ({gamma: ENDS[1], delta: value} for value in (END, S.Zero))
     false = [clash(low, damped, 0), clash(high, undamped, 1)]
     claim = CLAIMED["s5c-interval"](())
-    never = by_cases(assume(claim), *false)
-    return absurd(anything(never, TRUE), anything(never, Not((TRUE,))), claim)
+    never = disj_cases(assume(claim), *false)
+    return not_intro(contr(never, TRUE), contr(never, Not((TRUE,))), claim)
 
 
 def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
@@ -36,7 +23,7 @@ def clash(claim: Proposition, values: Terms, holds: int) -> Theorem:
     inside = [fact(p.at(values)) for p in given]
     there = at(assume(claim), values, *inside)
     sides = same.at(values).parts
-    other = applied(there, fact(sides[holds]))
+    other = mp(there, fact(sides[holds]))
     wrong = sides[1 - holds]
     assert isinstance(wrong, Relation)
-    return absurd(other, fact(Relation(wrong.right, "<", wrong.left)))
+    return not_intro(other, fact(Relation(wrong.right, "<", wrong.left)))

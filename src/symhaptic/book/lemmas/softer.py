@@ -2,24 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, MARGIN, margin_to_the_end
 from symhaptic.book.lemmas.passivity import INSIDE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.walls import PI
-from symhaptic.notation import alpha, beta, d, delta, theta, y
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import bounded, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    cut,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import tends
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive, sine_of_half
+from symhaptic.proof.theorems.familiar import bounded
 
 
 @cache
@@ -29,12 +16,12 @@ def within_the_damper() -> tuple[Theorem, Theorem]:
     below = at(assume(EVERY_MARGIN), {theta: theta}, *map(assume, INSIDE))
     slow = in_the_limit(below, theta, S.Zero, pi, tends(MARGIN, theta, S.Zero, start))
     late = positive(d + S.Half > 0, d >= 0, [S.Half])
-    low = positive(beta + delta >= 0, [cut(slow, PI)], [alpha >= 0, late])
+    low = positive(beta + delta >= 0, [prove_hyp(slow, PI)], [alpha >= 0, late])
     angle = pi / (d + 1)
     more = positive(d + 1 > 0, d >= 0, [S.One])
     inside = over(angle > 0, PI, more)
     end = positive(angle <= pi, [over(pi - angle >= 0, positive(pi * d >= 0, [PI, d >= 0]), more)])
-    there = placed(margin_to_the_end(), {theta: angle})
+    there = inst(margin_to_the_end(), {theta: angle})
     # there the cosine is -1, and the quotient of the sines 1/2
     high = positive(beta <= delta, [there], [S.Half, alpha >= 0])
     return low, closed(high, inside, end, positive(Ne(d + 1, 0), [more]))

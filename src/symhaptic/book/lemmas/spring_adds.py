@@ -6,36 +6,16 @@ devices' numbers are known to a part in a million, so that their difference is k
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Eq, Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import HIGH, LOW, PRIMED, THIN, WIDE, L, bounds
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known
-from symhaptic.notation import a, alpha, beta, delta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import conjuncts
 from symhaptic.paper.propositions.areas import ENDS, moved_by_the_spring
-from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
-from symhaptic.proof.theorems.familiar import device_exists, of_device
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
-from symhaptic.proof.theorems.tactics import closed, for_all, positive
 
 NEAR = Rational(5, 10**7)
 """So near are n_1 and n_0 to their series in L, less gamma/24."""
@@ -63,9 +43,9 @@ class Both:
         self.sprung = {gamma: STIFF, delta: damper, **PRIMED}
         static = of_device("device at rest", assume(DEVICE))
         loss = of_device("device's loss", assume(DEVICE))
-        self.static, self.static_sprung = placed(static, self.free), placed(static, self.sprung)
+        self.static, self.static_sprung = inst(static, self.free), inst(static, self.sprung)
         self.same = combined(
-            Eq(e, PRIMED[e]), [placed(loss, self.free)], [placed(loss, self.sprung), -S.One]
+            Eq(e, PRIMED[e]), [inst(loss, self.free)], [inst(loss, self.sprung), -S.One]
         )
         self.places: dict[Symbol, Expr] = {L: 1 - e}
         self.known = self._known()
@@ -73,11 +53,11 @@ class Both:
     def of(self, expr: Expr, device: dict[Symbol, Expr]) -> Theorem:
         """0 < f of one of the devices."""
         found = at_point(expr, {s: (device[s], device[s]) for s in RANGES})
-        return placed(found, device)
+        return inst(found, device)
 
     def _known(self) -> list[Theorem]:
         """That wall and devices lie in the box."""
-        self.wall = {n: numbers_known(placed(t, self.free)) for n, t in bounds().items()}
+        self.wall = {n: numbers_known(inst(t, self.free)) for n, t in bounds().items()}
         known = [
             positive(alpha >= 0, [self.wall["right"]]),
             positive(alpha <= WIDE, [self.wall["left"]]),
@@ -106,11 +86,11 @@ class Both:
         used = sp.expand(expr.xreplace(NAMED))
         ends = {s: BOX[s] for s in BOX if s in used.free_symbols}
         certificate: Any = box.positive(used, ends)
-        return closed(placed(on_plain_box(certificate), self.places), *self.known)
+        return closed(inst(on_plain_box(certificate), self.places), *self.known)
 
     def inequality(self, goal: Any, before: Theorem | None) -> Theorem:
         """One of Jury's of the moved wall, by how much more it is than ``before``."""
-        given = [] if before is None else [placed(before, self.free)]
+        given = [] if before is None else [inst(before, self.free)]
         rest = goal.right - sum(t.conclusion.right for t in given)  # type: ignore[attr-defined]
         here, there = (rest.expand().coeff(n) for n in (a, PRIMED[a]))
         total = PRIMED[n_1] + PRIMED[n_0]
@@ -128,7 +108,7 @@ class Both:
 
     def stable(self) -> Theorem:
         """The moved wall is stable with the spring."""
-        loop = placed(by_inequalities(0), {alpha: alpha - STIFF, **self.sprung})
+        loop = inst(by_inequalities(0), {alpha: alpha - STIFF, **self.sprung})
         first, *others = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
         total = self.of(n_1 + n_0, self.sprung)
         shown = [combined(first, [self.wall["right"], total], [self.static_sprung, -S.One])]
@@ -137,10 +117,10 @@ class Both:
         befores = (known[0], None, known[2])
         for goal, before in zip(others, befores, strict=True):
             shown.append(self.inequality(goal, before))
-        found = applied(loop, conjoined(*shown))
+        found = mp(loop, conj(*shown))
         for device in (self.sprung, self.free):
             names = tuple(device.get(n, n) for n in NUMBERS)
-            found = chosen(device_exists(device[gamma], device[delta], names), found)
+            found = choose(device_exists(device[gamma], device[delta], names), found)
         return numbers_known(found)
 
 
@@ -151,5 +131,5 @@ def spring_adds() -> Theorem:
     found = []
     for part, damper in zip(claim.of, ENDS, strict=True):
         symbols, given, _ = taken_apart(part)
-        found.append(for_all(symbols, given, weakened(Both(damper).stable(), *given)))
-    return conjoined(*found)
+        found.append(for_all(symbols, given, add_assum(Both(damper).stable(), *given)))
+    return conj(*found)

@@ -7,12 +7,8 @@ where L = 1 - e and S = n_1 + n_0.
 
 from __future__ import annotations
 
-from functools import cache
-
-import sympy as sp
-from sympy import Expr, Ne, Rational, S, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
     inequalities,
@@ -20,19 +16,10 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     on_box,
 )
-from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1
 from symhaptic.paper.propositions.plots import OTHER, THICK
-from symhaptic.paper.ranges import RANGES, STIFF
+from symhaptic.paper.ranges import STIFF
 from symhaptic.proof import box
-from symhaptic.proof.theorems.familiar import of_device
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.leaves import on_box as on_plain_box
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 PRIMED = {s: Symbol(f"{s}'") for s in NUMBERS}
 """The numbers of the device with it."""
@@ -92,7 +79,7 @@ def on_walls(expr: Expr) -> Theorem:
 
 def primed(theorem: Theorem) -> Theorem:
     """The same of the device with the other spring."""
-    return placed(theorem, {gamma: OTHER, **PRIMED})
+    return inst(theorem, {gamma: OTHER, **PRIMED})
 
 
 @cache

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import S, Symbol
-
 from symhaptic.book.lemmas.moved_wall import Moved
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.spring_box import (
     HIGH,
     SHARE,
@@ -16,16 +12,6 @@ from symhaptic.book.lemmas.spring_box import (
     bounds,
 )
 from symhaptic.book.lemmas.undelayed_curve import between
-from symhaptic.notation import alpha, beta, gamma
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Predicate,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
 from symhaptic.paper.propositions.plots import (
     BESIDE,
     OTHER,
@@ -36,28 +22,12 @@ from symhaptic.paper.propositions.plots import (
     undelayed,
 )
 from symhaptic.paper.ranges import STIFF
-from symhaptic.proof.theorems.familiar import ordered
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    conjoined,
-    discharged,
-    general,
-    placed,
-    substituted,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, number
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
 
 
 def both_orders(made: Any) -> Theorem:
     """What holds where the other spring is softer and where it is stiffer."""
     stiffer = positive(gamma <= OTHER, gamma < OTHER)
-    return by_cases(ordered(gamma, OTHER), closed(made(False), stiffer), made(True))
+    return disj_cases(ordered(gamma, OTHER), closed(made(False), stiffer), made(True))
 
 
 @cache
@@ -107,7 +77,7 @@ def kept(softer: bool) -> Theorem:
         combined(p.at(wall), [step], [THICK, moved.low])
         for p, step in zip(map(proposition, near()), steps(moved), strict=True)
     ]
-    return witnessed(conjoined(*ways, stable), claim, wall)
+    return exists(conj(*ways, stable), claim, wall)
 
 
 def filled(softer: bool) -> Theorem:
@@ -123,8 +93,8 @@ def filled(softer: bool) -> Theorem:
     around = ForAll(BESIDE, implied(near(), other))
     zero = [number(Relation(-THICK, "<=", S.Zero)), number(Relation(S.Zero, "<=", THICK))]
     itself = at(assume(around), dict(zip(BESIDE, (alpha, beta), strict=True)), *zero, *zero)
-    back = [placed(t, swap) for t in steps(moved)]
-    eased = placed(moved.eased(), swap)
+    back = [inst(t, swap) for t in steps(moved)]
+    eased = inst(moved.eased(), swap)
     beside = dict(zip(BESIDE, (wall[alpha], wall[beta]), strict=True))
     left, right, down, up = back
     ways = [
@@ -132,7 +102,7 @@ def filled(softer: bool) -> Theorem:
         for p, step in zip(map(proposition, near()), (right, left, up, down), strict=True)
     ]
     there = at(assume(around), beside, *ways)
-    found = placed(placed(stable, swap), wall)
+    found = inst(inst(stable, swap), wall)
     for s in (alpha, beta):
         found = _renamed(found, s)
     apart = combined(Relation(1 - share, "!=", S.Zero), [eased])
@@ -147,7 +117,7 @@ def _renamed(theorem: Theorem, to: Symbol) -> Theorem:
     place = Symbol("q")
     terms = [place if i == index else t for i, t in enumerate(said.of)]
     pattern = Predicate(said.name, (), tuple(terms))
-    return substituted(pattern, place, theorem, identity(said.of[index], to))
+    return subst(pattern, place, theorem, identity(said.of[index], to))
 
 
 @cache
@@ -156,13 +126,13 @@ def springs_alike() -> Theorem:
     symbols, given, walls = taken_apart(alike())
     parts = []
     for claim, made in zip(walls.body.of, (kept, filled), strict=True):  # type: ignore[attr-defined]
-        parts.append(discharged(both_orders(made), claim.of[0]))
-    inner = general(conjoined(*parts), alpha, beta)
-    return for_all(symbols, given, weakened(inner, *given))
+        parts.append(disch(both_orders(made), claim.of[0]))
+    inner = gen(conj(*parts), alpha, beta)
+    return for_all(symbols, given, add_assum(inner, *given))
 
 
 @cache
 def line_and_curve() -> Theorem:
     """The stable walls lie above beta = -1, between alpha = -gamma and the curve."""
     symbols, given, _ = taken_apart(between_line_and_curve())
-    return for_all(symbols, given, weakened(between(), *given))
+    return for_all(symbols, given, add_assum(between(), *given))

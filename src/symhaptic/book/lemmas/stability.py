@@ -2,22 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
-from symhaptic.notation import alpha, beta, d, delta, gamma, z
-from symhaptic.notation.proposition import Proposition, both, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import loop_of_device
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, part
-from symhaptic.proof.theorems.leaves import combined, root_outside, roots_inside
-from symhaptic.proof.theorems.roots import jury
-from symhaptic.proof.theorems.tactics import chained, closed, denied_by, either_way, fact
 
 
 def polynomial_at(point: Mapping[Symbol, Expr]) -> Theorem:
@@ -33,7 +20,7 @@ def stable_at(point: Mapping[Symbol, Expr]) -> Theorem:
     """That a loop is stable, by balls around its zeros."""
     loop = polynomial_at(point)
     zeros: Any = loop.conclusion.of[1]  # type: ignore[attr-defined]
-    return applied(loop, roots_inside(zeros.of[0], z, {}))
+    return mp(loop, roots_inside(zeros.of[0], z, {}))
 
 
 def unstable_at(point: Mapping[Symbol, Expr]) -> Theorem:
@@ -48,7 +35,7 @@ def by_inequalities(delay: int) -> Theorem:
     """stable <=> Jury's inequalities, in the four numbers of the device, for a whole delay."""
     late = sp.Integer(delay)
     readings = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     zeros: Any = loop.conclusion.parts[1]
     return closed(chained(loop, jury(zeros.of[0], z)), fact(whole(late)))
 
@@ -73,13 +60,13 @@ def collected(equivalence: Theorem, *inequalities: Any) -> Theorem:
     raw, wanted = claim.of[1], both(inequalities)
     left = [p for p in raw.parts if p.free]
     pairs = list(zip(left, wanted.parts, strict=True))
-    there = conjoined(*(_scaled(other, p, raw) for p, other in pairs))
+    there = conj(*(_scaled(other, p, raw) for p, other in pairs))
     back = {p: _scaled(p, other, wanted) for p, other in pairs}
-    whole_again = conjoined(*(back[p] if p.free else fact(p) for p in raw.parts))
+    whole_again = conj(*(back[p] if p.free else fact(p) for p in raw.parts))
     return chained(equivalence, either_way(there, whole_again, raw, wanted))
 
 
 def _scaled(wanted: Any, part_: Any, of: Proposition) -> Theorem:
     """A positive multiple of an inequality that is a part of a conjunction."""
     share = sp.cancel((wanted.right - wanted.left) / (part_.right - part_.left))
-    return combined(wanted, [share, part(assume(of), part_)])
+    return combined(wanted, [share, conjunct(assume(of), part_)])

@@ -2,35 +2,12 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from sympy import Expr, I, Ne, S, cos, exp, pi, sin, symbols, tan
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.forms.device_forms import made_of
 from symhaptic.model.passivity import mirror
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import (
-    X,
-    a,
-    c_1,
-    d,
-    e,
-    l,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    theta,
-    x,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import combined, mirrored
+from symhaptic.notation import m_0, m_1
 
 TURN = exp(I * theta)
 INSIDE = tuple(map(proposition, (theta > 0, theta < pi)))

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache, partial
-
-import sympy as sp
-from sympy import Eq, Expr, Ne, S, Symbol, exp, sqrt, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import fractional_delay, stable
 from symhaptic.forms.device_forms import device_of, made_of
@@ -16,26 +12,7 @@ from symhaptic.forms.response import closed
 from symhaptic.model import loop
 from symhaptic.model.parts import FULL
 from symhaptic.model.plant import Sampled
-from symhaptic.notation import (
-    a,
-    alpha,
-    beta,
-    c,
-    d,
-    delta,
-    e,
-    epsilon,
-    gamma,
-    m_0,
-    m_1,
-    m_2,
-    n_0,
-    n_1,
-    z,
-)
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import combined
+from symhaptic.notation import c, m_0, m_1
 
 DELAY = 2
 """Forms that are made for one whole delay are shown for this one."""

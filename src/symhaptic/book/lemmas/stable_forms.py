@@ -6,26 +6,11 @@ derived one in these names; all is proved by normal forms, where nothing is divi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-import sympy as sp
-from sympy import Expr, S, Symbol
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import definitions, explicit, renamed
-from symhaptic.notation.proposition import (
-    ForAll,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-)
-from symhaptic.proof.theorems.judge import Case
-from symhaptic.proof.theorems.kernel import Theorem, conjoined, weakened
-from symhaptic.proof.theorems.leaves import combined, factor, identity, tends
-from symhaptic.proof.theorems.tactics import closed, example, for_all
 
 Named = tuple[tuple[Symbol, Expr], ...]
 
@@ -80,8 +65,8 @@ class Block:
     def theorem(self) -> Theorem:
         """The claim as a theorem."""
         found = [self._pair(pair) for pair in self.pairs]
-        whole = found[0] if len(found) == 1 else conjoined(*found)
-        shown = weakened(closed(whole, *self.divisors()), *self.given)
+        whole = found[0] if len(found) == 1 else conj(*found)
+        shown = add_assum(closed(whole, *self.divisors()), *self.given)
         return for_all(self.over, self.given, shown)
 
     def _pair(self, pair: Proposition) -> Theorem:

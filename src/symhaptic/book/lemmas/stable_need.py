@@ -2,20 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from sympy import Expr, Rational, S, Symbol, cos, pi, sin, symbols
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import required_damping, stable
 from symhaptic.forms.entire import Chord, Sinc, written_out
-from symhaptic.notation import alpha, beta, d, delta, epsilon, l, psi, theta, v, w, x, y
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import closed, one, positive, sine_of_half
+from symhaptic.notation import v, w
 
 HALF = Rational(1, 2)
 ANGLE = tuple(map(proposition, (theta > 0, theta < pi)))

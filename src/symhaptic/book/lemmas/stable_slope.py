@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import partial
-
-from sympy import Expr, I, Ne, Rational, S, cos, exp, sin, symbols, tan
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_boundary import (
     BOTTOM,
     DEVICE,
@@ -22,12 +18,7 @@ from symhaptic.book.lemmas.stable_boundary import (
 from symhaptic.book.lemmas.stable_forms import Block, Later, Named, not_zero
 from symhaptic.forms import max_stiffness_slope
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import X, c_1, c_2, c_3, e, l, m_0, m_1, m_2, n_0, n_1, t, theta, y, z
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import mirrored
-from symhaptic.proof.theorems.tactics import fact
+from symhaptic.notation import c_2, c_3, m_0, m_1
 
 f, g, v, w, q, r = symbols("f g v w q r")
 """Of the force A/M: its real and imaginary part below, over cos(theta/2)^2, and what it turns."""
@@ -108,7 +99,7 @@ def _polynomial(top: Expr, late: bool) -> Block:
     return Block((theta, *numbers), where, named, (pair,), point, divisors)
 
 
-def square(top: Expr, known: Sequence[Theorem]) -> Theorem:
+def size_not_zero(top: Expr, known: Sequence[Theorem]) -> Theorem:
     """The square of a polynomial's size over cos(theta/2)^4, or ^2, is not zero."""
     one, other = top.subs(z, 1), top.subs(z, -1)
     tangent = tan(theta / 2)
@@ -125,11 +116,11 @@ def _divisors(top: Expr, searched: bool) -> list[Theorem]:
     known = inside(top)
     if searched:
         alive = assume(Ne(turned(BOTTOM), 0))
-        other = square(BOTTOM, [alive, mirrored(alive)])
+        other = size_not_zero(BOTTOM, [alive, mirrored(alive)])
     else:
         unit = fact(Relation(S.One, "!=", S.Zero))
         other = not_zero(1 + tan(theta / 2) ** 2, unit, times=cos(theta / 2) ** 2)
-    return [*known, square(top, known[2:]), other]
+    return [*known, size_not_zero(top, known[2:]), other]
 
 
 SEARCHED = Later(_searched)

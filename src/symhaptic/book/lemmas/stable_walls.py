@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Ne, S, cos, pi, sin
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stable_forms import Block, Later, not_zero
 from symhaptic.book.lemmas.stable_need import (
     ANGLE,
@@ -18,13 +17,8 @@ from symhaptic.book.lemmas.stable_need import (
 )
 from symhaptic.forms import stable, stiffest_passive
 from symhaptic.forms.entire import Chord, Sinc, Spread, written_out
-from symhaptic.notation import beta, d, delta, epsilon, l, theta, v, x, y
-from symhaptic.notation.proposition import Predicate, Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import divided, sign_of
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, one, positive, sine_of_half
+from symhaptic.notation import v
+from symhaptic.proof.theorems.familiar import divided
 
 LINE = (x, kernel(d, theta)), (y, derivative(kernel(d, theta), theta))
 """The line of an angle, delta = alpha x - beta cos((d + 1) theta), and how its x changes."""

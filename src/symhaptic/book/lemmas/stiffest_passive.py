@@ -2,38 +2,18 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Expr, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.corners import stiffest
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     measured,
     needed,
     on_first_half,
     sufficient,
 )
-from symhaptic.notation import B, K, N, T, b, d, phi, psi, x, y
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    is_whole,
-    number,
-)
-from symhaptic.proof.theorems.tactics import at, closed, for_all, over, positive
+from symhaptic.notation import b
 
 TURN = pi / (4 * (d + 1))
 """Half the angle at which damping does nothing, theta = pi/(2 (d+1))."""
@@ -74,12 +54,12 @@ def divisors() -> tuple[Theorem, ...]:
 
 def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
     """The wall of (11) is passive, and no passive one is stiffer; d is whole."""
-    found = placed(stiffest(), {psi: phi, N: 2 * d + 2})
+    found = inst(stiffest(), {psi: phi, N: 2 * d + 2})
     found = closed(found, positive(2 * d + 2 >= 2, [2, d >= 0]))
     always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
     pushes = combined(K >= 0, [assume(b >= 0), slope()], [stiffness, -S.One])
     passive = closed(sufficient(), always, pushes, *divisors())
-    return conjoined(passive, largest(stiffness))
+    return conj(passive, largest(stiffness))
 
 
 def per_damping() -> Expr:
@@ -108,7 +88,7 @@ def bound() -> Theorem:
 
 def largest(stiffness: Theorem) -> Theorem:
     """No passive wall is stiffer than that of (11)."""
-    other = placed(bound(), {K: x, B: y})
+    other = inst(bound(), {K: x, B: y})
     found = combined(x <= K, [other], [stiffness, -S.One])
     return for_all([x, y], [PASSIVE.at({K: x, B: y})], closed(found, *divisors()))
 
@@ -118,10 +98,10 @@ def largest_of(printed: Any, delay: int) -> tuple[Theorem, Theorem, Expr]:
     wall = stiffest_wall(*map(assume, printed))
     at_delay = {d: S(delay)}
     values = {line.lhs: line.rhs.xreplace(at_delay) for line in printed}
-    there = placed(wall, at_delay | values)
+    there = inst(wall, at_delay | values)
     known = [identity(value, value) for value in values.values()]
-    passive = part(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
-    least = closed(placed(bound(), at_delay), *_at(delay))
+    passive = conjunct(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
+    least = closed(inst(bound(), at_delay), *_at(delay))
     return passive, least, values[K]
 
 

@@ -7,37 +7,12 @@ one stiffness for every damping, no stiffer wall is stable.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, Rational, S, Symbol
-
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.model import circle
-from symhaptic.notation import alpha, beta, delta, gamma, n_0, n_1
-from symhaptic.notation.proposition import Relation, conjuncts, whole
 from symhaptic.proof import box
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.plants import AT_ONE, BALLS, LATE, LOSS, TOGETHER, named
-from symhaptic.proof.theorems.familiar import device_exists, loop_of_device, ordered, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, on_plants
-from symhaptic.proof.theorems.roots import last_coefficient
-from symhaptic.proof.theorems.tactics import closed, fact, over, positive
 
 Ranges = Mapping[Symbol, tuple[Any, Any]]
 
@@ -69,7 +44,7 @@ def _on_box(expr: Expr, sides: tuple[tuple[Symbol, tuple[Any, Any]], ...]) -> Th
 
 def of_every_plant(theorem: Theorem) -> Theorem:
     """What does not speak of the plant's numbers holds without them."""
-    return chosen(device_exists(gamma, delta, NUMBERS), theorem)
+    return choose(device_exists(gamma, delta, NUMBERS), theorem)
 
 
 def numbers_known(theorem: Theorem) -> Theorem:
@@ -79,30 +54,30 @@ def numbers_known(theorem: Theorem) -> Theorem:
 
 def stable_wall(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
     """The wall, given by gamma and delta, is stable for all plants of the box."""
-    loop = placed(by_inequalities(delay), dict(zip((alpha, beta), wall, strict=True)))
+    loop = inst(by_inequalities(delay), dict(zip((alpha, beta), wall, strict=True)))
     known = [
         combined(wanted, [on_box(wanted.right, ranges)])  # type: ignore[attr-defined]
         for wanted in conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     ]
-    return of_every_plant(applied(loop, conjoined(*known)))
+    return of_every_plant(mp(loop, conj(*known)))
 
 
 @cache
 def inequalities(delay: int) -> tuple[Theorem, ...]:
     """What Jury's inequalities say of a stable wall; the last is that of the minor."""
     loop = by_inequalities(delay)
-    found = applied(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
-    return tuple(part(found, p) for p in conjuncts(found.conclusion))
+    found = mp(loop, assume(loop.conclusion.of[0]))  # type: ignore[attr-defined]
+    return tuple(conjunct(found, p) for p in conjuncts(found.conclusion))
 
 
 def damping_between(delay: int, ranges: Ranges, widest: Expr = WIDEST) -> tuple[Theorem, ...]:
     """-2.1 <= beta <= 2.1 and n_0 beta < 1 of a stable wall: n_0 beta is a product of zeros."""
     late = S(delay)
     loop = loop_of_device(NUMBERS, (alpha, beta, gamma, delta, late))
-    reading: Any = part(loop, loop.conclusion.parts[1])
-    zeros = applied(reading, assume(reading.conclusion.of[0]))
+    reading: Any = conjunct(loop, loop.conclusion.parts[1])
+    zeros = mp(reading, assume(reading.conclusion.of[0]))
     last = closed(last_coefficient(zeros), fact(whole(late)))
-    low, high = (part(last, p) for p in conjuncts(last.conclusion))
+    low, high = (conjunct(last, p) for p in conjuncts(last.conclusion))
     weight, room = (on_box(f, ranges) for f in (n_0, widest * n_0 - 1))
     bounds = [
         over(side, combined(n_0 * rest > 0, [room], [known]), weight)
@@ -136,9 +111,9 @@ def no_stiffer(delay: int, wall: tuple[Expr, Expr], ranges: Ranges) -> Theorem:
         slope = -derivative(value, alpha).xreplace({alpha: limit})
         falls = [[stiff, on_box(slope, wide)], [stiff, stiff, weight, weight]]
     falling = combined(Relation(value, "<=", S.Zero), [fails(value, wall, wide)], *falls)
-    contrary = absurd(minor, falling)
+    contrary = not_intro(minor, falling)
     wanted = Relation(alpha, "<", limit)
-    found = by_cases(ordered(alpha, limit), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(alpha, limit), assume(wanted), contr(contrary, wanted))
     return of_every_plant(closed(found, low, high))
 
 
@@ -176,7 +151,7 @@ def towards(planes: Any, minor: Theorem, inside: Theorem, wide: Ranges) -> Theor
         [inside, on_box(rest, wide)],
     )
     above = Relation(S.Zero, "<", value * (n_1 + n_0))
-    contrary = absurd(positive(above, [minor, heavy]), down)
+    contrary = not_intro(positive(above, [minor, heavy]), down)
     wanted = Relation(S.Zero, "<", toward)
-    found = by_cases(ordered(S.Zero, toward), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(S.Zero, toward), assume(wanted), contr(contrary, wanted))
     return closed(found, positive(Relation(two, "!=", S.Zero), [second]))

@@ -2,30 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
-from typing import Any, TypeAlias
-
-from sympy import Expr, Rational, S, diff
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
 from symhaptic.book.lemmas.stiffest_stable import Ranges, no_stiffer, stable_wall
-from symhaptic.notation import B, K, T, alpha, b, beta, delta, x, y
-from symhaptic.notation.proposition import Proposition, Relation, conjuncts
-from symhaptic.paper.propositions import CLAIMED
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import printed_of
 from symhaptic.paper.propositions.ratio import ARM, WALL
-from symhaptic.paper.ranges import RANGES
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 Wall: TypeAlias = tuple[Expr, Expr]
 ELEVEN = printed_of("eq11")
@@ -55,19 +37,19 @@ def beside(
     values: dict[Any, Expr] = dict(zip((x, y), wall, strict=True))
     _, rest = claim.body.of  # type: ignore[attr-defined]
     given, then = rest.at(values).body.of
-    shown = conjoined(*map(bounds, conjuncts(then))) if then.parts else bounds(then)
+    shown = conj(*map(bounds, conjuncts(then))) if then.parts else bounds(then)
     others = for_all(WALL, [given], shown)
-    return witnessed(conjoined(best, others), claim, values)
+    return exists(conj(best, others), claim, values)
 
 
 def passive_walls(delay: int, printed: Any) -> tuple[Theorem, Theorem, Wall]:
     """(11): that wall is passive, none is stiffer, and its values; for delta >= 0 and T = 1."""
     unit = {b: delta, T: S.One}
     passive, least, _ = largest_of(printed, delay)
-    found = placed(passive, unit)
+    found = inst(passive, unit)
     wall = found.conclusion.of[:2]  # type: ignore[attr-defined]
     known = [fact(Relation(S.Zero, "<", S.One))]
-    bound = placed(least, {**unit, K: alpha, B: beta})
+    bound = inst(least, {**unit, K: alpha, B: beta})
     return closed(found, *known), closed(bound, *known), wall
 
 
@@ -100,9 +82,9 @@ def linear(expr: Expr, ends: tuple[Any, Any]) -> list[list[Any]]:
 def passive_beside_stable(claim: Proposition, delay: int, printed: Any) -> Theorem:
     """A passive wall beside all stable ones, at the arm of the figures."""
     passive, _, wall = passive_walls(delay, printed)
-    passive = placed(passive, {delta: ARM[delta]})
+    passive = inst(passive, {delta: ARM[delta]})
     wall = tuple(v.subs(delta, ARM[delta]) for v in wall)
-    above = placed(no_stiffer(delay, CORNER[delay], HERE), ARM)
+    above = inst(no_stiffer(delay, CORNER[delay], HERE), ARM)
     above = closed(above, *_numbers(above))
 
     def bound(wanted: Any) -> Theorem:
@@ -122,11 +104,11 @@ def of_ratio(claim: Proposition, delay: int, wall: Wall) -> Theorem:
     """How much stiffer a stable wall can be than a passive one, at least and at most."""
     symbols, given, then = taken_apart(claim)
     more, digits = conjuncts(then)
-    found = conjoined(
+    found = conj(
         stable_beside_passive(more, delay, wall, RANGES, ELEVEN),
         passive_beside_stable(digits, delay, ELEVEN),
     )
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 @cache
@@ -147,8 +129,8 @@ def of_delay(claim: Proposition) -> Theorem:
         lambda wanted: combined(wanted, [first]),
     )
     best: Wall = tuple(v.subs(delta, ARM[delta]) for v in LATE)
-    late = placed(stable_wall(1, LATE, RANGES), ARM)
-    most = placed(no_stiffer(0, CORNER[0], HERE), ARM)
+    late = inst(stable_wall(1, LATE, RANGES), ARM)
+    most = inst(no_stiffer(0, CORNER[0], HERE), ARM)
     late, most = (closed(t, *_numbers(t)) for t in (late, most))
 
     def bound(wanted: Any) -> Theorem:
@@ -156,5 +138,5 @@ def of_delay(claim: Proposition) -> Theorem:
         rest = number(Relation(S.Zero, "<", wanted.right - share * CORNER[0][0]))
         return combined(wanted, [share, most], [rest])
 
-    found = conjoined(less, beside(digits, late, best, bound))
-    return for_all(symbols, given, weakened(found, *given))
+    found = conj(less, beside(digits, late, best, bound))
+    return for_all(symbols, given, add_assum(found, *given))

@@ -2,33 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Expr, S, Symbol
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import largest_of
-from symhaptic.notation import B, K, T, b, w, x, y
-from symhaptic.notation.proposition import Proposition, Relation, conjuncts
-from symhaptic.proof.theorems.judge import Case, taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    weakened,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import at, closed, example, fact, for_all, one, over, positive
+from symhaptic.notation import b, w
 
 
 def both_sides(stiffness: Expr, delay: int, printed: Any, known: Any) -> tuple[Theorem, ...]:
     """What is the largest stiffness is at most, and at least, that of (11)."""
-    exists, others = known
+    there_is, others = known
     passive, bound, value = largest_of(printed, delay)
-    below = chosen(assume(exists), placed(bound, {K: stiffness}))
+    below = choose(assume(there_is), inst(bound, {K: stiffness}))
     wall = passive.conclusion.of  # type: ignore[attr-defined]
     above = at(assume(others), {w: wall[0], B: wall[1]}, passive)
     return positive(stiffness <= value, [below]), positive(value <= stiffness, [above]), value
@@ -51,9 +35,9 @@ def ratio(claim: Proposition, printed: Any, delay: int) -> Theorem:
         part = positive(way * (y - limit * x) > 0, *known)
         bounds.append(over(relation, part, size))
     apart = not_zero(size), not_zero(assume(T > 0))
-    found = closed(conjoined(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
+    found = closed(conj(*bounds) if len(bounds) > 1 else bounds[0], *apart, *apart)
     found = closed(found, positive(b >= 0, b > 0))
-    return for_all(symbols, given, weakened(found, *given))
+    return for_all(symbols, given, add_assum(found, *given))
 
 
 def _per_damping(stiffness: Expr) -> Expr:
@@ -68,10 +52,10 @@ def case(claim: Proposition, printed: Any, delay: int) -> Case:
     walls = [largest_of(printed, late) for late in (0, delay)]
     point = unit | {s: wall[2].xreplace(unit) for s, wall in zip((x, y), walls, strict=True)}
     known: list[Theorem] = []
-    for (exists, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
-        passive, bound = (placed(t, unit) for t in wall[:2])
-        passive, bound = (closed(t, *_numbers(t)) for t in (passive, placed(bound, {K: w})))
-        known.append(witnessed(passive, exists.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
+    for (there_is, others), wall in zip((given[2:4], given[4:]), walls, strict=True):
+        passive, bound = (inst(t, unit) for t in wall[:2])
+        passive, bound = (closed(t, *_numbers(t)) for t in (passive, inst(bound, {K: w})))
+        known.append(exists(passive, there_is.at(point), {B: passive.conclusion.of[1]}))  # type: ignore[attr-defined]
         goal, some = others.at(point), others.at(point).body.of[0]  # type: ignore[attr-defined]
         least = positive(goal.body.of[1], [bound])  # type: ignore[attr-defined]
         known.append(for_all([w, B], [some], least))

@@ -2,28 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, Symbol, pi, sqrt
-
-from symhaptic.notation import T, b, delta, gamma, k, m, omega, x
-from symhaptic.notation.proposition import Predicate, Relation, proposition
-from symhaptic.proof.theorems.familiar import divided, sign_of, swinging
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    chosen,
-    conjoined,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.tactics import chained, closed, either_way, one, over, positive
+from symhaptic.book.lemmas.prelude import *
+from symhaptic.notation import b
+from symhaptic.proof.theorems.familiar import divided, swinging
 
 RATE = Symbol("sigma")
 DEVICE = (m, b, k, omega)
@@ -43,13 +24,13 @@ def swings() -> Theorem:
     slow = combined(Eq(RATE, rate), [cosine, 1 / (2 * m * omega)])
     wanted = proposition(Eq(omega**2, SQUARE))
     found = combined(wanted, [sine, -1 / m], [slow, RATE - rate])
-    there = chosen(assume(some), found)
+    there = choose(assume(some), found)
     damped = identity(2 * m * rate * omega + b * omega, S.Zero)
     square = assume(wanted)
     swung, slowed = (claim.at({RATE: rate}) for claim in some.body.of)
     held = combined(swung, [square, -m])
     still = combined(slowed, [damped, S.One])
-    back = witnessed(conjoined(held, still), some, {RATE: rate})
+    back = exists(conj(held, still), some, {RATE: rate})
     same = either_way(there, back, some, wanted)
     return closed(chained(meaning, same), *apart)
 
@@ -63,15 +44,15 @@ def by_its_square(radicand: Expr) -> Theorem:
     both = omega + sqrt(x)
     apart = positive(Ne(both, 0), [omega > 0], [root])
     back = closed(combined(value, [assume(wanted), 1 / both]), apart)
-    return placed(either_way(there, back, value, wanted), {x: radicand})
+    return inst(either_way(there, back, value, wanted), {x: radicand})
 
 
 def rewritten(left: Theorem, right: Theorem) -> Theorem:
     """p <=> r from p <=> q and r <=> q."""
     p = left.conclusion.of[0]  # type: ignore[attr-defined]
     r = right.conclusion.of[0]  # type: ignore[attr-defined]
-    there = applied(right, applied(left, assume(p)))
-    back = applied(left, applied(right, assume(r)))
+    there = mp(right, mp(left, assume(p)))
+    back = mp(left, mp(right, assume(r)))
     return either_way(there, back, p, r)
 
 
@@ -95,10 +76,10 @@ def up_to_nyquist() -> Theorem:
 def spring_of_nyquist() -> Theorem:
     """k = pi^2 m/T^2 + b^2/(4 m) <=> the device swings with pi/T, for m > 0 and T > 0."""
     spring = proposition(Eq(k, pi**2 * m / T**2 + b**2 / (4 * m)))
-    there = placed(swings(), {omega: pi / T})
+    there = inst(swings(), {omega: pi / T})
     same = there.conclusion.of[1]  # type: ignore[attr-defined]
     square = combined(same, [assume(spring), -1 / m])
-    value = combined(spring, [applied(there, assume(there.conclusion.of[0])), -m])  # type: ignore[attr-defined]
-    both = either_way(applied(there, square), value, spring, there.conclusion.of[0])  # type: ignore[attr-defined]
+    value = combined(spring, [mp(there, assume(there.conclusion.of[0])), -m])  # type: ignore[attr-defined]
+    both = either_way(mp(there, square), value, spring, there.conclusion.of[0])  # type: ignore[attr-defined]
     fast = over(pi / T > 0, number(Relation(S.Zero, "<", pi)), T > 0)
     return closed(both, fast, *(positive(Ne(s, 0), s > 0) for s in (m, T)))

@@ -9,38 +9,13 @@ from (d + 1) theta = 1 on, about.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, I, Ne, S, cos, exp, pi, sin
-
 from symhaptic.book.lemmas.outpaced import ROOM, room
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model.passivity import mirror
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, theta, x, y
-from symhaptic.notation.proposition import (
-    ForAll,
-    Proposition,
-    Relation,
-    implied,
-    proposition,
-    whole,
-)
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.plots import BESIDE
 from symhaptic.paper.propositions.stability import SQUARE
-from symhaptic.proof.theorems.familiar import ordered, sign_of, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    assume,
-    by_cases,
-    placed,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined, mirrored
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
 
 TURN = exp(I * theta)
 TOP = n_1 * TURN + n_0
@@ -98,9 +73,9 @@ def on_one_side() -> Theorem:
         [moves, -weight * I * mirror(rest)],
         [mirrored(moves), weight * I * rest],
     )
-    contrary = absurd(positive(weight * ROOM > 0, [more, room_]), less)
+    contrary = not_intro(positive(weight * ROOM > 0, [more, room_]), less)
     wanted = Relation(SIDE, "<", S.Zero)
-    found = by_cases(ordered(SIDE, S.Zero), assume(wanted), anything(contrary, wanted))
+    found = disj_cases(ordered(SIDE, S.Zero), assume(wanted), contr(contrary, wanted))
     return closed(found, positive(Ne(sin(theta), 0), [wave]))
 
 
@@ -128,25 +103,25 @@ def _of_plants(then: Proposition) -> Proposition:
 
 
 def _for_plants(theorem: Theorem) -> Theorem:
-    plants = for_all((gamma, delta, *NUMBERS), [DEVICE], weakened(theorem, DEVICE))
-    return for_all((d,), [whole(d)], weakened(plants, whole(d)))
+    plants = for_all((gamma, delta, *NUMBERS), [DEVICE], add_assum(theorem, DEVICE))
+    return for_all((d,), [whole(d)], add_assum(plants, whole(d)))
 
 
 @cache
 def all_tangents() -> Theorem:
     """:func:`tangents`."""
     walls, given, _ = taken_apart(_inner(tangents()))
-    return _for_plants(for_all(walls, given, weakened(on_one_side(), *given)))
+    return _for_plants(for_all(walls, given, add_assum(on_one_side(), *given)))
 
 
 @cache
 def all_tips() -> Theorem:
     """:func:`tips`."""
     walls, given, _ = taken_apart(_inner(tips()))
-    side, rise = placed(on_one_side(), {x: S.Zero}), assume(y > 0)
+    side, rise = inst(on_one_side(), {x: S.Zero}), assume(y > 0)
     below = over(BESIDE[0] - alpha > 0, positive((BESIDE[0] - alpha) * y > 0, [side]), rise)
     found = closed(positive(alpha < BESIDE[0], [below]), positive(Ne(y, 0), [rise]))
-    return _for_plants(for_all(walls, given, weakened(found, *given)))
+    return _for_plants(for_all(walls, given, add_assum(found, *given)))
 
 
 def _inner(claim: Proposition) -> Proposition:

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin, tan
-
 from symhaptic.book.lemmas.chords import HALF, PI, lowest_coefficients, not_zero, sine, size, width
 from symhaptic.book.lemmas.envelope import (
     LOWER,
@@ -21,25 +16,7 @@ from symhaptic.book.lemmas.envelope import (
     stiffness,
     turned,
 )
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.notation.proposition import Relation, proposition
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.analysis import above_its_start, increases
-from symhaptic.proof.theorems.familiar import decided, ordered, sign_of, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import closed, over, positive
+from symhaptic.book.lemmas.prelude import *
 
 HALF_PI = number(Relation(S.Zero, "<", pi / 2))
 STIFFEST, ITS_DAMPING = tan(TURN), 2 / (N * sin(pi / N))
@@ -50,7 +27,7 @@ STIFFEST, ITS_DAMPING = tan(TURN), 2 / (N * sin(pi / N))
 def below_tip(side: int) -> Theorem:
     """U(psi) < tan(pi/(2N)) on either side of the tip."""
     tip = {psi: TURN} if side == LOWER else {phi: TURN, psi: psi}
-    moved = placed(rises(side), {**tip, phi: psi} if side == LOWER else tip)
+    moved = inst(rises(side), {**tip, phi: psi} if side == LOWER else tip)
     found = positive(stiffness() < STIFFEST, [moved])
     return closed(found, *divisors_at_tip(), apart(), inside_tip(side))
 
@@ -87,8 +64,8 @@ def tip_beside(side: int) -> Theorem:
     slope = closed(slope, not_zero(bottom), *divisors)
     inside = _beside_tip(side)
     curve = side * moved.xreplace({psi: there})
-    slope = positive(derivative(curve, x) > 0, [placed(slope, {psi: there})])
-    shown = [placed(t, {psi: there}) for t in divisors_at(psi, side)]
+    slope = positive(derivative(curve, x) > 0, [inst(slope, {psi: there})])
+    shown = [inst(t, {psi: there}) for t in divisors_at(psi, side)]
     # SymPy takes a sign out of sin(a - x), which may stand in a divisor with either
     shown += [positive(Ne(-t.conclusion.left, 0), [t]) for t in shown]  # type: ignore[attr-defined]
     shown = [closed(t, *inside, *divisors_at_tip()) for t in shown]
@@ -96,7 +73,7 @@ def tip_beside(side: int) -> Theorem:
     rising = increases(curve, x, S.Zero, TURN, slope, *shown)
     found = above_its_start(rising, tends(curve, x, S.Zero, S.Zero))
     found = closed(found, *lowest_coefficients(found, wave(), TURN), *divisors_at_tip())
-    found = placed(found, {x: side * (TURN - psi)})
+    found = inst(found, {x: side * (TURN - psi)})
     found = positive(line(STIFFEST, ITS_DAMPING) > 0, [turned(side), found])
     ends = [
         positive(side * (TURN - psi) > 0, [inside_tip(side)]),
@@ -154,14 +131,14 @@ def at_tip(goal: Any, there: Theorem) -> Theorem:
     """A relation at N psi = pi/2 from the one at psi = pi/(2N)."""
     equation = combined(Eq(TURN, psi), [assume(Eq(N * psi, pi / 2)), -1 / N])
     pattern = proposition(goal).at({psi: x})
-    return closed(substituted(pattern, x, there, equation), not_zero(size()), *divisors_at_tip())
+    return closed(subst(pattern, x, there, equation), not_zero(size()), *divisors_at_tip())
 
 
 def by_three(goal: Any, below: Theorem, at: Theorem, above: Theorem, angle: Expr = psi) -> Theorem:
     """A relation for N psi < pi/2, for N psi = pi/2 and beyond."""
     apart_ = strictly(assume(pi / 2 <= N * angle), assume(Ne(N * angle, pi / 2)))
-    beyond = by_cases(decided(N * angle, pi / 2), at, closed(above, apart_))
-    return by_cases(ordered(N * angle, pi / 2), below, beyond)
+    beyond = disj_cases(decided(N * angle, pi / 2), at, closed(above, apart_))
+    return disj_cases(ordered(N * angle, pi / 2), below, beyond)
 
 
 @cache

@@ -2,30 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sympy import Eq, Expr, Ne, S, cos, pi
-
 from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.linear_part import shares
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, divisors, waves
-from symhaptic.notation import K, T, b, d, omega, x
-from symhaptic.notation.proposition import Relation
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import sign_of
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    substituted,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-)
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive, sine_of_half
+from symhaptic.notation import b
 
 
 def first_without_damping(equation: Any, claim: Any) -> Theorem:
@@ -47,10 +28,10 @@ def first_without_damping(equation: Any, claim: Any) -> Theorem:
     stiffness = assume(touched.body.of[0].of[-1])
     need = touched.body.of[1]
     met = combined(need, [stiffness, -derivative(need.right, K)])
-    met = for_all(touched.over, touched.body.of[0].of, weakened(met, b >= 0))
-    everything = conjoined(above, below, nothing, first, met)
+    met = for_all(touched.over, touched.body.of[0].of, add_assum(met, b >= 0))
+    everything = conj(above, below, nothing, first, met)
     turned = combined(Eq(at, omega), [assume(equation), -S.One])
-    found = substituted(claim, omega, everything, turned)
+    found = subst(claim, omega, everything, turned)
     sine = waves()["sine"]
     level = not_zero(positive(2 - 2 * cos(2 * TURN) > 0, [4, sine, sine]))
     level = positive(Ne((2 - 2 * cos(T * omega)).xreplace({omega: at}), 0), [level])

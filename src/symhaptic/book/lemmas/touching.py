@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Expr, Ne, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import cosine, not_zero, sine, sine_of_larger
 from symhaptic.book.lemmas.envelope import (
     LOWER,
@@ -19,6 +15,7 @@ from symhaptic.book.lemmas.envelope import (
     stiffness,
     turned,
 )
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.tip import (
     STIFFEST,
     at_tip,
@@ -29,18 +26,6 @@ from symhaptic.book.lemmas.tip import (
     tip,
     wave,
 )
-from symhaptic.notation import N, phi, psi, x
-from symhaptic.notation.proposition import proposition
-from symhaptic.proof.theorems.familiar import decided, ordered, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 WALL = stiffness(phi), damping(phi)
 GOAL = line(*WALL) >= 0
@@ -50,7 +35,7 @@ GOAL = line(*WALL) >= 0
 def other_side(side: int) -> Theorem:
     """0 <= F of the wall (U, W)(phi), on one side of N psi = pi/2, at psi on the other."""
     stiff = stiffness(phi)
-    less = positive(STIFFEST - stiff > 0, [placed(below_tip(side), {psi: phi})])
+    less = positive(STIFFEST - stiff > 0, [inst(below_tip(side), {psi: phi})])
     cotangent, other = (_cotangent(angle) for angle in (psi, phi))
     share = over(
         -cos(N * psi) / cos(N * phi) > 0,
@@ -61,7 +46,7 @@ def other_side(side: int) -> Theorem:
         line(stiff, damping(phi)) >= 0,
         [tip()],
         [less, cotangent, sine_of_larger()],
-        [share, placed(tip(), {psi: phi})],
+        [share, inst(tip(), {psi: phi})],
         [share, less, other, sine_of_larger(phi)],
     )
     return closed(
@@ -80,19 +65,19 @@ def one_side(side: int) -> Theorem:
     """0 <= F of the wall (U, W)(phi) at psi, both on one side of N psi = pi/2."""
     after, before = (positive(GOAL, [same_side(side, first)]) for first in (True, False))
     there = combined(line(*WALL, phi) >= 0, [identity(line(*WALL, phi), S.Zero), S.NegativeOne])
-    same = substituted(proposition(GOAL).at({psi: x}), x, there, assume(Eq(phi, psi)))
+    same = subst(proposition(GOAL).at({psi: x}), x, there, assume(Eq(phi, psi)))
     equal = combined(Eq(phi, psi), [assume(Eq(psi, phi)), S.NegativeOne])
     same = closed(same, equal, apart(phi), not_zero(sine(phi)), not_zero(sine()))
     less = strictly(assume(psi <= phi), assume(Ne(psi, phi)))
-    return by_cases(
-        ordered(phi, psi), after, by_cases(decided(psi, phi), same, closed(before, less))
+    return disj_cases(
+        ordered(phi, psi), after, disj_cases(decided(psi, phi), same, closed(before, less))
     )
 
 
 @cache
 def seen_from_tip(side: int) -> Theorem:
     """0 <= F of the wall (U, W)(phi) at N psi = pi/2."""
-    less = positive(STIFFEST - WALL[0] > 0, [placed(below_tip(side), {psi: phi})])
+    less = positive(STIFFEST - WALL[0] > 0, [inst(below_tip(side), {psi: phi})])
     cotangent = over(cos(TURN) / sin(TURN) > 0, level(), wave())
     there = positive(line(*WALL, TURN) >= 0, [less, cotangent])
     found = at_tip(GOAL, there)
@@ -106,7 +91,7 @@ def from_tip() -> Theorem:
     goal = proposition(GOAL).at({phi: x})
     there = combined(goal.at({x: TURN}), [tip()])
     equation = combined(Eq(TURN, phi), [assume(Eq(N * phi, pi / 2)), -1 / N])
-    found = substituted(goal, x, there, equation)
+    found = subst(goal, x, there, equation)
     return closed(found, *divisors_at_tip(), apart(phi), not_zero(sine()))
 
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Ne, Rational, S, pi
-
 from symhaptic.book.lemmas.arm_numbers import pushed
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     damping_between,
@@ -15,19 +12,7 @@ from symhaptic.book.lemmas.stiffest_stable import (
     of_every_plant,
     towards,
 )
-from symhaptic.notation import a, alpha, beta, d, delta, e, gamma, n_0, n_1, x
-from symhaptic.notation.proposition import ForAll, Proposition, Relation, conjuncts, implied
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.familiar import device_static, square
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    conjoined,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined, number
-from symhaptic.proof.theorems.tactics import closed, over, positive
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
 FARTHEST = Rational(5, 2)
@@ -69,10 +54,10 @@ def turned_down() -> Theorem:
         ([planes[2]], [heavier, fall]),
         ([minor], [second, toward, fall]),
     )
-    loop = placed(by_inequalities(0), {alpha: x})
+    loop = inst(by_inequalities(0), {alpha: x})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     shown = [combined(goal, *known) for goal, known in zip(goals, rows, strict=True)]
-    found = closed(applied(loop, conjoined(*shown)), low, high)
+    found = closed(mp(loop, conj(*shown)), low, high)
     return closed(of_every_plant(found), _slow())
 
 

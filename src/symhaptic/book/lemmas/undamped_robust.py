@@ -7,51 +7,11 @@ N = p + q + 1: there only the wall's part of the polynomial is left.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Ne, Rational, S, Symbol, cos, pi, sin, symbols
-
 from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1, psi, x, z
-from symhaptic.notation.proposition import Predicate, Proposition, Relation, proposition, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.stability import NUMBERS
 from symhaptic.proof.theorems.analysis import grows
-from symhaptic.proof.theorems.familiar import (
-    axiom,
-    decided,
-    device_exists,
-    loop_late,
-    not_negative,
-    of_device,
-    ordered,
-    rising,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    applied,
-    assume,
-    by_cases,
-    chosen,
-    part,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined, identity, is_whole, number
-from symhaptic.proof.theorems.roots import outpaces
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    over,
-    positive,
-    reductio,
-    zero_beyond,
-)
 
 p, q = symbols("p q")
 N, M = p + q + 1, q + 1
@@ -89,8 +49,8 @@ def ends() -> tuple[Theorem, Theorem]:
     place = Symbol("t")
     one, zero = identity(S.One, S.One), identity(S.Zero, S.Zero)
     return (
-        substituted(Relation(sin(place), "=", S.One), place, one, half),
-        substituted(Relation(cos(place), "=", S.Zero), place, zero, half),
+        subst(Relation(sin(place), "=", S.One), place, one, half),
+        subst(Relation(cos(place), "=", S.Zero), place, zero, half),
     )
 
 
@@ -123,10 +83,10 @@ def chord() -> Theorem:
     inside = combined(goal, [grown], [one, -M])
     none = assume(Eq(p, 0))
     bare = Symbol("k")
-    same = substituted(Relation(sin((bare + M) * psi), "=", S.One), bare, one, none)
+    same = subst(Relation(sin((bare + M) * psi), "=", S.One), bare, one, none)
     there = combined(goal, [same, -N], [none, -S.One])
     late = strictly(assume(p >= 0), combined(Ne(S.Zero, p), [assume(Ne(p, 0))]))
-    return closed(by_cases(decided(p, S.Zero), there, closed(inside, late)), known["delay"])
+    return closed(disj_cases(decided(p, S.Zero), there, closed(inside, late)), known["delay"])
 
 
 LATE = loop_late(NUMBERS, (alpha, beta, SWING**2, S.Zero, d), (p, q)).conclusion.parts[1]
@@ -138,7 +98,7 @@ ZEROS = LATE.parts[0].parts[-1]
 def swinging() -> list[Theorem]:
     """n_1 = n_0, a = 2 cos M psi and e = 1, of the undamped device."""
     device = axiom("undamped device", SWING, *NUMBERS)
-    turn, alike = (part(device, claim) for claim in device.conclusion.parts)
+    turn, alike = (conjunct(device, claim) for claim in device.conclusion.parts)
     loss = of_device("device's loss", assume(UNDAMPED))
     return [alike, turn, combined(Eq(e, 1), [loss])]
 
@@ -178,7 +138,7 @@ def outpaced() -> Theorem:
     for equation in swinging():
         name = equation.conclusion.terms[0]
         pattern = late.conclusion.at({name: place})
-        late = substituted(pattern, place, late, equation)
+        late = subst(pattern, place, late, equation)
     one, none = ends()
     known, of = sizes(), signs()
     total, height = alpha + beta, alpha + 2 * beta
@@ -200,7 +160,7 @@ def outpaced() -> Theorem:
         [*weight, square((N + M) * beta - N * C_ * total)],
         [*weight, gap, square(total)],
     )
-    return closed(absurd(late, less), not_zero(both))
+    return closed(not_intro(late, less), not_zero(both))
 
 
 SOFT = Predicate("device", (), (x**2, S.Zero, *NUMBERS))
@@ -210,7 +170,7 @@ SOFT = Predicate("device", (), (x**2, S.Zero, *NUMBERS))
 def pulled() -> Theorem:
     """Nor has a wall with alpha <= -x^2 beside the spring x^2, 0 < x < pi."""
     device = axiom("undamped device", x, *NUMBERS)
-    turn = part(device, device.conclusion.parts[0])
+    turn = conjunct(device, device.conclusion.parts[0])
     known = assume(SOFT)
     static = of_device("device at rest", known)
     loss = combined(Eq(e, 1), [of_device("device's loss", known)])
@@ -227,7 +187,7 @@ def pulled() -> Theorem:
     weak = assume(Relation(x**2 + alpha, "<=", S.Zero))
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [heavy, weak], [static, S.One])
     denial = zero_beyond(zeros, z, value)
-    return absurd(assume(ZEROS), denial)
+    return not_intro(assume(ZEROS), denial)
 
 
 def without(spring: Any, false: Theorem) -> Theorem:
@@ -241,8 +201,8 @@ def without(spring: Any, false: Theorem) -> Theorem:
         for h in false.hypotheses
         if isinstance(h, Predicate) and h.name == "whole" and h.terms[0] not in (p, q)
     ]
-    found = chosen(applied(late, assume(stable)), closed(false, *sums))
-    return chosen(device_exists(spring, S.Zero, NUMBERS), found)
+    found = choose(mp(late, assume(stable)), closed(false, *sums))
+    return choose(device_exists(spring, S.Zero, NUMBERS), found)
 
 
 def _spring(turn: Any, low: Theorem, high: Theorem) -> list[Theorem]:
@@ -261,7 +221,7 @@ def excluded() -> Theorem:
     product = positive((2 * d + 2) * (q + 1) > 0, [more, share])
     apart = [not_zero(t) for t in (share, more, product)]
     whole_turn = closed(combined(TURN.at({psi: angle}), [delay, -angle]), *apart)
-    found = without(turn**2, closed(placed(outpaced(), {psi: angle}), whole_turn, *apart))
+    found = without(turn**2, closed(inst(outpaced(), {psi: angle}), whole_turn, *apart))
     return closed(found, not_zero(more))
 
 
@@ -297,11 +257,11 @@ def pulls(held: Proposition) -> Theorem:
     weak = over(-(turn**2) - alpha >= 0, size, positive((1 - alpha) ** 2 > 0, [more, more]))
     less = combined(Relation(turn**2 + alpha, "<=", S.Zero), [weak])
     apart = not_zero(more), not_zero(positive((1 - alpha) ** 2 > 0, [more, more]))
-    found = without(turn**2, closed(placed(pulled(), {x: turn}), low, high, less, *apart))
+    found = without(turn**2, closed(inst(pulled(), {x: turn}), low, high, less, *apart))
     stable = at(assume(held), {gamma: turn**2}, *_spring(turn, low, high))
     return closed(found, closed(stable, *apart), *apart)
 
 
 def vanishes(held: Proposition) -> Theorem:
     """``held`` is not so, for 0 <= d."""
-    return reductio(by_cases(ordered(alpha, S.Zero), pulls(held), pushes(held)), held)
+    return reductio(disj_cases(ordered(alpha, S.Zero), pulls(held), pushes(held)), held)

@@ -2,53 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
-from sympy import Abs, Eq, Expr, Ne, S, cos, pi
+from sympy import Abs
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
-from symhaptic.notation import B, K, T, b, d, omega, theta
-from symhaptic.notation.proposition import Or, Relation, proposition
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import SIX
-from symhaptic.proof.theorems.analysis import in_the_limit
-from symhaptic.proof.theorems.familiar import (
-    bounded,
-    magnitude,
-    ordered,
-    sign_of,
-    square,
-    strictly,
-)
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    by_cases,
-    cut,
-    part,
-    placed,
-    widened,
-)
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-    tends,
-)
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    either_way,
-    fact,
-    follows,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-)
+from symhaptic.proof.theorems.familiar import bounded
 
 HALF = S.Half
 BORDER = K * T / 2 + Abs(B)
@@ -71,7 +33,7 @@ def cosine_bounds(angle: Expr) -> list[Theorem]:
 
 def by_sign_of_damping(up: Theorem, down: Theorem) -> Theorem:
     """One conclusion for B >= 0 and for B < 0."""
-    return by_cases(ordered(B, S.Zero), down, up)
+    return disj_cases(ordered(B, S.Zero), down, up)
 
 
 def enough(frequencies: Any) -> Theorem:
@@ -111,7 +73,7 @@ def _on_the_border(inside: Theorem) -> Theorem:
     """b >= KT/2 + |B| from b > KT/2 - B cos(theta), or >=, at every angle."""
     rest = b - NEED
     ends = [
-        cut(in_the_limit(inside, theta, S.Zero, pi, tends(rest, theta, end, value)), PI)
+        prove_hyp(in_the_limit(inside, theta, S.Zero, pi, tends(rest, theta, end, value)), PI)
         for end, value in ((pi, b - K * T / 2 - B), (S.Zero, b - K * T / 2 + B))
     ]
     above = combined(b >= BORDER, [ends[0]], [magnitude(B), 1])
@@ -131,7 +93,7 @@ def off_the_border(frequencies: Any, sufficient: Theorem, needed: Theorem) -> Th
         positive(Ne(2 * T, 0), [2, T > 0]),
     )
     apart = strictly(needed, assume(Ne(b, BORDER)))
-    there = by_cases(assume(OFF_BORDER), calm, apart)
+    there = disj_cases(assume(OFF_BORDER), calm, apart)
     return either_way(there, sufficient, frequencies, SIX)
 
 
@@ -169,14 +131,14 @@ def passive_in_numbers(point: Mapping[Expr, Expr]) -> Theorem:
         passivity.margin().subs(d, 0) >= 0, [assume(b >= level)], [assume(B >= 0), up]
     )
     found = follows(passive_by_angle(S.Zero), assume(K >= 0), for_all([theta], INSIDE, margin))
-    found = placed(found, point)
+    found = inst(found, point)
     return closed(found, *map(fact, found.hypotheses))
 
 
 def decides() -> Theorem:
     """(6) <=> passive, for K >= 0 and b != KT/2 + |B|."""
-    held = applied(passive_by_angle(S.Zero), assume(STEADY))
-    always = part(held, every_margin(S.Zero))
+    held = mp(passive_by_angle(S.Zero), assume(STEADY))
+    always = conjunct(held, every_margin(S.Zero))
     inside = positive(b >= NEED, [at(always, {theta: theta}, *map(assume, INSIDE))])
     needed = strictly(_on_the_border(inside), assume(Ne(b, BORDER)))
     enough_ = closed(passive(), positive(b >= BORDER, [assume(SIX)]))
@@ -219,4 +181,4 @@ def not_six(point: dict[Expr, Expr]) -> Theorem:
 
 def either(claim: Any, theorem: Theorem) -> Theorem:
     """One of two cases, from one of them."""
-    return widened(theorem, claim)
+    return disj(theorem, claim)

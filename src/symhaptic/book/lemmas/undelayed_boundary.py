@@ -2,28 +2,15 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, S, pi
-
 from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.extent import sine
 from symhaptic.book.lemmas.linear_part import known
 from symhaptic.book.lemmas.lower_boundary import border_needs, of_border
 from symhaptic.book.lemmas.passivity import PASSIVE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import bordering, first_half, limits, pushes, sufficient
-from symhaptic.notation import B, K, T, b, d, phi, x
+from symhaptic.notation import b
 from symhaptic.paper.propositions.passivity import UPPER
-from symhaptic.proof.theorems.familiar import both_ways
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    placed,
-    substituted,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, fact, for_all, positive
 
 NONE, STIFF, DAMPED, FULL = UPPER.parts
 LEAST = K * T / 2 + B
@@ -36,21 +23,21 @@ def enough() -> Theorem:
     there = {b: LEAST, d: S.Zero}
     always = first_half().at(there)
     given, goal = always.body.of  # type: ignore[attr-defined]
-    margin = combined(goal, [assume(DAMPED), placed(known()[2], {d: S.Zero})])
+    margin = combined(goal, [assume(DAMPED), inst(known()[2], {d: S.Zero})])
     below = positive(phi < pi / 2, [HALF, phi * 2 < pi])
     margin = for_all([phi], given.of, closed(margin, not_zero(sine(phi)), below))
-    found = placed(sufficient(), there)
+    found = inst(sufficient(), there)
     found = closed(found, margin, *map(fact, (p for p in found.hypotheses if not p.free)))
     pattern = PASSIVE.at({b: LEAST, d: x})
-    return substituted(pattern, x, found, combined(Eq(S.Zero, d), [assume(NONE), -S.One]))
+    return subst(pattern, x, found, combined(Eq(S.Zero, d), [assume(NONE), -S.One]))
 
 
 @cache
 def on_it() -> Theorem:
     """Such a wall with b = KT/2 + B is on the boundary."""
     full = assume(FULL)
-    passive = substituted(PASSIVE.at({b: x}), x, enough(), combined(Eq(LEAST, b), [full, -S.One]))
-    least = combined(b <= x, [placed(limits()[0], {b: x})], [full, S.One])
+    passive = subst(PASSIVE.at({b: x}), x, enough(), combined(Eq(LEAST, b), [full, -S.One]))
+    least = combined(b <= x, [inst(limits()[0], {b: x})], [full, S.One])
     return bordering(passive, least)
 
 
@@ -61,4 +48,4 @@ def its_damping() -> Theorem:
     force = positive(LEAST >= 0, [HALF, stiff, T > 0], DAMPED)
     need = border_needs(LEAST, closed(enough(), stiff), force)
     full = both_ways(need, positive(b >= LEAST, [of_border(limits()[0])]))
-    return conjoined(assume(NONE), stiff, assume(DAMPED), full)
+    return conj(assume(NONE), stiff, assume(DAMPED), full)

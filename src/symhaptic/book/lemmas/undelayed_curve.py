@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-import sympy as sp
-from sympy import Expr, S
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import (
     WIDEST,
@@ -19,24 +14,8 @@ from symhaptic.book.lemmas.stiffest_stable import (
     on_box,
     towards,
 )
-from symhaptic.notation import a, alpha, beta, e, gamma, n_0, n_1
-from symhaptic.notation.proposition import Relation, both
 from symhaptic.paper.propositions.plots import CURVE, undelayed
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.derivative import derivative
-from symhaptic.proof.theorems.familiar import of_device, ordered
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    anything,
-    applied,
-    assume,
-    by_cases,
-    conjoined,
-    part,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, either_way, over, positive
+from symhaptic.paper.ranges import STIFF
 
 BETWEEN = both([alpha > -gamma, alpha < CURVE])
 WALLS = both([beta > -1, *BETWEEN.parts])
@@ -69,7 +48,7 @@ def needed() -> Theorem:
     known = plants()
     right = over(NEAR > 0, combined(NEAR * TOTAL > 0, [first], [known["static"]]), known["total"])
     left = over(CURVE - alpha > 0, combined(minor.conclusion, [minor]), known["weight"])
-    found = conjoined(positive(alpha > -gamma, [right]), combined(alpha < CURVE, [left]))
+    found = conj(positive(alpha > -gamma, [right]), combined(alpha < CURVE, [left]))
     return closed(found, *(not_zero(known[n]) for n in ("total", "weight", "late", "toward")))
 
 
@@ -127,7 +106,7 @@ def enough() -> Theorem:
         closed(positive(alpha <= MOST, [reach], gamma >= 0), *apart),
     )
     at_one = combined(first, [known["total"], near], [static, -S.One])
-    found = applied(loop, conjoined(at_one, plane, flat, inner))
+    found = mp(loop, conj(at_one, plane, flat, inner))
     return closed(found, *sides, *apart, not_zero(room), *sides, *apart)
 
 
@@ -154,7 +133,7 @@ def _room(inner: Theorem, near: Theorem, minor: Expr) -> Theorem:
         [near, known["weight"]],
         [known["static"], -_share(minor)],
     )
-    return by_cases(ordered(S.Zero, ROOM), assume(claim), anything(absurd(inner, less), claim))
+    return disj_cases(ordered(S.Zero, ROOM), assume(claim), contr(not_intro(inner, less), claim))
 
 
 @cache
@@ -184,13 +163,13 @@ def above_one(minor: Theorem, toward: Theorem, near: Theorem) -> Theorem:
     value, below = away()
     negative = combined(Relation(value, "<", S.Zero), [below], [on_box(n_0, RANGES), toward, near])
     wanted = Relation(-S.One, "<", beta)
-    no = anything(absurd(minor, negative), wanted)
-    return by_cases(ordered(-S.One, beta), assume(wanted), no)
+    no = contr(not_intro(minor, negative), wanted)
+    return disj_cases(ordered(-S.One, beta), assume(wanted), no)
 
 
 @cache
 def between() -> Theorem:
     """stable <=> above beta = -1 and between them."""
     above, sides = above_minus_one(), needed()
-    known = conjoined(above, *(part(sides, p) for p in BETWEEN.parts))
+    known = conj(above, *(conjunct(sides, p) for p in BETWEEN.parts))
     return either_way(closed(known, above), enough(), undelayed(), WALLS)

@@ -5,11 +5,8 @@ Jury's minor is S (1 - n_0 beta) (beta + delta - alpha/2) but for little.
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Expr, Rational
-
 from symhaptic.book.lemmas.chords import not_zero
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_stable import inequalities, of_every_plant, on_box
 from symhaptic.book.lemmas.undelayed_curve import (
     BETWEEN,
@@ -19,21 +16,8 @@ from symhaptic.book.lemmas.undelayed_curve import (
     needed,
     plants,
 )
-from symhaptic.notation import alpha, beta, delta, e, gamma, n_0, n_1
-from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.plots import CURVE, FINE, FRAME
-from symhaptic.paper.ranges import RANGES, STIFF
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    conjoined,
-    discharged,
-    part,
-    weakened,
-)
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
+from symhaptic.paper.ranges import STIFF
 
 ABOVE = beta - alpha / 2 + delta
 SEEN = {**RANGES, alpha: (-STIFF, FRAME[0]), beta: (-FRAME[1], FRAME[1])}
@@ -68,13 +52,13 @@ def origin() -> Theorem:
     symbols, given, then = taken_apart(CLAIMED["fig8"](()))
     inside, above_ = then.of  # type: ignore[attr-defined]
     left = combined(alpha >= -STIFF, [assume(alpha > -gamma)], [assume(gamma <= STIFF)])
-    right = of_every_plant(part(needed(), BETWEEN.parts[0]))
+    right = of_every_plant(conjunct(needed(), BETWEEN.parts[0]))
     down = combined(beta > -1, [assume(-FRAME[1] <= beta)], [1 - FRAME[1]])
     right = closed(right, down)
     below = of_every_plant(closed(above(), closed(left, right)))
-    there = discharged(conjoined(right, below), inside.of[0])
-    back = discharged(of_every_plant(closed(is_filled(), left, down)), above_.of[0])
-    return for_all(symbols, given, weakened(conjoined(there, back), *given))
+    there = disch(conj(right, below), inside.of[0])
+    back = disch(of_every_plant(closed(is_filled(), left, down)), above_.of[0])
+    return for_all(symbols, given, add_assum(conj(there, back), *given))
 
 
 def _share() -> Expr:

@@ -6,22 +6,13 @@ n_0 x (alpha_max - alpha) - (n_1 + n_0) (n_0 x - w)^2/(n_0 n_1^2).
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Rational, S, expand
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stability import by_inequalities
 from symhaptic.book.lemmas.stiffest_stable import damping_between, inequalities, on_box, towards
-from symhaptic.notation import alpha, beta, d, delta, e, gamma, n_0, n_1, w
-from symhaptic.notation.proposition import ForAll, Proposition, both, conjuncts, implied
+from symhaptic.notation import w
 from symhaptic.paper.propositions.comparison import STABLE
-from symhaptic.proof.theorems.familiar import device_static, square
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import Theorem, applied, assume, conjoined, placed, weakened
-from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, for_all, over, positive
 
 WIDE = {gamma: (S.Zero, Rational(1, 100)), delta: (S.Zero, Rational(1, 10))}
 """Ten times the springs of (23), and five times the dampers."""
@@ -122,7 +113,7 @@ def all_softer() -> Theorem:
         positive(alpha >= -WIDE[gamma][1], [above], gamma <= WIDE[gamma][1]),
         positive(alpha <= 2, [below], [two]),
     ]
-    loop = placed(by_inequalities(0), {beta: BEST})
+    loop = inst(by_inequalities(0), {beta: BEST})
     goals = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     product = positive(n_0 * n_1 > 0, [known["n_0"], known["n_1"]])
     wide = {**WIDER, alpha: (-WIDE[gamma][1], S(2))}
@@ -133,7 +124,7 @@ def all_softer() -> Theorem:
         shown.append(over(goal, on_box(value, wide), product))
     heavy = positive(w > 0, [ends[0]], [LOW])
     shown.append(combined(goals[3], [heavy, left], [static, n_0 * BEST], [root, share]))
-    found = applied(loop, conjoined(*shown))
+    found = mp(loop, conj(*shown))
     return closed(found, *box_, *ends, *_apart(), not_zero(product), *ends)
 
 
@@ -147,5 +138,5 @@ def closed_form() -> Theorem:
         for_all((alpha, beta), [most.body.of[0]], none_stiffer()),
         for_all((alpha,), conjuncts(reached.body.of[0]), all_softer()),
     ]
-    found = for_all(numbers, known, weakened(conjoined(*parts), *known))
-    return for_all(symbols, given, weakened(found, *given))
+    found = for_all(numbers, known, add_assum(conj(*parts), *known))
+    return for_all(symbols, given, add_assum(found, *given))

@@ -2,25 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from sympy import Eq, Ne, S
-
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.renaming import renamed
 from symhaptic.book.lemmas.sampled import DEVICE, positive_square
-from symhaptic.notation import B, K, T, X, alpha, b, beta, d, delta, gamma, k, m, s, t_d, z
-from symhaptic.notation.proposition import Iff, Proposition, Terms
+from symhaptic.notation import b
 from symhaptic.proof.theorems.axioms import answers, transfer
 from symhaptic.proof.theorems.familiar import in_units
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    applied,
-    assume,
-    placed,
-)
-from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.samples import one_answer, turns
-from symhaptic.proof.theorems.tactics import closed, positive
 
 DELAYED = answers(transfer(DEVICE, t_d, s), s, z, X, T)
 """X is the answer of the device behind the delay t_d."""
@@ -42,8 +30,8 @@ def in_own_units() -> Theorem:
 
 def same_loop(other: Terms) -> Theorem:
     """X H of one loop is that of another with the same numbers, its symbols put for these."""
-    here = applied(in_own_units(), assume(DELAYED))
-    there = placed(here, other)
+    here = mp(in_own_units(), assume(DELAYED))
+    there = inst(here, other)
     equal = one_answer(here, there)
     alive = turns(assume(DELAYED))
     wall = K + B * (z - 1) / (T * z)
@@ -52,7 +40,7 @@ def same_loop(other: Terms) -> Theorem:
     unit = (wall * T**2 / m).xreplace(dict(other))
     answer = m / T**2 * X
     rules = [(assume(WALL[0]), answer), (assume(WALL[1]), answer * share)]
-    back = [(placed(rule, other), factor) for rule, factor in rules]
+    back = [(inst(rule, other), factor) for rule, factor in rules]
     found = combined(
         Eq(*sides, evaluate=False),
         [equal, unit],

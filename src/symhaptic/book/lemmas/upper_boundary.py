@@ -6,11 +6,6 @@ wall of the envelope, N = 2 (d+1) > 2; both need their whole damping, and so the
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Ne, Rational, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import (
     HALF,
     PI,
@@ -25,6 +20,7 @@ from symhaptic.book.lemmas.envelope import divisor
 from symhaptic.book.lemmas.linear_part import known, shares
 from symhaptic.book.lemmas.lower_boundary import border_needs, is_some, of_border
 from symhaptic.book.lemmas.passive_boundary import of_the_end
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
     first_half,
     limits,
@@ -34,23 +30,9 @@ from symhaptic.book.lemmas.region import (
     sufficient,
 )
 from symhaptic.book.lemmas.touching import touches
-from symhaptic.notation import B, K, N, T, b, d, omega, phi, psi, u, w
-from symhaptic.notation.proposition import Relation, proposition
+from symhaptic.notation import b, u, w
 from symhaptic.paper.propositions.passivity import ABOVE
-from symhaptic.proof.derivative import derivative
 from symhaptic.proof.theorems.analysis import crosses_zero
-from symhaptic.proof.theorems.familiar import both_ways, decided, sign_of, strictly
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import combined, number, tends
-from symhaptic.proof.theorems.tactics import at, closed, over, positive
 
 THIRD = Rational(1, 3)
 
@@ -97,7 +79,7 @@ NEED = K * T * divisor().subs(WHOLE) / (2 * SHARE)
 def _there(theorem: Theorem) -> Theorem:
     """What is known of N > 2 and an angle 0 < psi < pi/N, of N = 2 (d+1)."""
     late = positive(2 * d + 2 > 2, [2, d > 0])
-    return closed(placed(theorem, {N: 2 * d + 2}), late)
+    return closed(inst(theorem, {N: 2 * d + 2}), late)
 
 
 @cache
@@ -122,14 +104,14 @@ def needed_there() -> Theorem:
     ray = assume(RAY)
     top = positive(K * T * divisor().subs(WHOLE) > 0, [K > 0, T > 0, _there(width())])
     device = over(NEED > 0, top, positive(2 * SHARE > 0, [2, share()]))
-    envelope = placed(touches(), {N: 2 * d + 2, phi: psi, psi: phi})
+    envelope = inst(touches(), {N: 2 * d + 2, phi: psi, psi: phi})
     margin = combined(
         first_half().body.of[1].at({b: NEED}),  # type: ignore[attr-defined]
         [device, closed(envelope, positive(2 * d + 2 > 2, [2, d > 0]))],
         [ray, cos(phi * (2 * d + 2)) / SHARE],
     )
     always = on_first_half(closed(margin, *divisors()))
-    passive = closed(placed(sufficient(), {b: NEED}), always, positive(K >= 0, K > 0))
+    passive = closed(inst(sufficient(), {b: NEED}), always, positive(K >= 0, K > 0))
     enough = border_needs(NEED, passive, positive(NEED >= 0, [device]))
     inside = assume(psi > 0), assume(pi > TURN)
     least = of_border(at(needed(), {phi: psi}, *inside))
@@ -156,7 +138,7 @@ def on_the_curve(wanted: Any) -> Theorem:
         combined(stiffness, [need, share_of[0]]),
         combined(damping, [need, share_of[1]], [ray, -1 / SHARE]),
     ]
-    found = witnessed(conjoined(*shown), wanted, frequency)
+    found = exists(conj(*shown), wanted, frequency)
     return closed(found, *divisors(), positive(d >= 0, d > 0))
 
 
@@ -170,7 +152,7 @@ def at_the_axis(wanted: Any) -> Theorem:
         [soft, -T / 2 * (cos(wave) - cos(phi) * sin(wave) / sin(phi))],
     )
     pushes = combined(K >= 0, [soft, -S.One])
-    passive = closed(placed(sufficient(), {b: B}), on_first_half(margin), pushes)
+    passive = closed(inst(sufficient(), {b: B}), on_first_half(margin), pushes)
     least = combined(b >= B, [of_border(limits()[0])], [soft, -T / 2])
     full = both_ways(border_needs(B, passive, damped), least)
     *inside, stiffness, damping = wanted.body.of
@@ -186,8 +168,8 @@ def at_the_axis(wanted: Any) -> Theorem:
         combined(stiffness, [soft, S.One], [none, -S.One]),
         combined(damping, [full, -S.One], [device, -S.One]),
     ]
-    there = closed(conjoined(*shown), *shown[:2])
-    found = chosen(is_some(omega, END), witnessed(there, wanted, {omega: omega}))
+    there = closed(conj(*shown), *shown[:2])
+    found = choose(is_some(omega, END), exists(there, wanted, {omega: omega}))
     return closed(found, not_zero(turn), not_zero(period), not_zero(shares()[0]))
 
 
@@ -204,16 +186,16 @@ def upper_boundary(wanted: Any) -> Theorem:
     stiff, more = assume(K > 0), shares()
     rest = positive(B - d * b / (2 * d + 3) > 0, ABOVE[1])
     beyond = positive(BEYOND.subs(WHOLE), [2, d >= 0, of_border(limits()[1])], [2, more[2], rest])
-    angle = placed(met(), WHOLE)
+    angle = inst(met(), WHOLE)
     *_, off = angle.conclusion.body.of  # type: ignore[attr-defined]
     ray = combined(RAY, [assume(off), psi**3])
     below = positive(pi > TURN, [positive(2 * d + 2 > 0, [2, more[0]]), psi < pi / (2 * d + 2)])
     late = positive(2 * d + 2 > 2, [2, d > 0])
     curve = closed(on_the_curve(wanted), ray, below, not_zero(assume(psi > 0)))
     force = positive(K * T / 2 > 0, [HALF, stiff, T > 0])
-    curve = closed(chosen(angle, curve), beyond, force, late)
+    curve = closed(choose(angle, curve), beyond, force, late)
     apart = strictly(of_border(pushes()), combined(Ne(S.Zero, K), [assume(Ne(K, 0))]))
     damped = positive(B >= 0, [rest], [loss()])
-    found = by_cases(decided(K, 0), closed(at_the_axis(wanted), damped), closed(curve, apart))
+    found = disj_cases(decided(K, 0), closed(at_the_axis(wanted), damped), closed(curve, apart))
     divisors_ = *map(not_zero, more), not_zero(positive(2 * d + 2 > 0, [2, more[0]]))
     return closed(found, *divisors_, positive(d >= 0, d > 0))

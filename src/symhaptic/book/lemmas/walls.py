@@ -2,40 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
-from sympy import Expr, Ne, Rational, S, cos, pi, sin
-
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.passive_is_stable import MARGIN
 from symhaptic.book.lemmas.passivity import INSIDE
-from symhaptic.notation import alpha, beta, d, delta, gamma, omega, theta, z
-from symhaptic.notation.proposition import Proposition, Relation, whole
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.definitions import loop_substituted
-from symhaptic.proof.theorems.familiar import (
-    sign_of,
-)
-from symhaptic.proof.theorems.kernel import Theorem, assume
-from symhaptic.proof.theorems.leaves import (
-    combined,
-    identity,
-    number,
-    root_outside,
-)
-from symhaptic.proof.theorems.roots import zero_on_circle
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    denied_by,
-    fact,
-    for_all,
-    over,
-    positive,
-    sine_of_half,
-    zero_beyond,
-)
 
 HALF = S.Half
 PI = number(Relation(S.Zero, "<", pi))

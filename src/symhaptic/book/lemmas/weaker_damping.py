@@ -7,16 +7,13 @@ stiffness on all of (23), near enough for dampings that are two percent apart.
 from __future__ import annotations
 
 import itertools
-from functools import cache
-from typing import Any
-
-from sympy import Eq, Expr, Rational, S, Symbol, symbols
 
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
 from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer, numbers_known, stable_wall
@@ -27,47 +24,10 @@ from symhaptic.book.lemmas.stiffness_claims import (
     beside,
     passive_walls,
 )
-from symhaptic.notation import alpha, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    Or,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    negated,
-    proposition,
-)
-from symhaptic.paper.propositions import CLAIMED, ratio
+from symhaptic.paper.propositions import ratio
 from symhaptic.paper.propositions.ratio import BEST, RATE, SPRINGS, WALL, stable
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import DAMPED, RANGES
-from symhaptic.proof.theorems.judge import taken_apart
-from symhaptic.proof.theorems.kernel import (
-    Theorem,
-    absurd,
-    assume,
-    by_cases,
-    chosen,
-    conjoined,
-    part,
-    placed,
-    witnessed,
-)
-from symhaptic.proof.theorems.leaves import number
-from symhaptic.proof.theorems.tactics import (
-    at,
-    closed,
-    every,
-    fact,
-    for_all,
-    none_of,
-    not_all,
-    over,
-    positive,
-    reductio,
-)
+from symhaptic.paper.ranges import DAMPED
 
 APART = Rational(102, 100)
 """One damping is at least so many times the other."""
@@ -102,13 +62,13 @@ def _of_delay(claim: Any, delay: int) -> Theorem:
     rate = half * (delta / low + HEAVIER / high)
     parts = over(delta / low > 0, damper, ends[0]), over(HEAVIER / high > 0, heavier, ends[1])
     positive_ = positive(rate > 0, *([weight, p] for p in parts))
-    bounded = placed(_bound(delay), place)
+    bounded = inst(_bound(delay), place)
     some = claim.at({d: S(delay)})
     under, above = some.body.at({RATE: rate}).of
     stable = stable_wall(delay, wall, RANGES)
     there = passive_at(passive, place)
 
-    found = conjoined(
+    found = conj(
         beside(under, stable, wall, lambda w: positive(w, [least_], [weight, more[1]])),
         beside(
             above,
@@ -117,7 +77,7 @@ def _of_delay(claim: Any, delay: int) -> Theorem:
             lambda w: positive(w, [positive_, bounded], [weight, more[0]]),
         ),
     )
-    found = witnessed(found, some, {RATE: rate})
+    found = exists(found, some, {RATE: rate})
     apart = [not_zero(end) for end in ends]
     known = [positive(HEAVIER >= 0, [heavier]), positive(delta >= 0, [damper])]
     low_ = [positive(delta <= DAMPED, delta < HEAVIER, HEAVIER <= DAMPED)]
@@ -132,7 +92,7 @@ def _positive(line: Expr, symbol: Symbol, above: Theorem) -> Theorem:
 
 def passive_at(passive: Theorem, values: Any) -> Theorem:
     """The stiffest passive wall beside another damper."""
-    found = placed(passive, values)
+    found = inst(passive, values)
     return numbers_known(found)
 
 
@@ -152,7 +112,7 @@ def _gap(low: Expr, high: Expr, damper: Theorem, heavier: Theorem) -> Theorem:
 def further() -> Theorem:
     """What is claimed of two dampings, under SHORT."""
     claim = taken_apart(CLAIMED["s5a-smaller-delta"](()))[2]
-    return by_cases(assume(SHORT), *(_of_delay(claim, n) for n in (0, 1)))
+    return disj_cases(assume(SHORT), *(_of_delay(claim, n) for n in (0, 1)))
 
 
 FAR = {gamma: S.Zero, delta: Rational(1, 100), HEAVIER: DAMPED, d: S(200)}
@@ -169,18 +129,18 @@ def nearer(some: Any) -> Theorem:
     under, above = (assume(p) for p in some.body.of)
     best, others = (assume(p) for p in under.conclusion.body.of)  # type: ignore[attr-defined]
     other: Any = Exists(OTHER, above.conclusion.body.at(dict(zip(BEST, OTHER, strict=True))))  # type: ignore[attr-defined]
-    above = part(above, other)
+    above = conjunct(above, other)
     tip, rest = (assume(p) for p in other.body.of)
     here = dict(zip(WALL, BEST, strict=True))
     softer = at(others, dict(zip(WALL, wall, strict=True)), passive)
-    line = placed(right_of_the_line(), {**here, **FAR})
+    line = inst(right_of_the_line(), {**here, **FAR})
     line = closed(line, *(fact(p) for p in line.hypotheses if not p.free), best)
     pushes = positive(x > 0, [line])
     number_ = number(Relation(S.Zero, "<", wall[0]))
     rate = over(RATE > 0, positive(RATE * x > 0, [softer], [number_]), pushes)
     rate = closed(rate, not_zero(pushes))
-    under_limit = closed(placed(bounded, here), best)
-    most = closed(placed(least(late), dict(zip(WALL, OTHER, strict=True))), tip)
+    under_limit = closed(inst(bounded, here), best)
+    most = closed(inst(least(late), dict(zip(WALL, OTHER, strict=True))), tip)
     over_wall = at(rest, {alpha: stiffness, beta: damping}, held)
     top = most.conclusion.right  # type: ignore[attr-defined]
     sum_ = limit * top - stiffness * wall[0]
@@ -191,9 +151,9 @@ def nearer(some: Any) -> Theorem:
         [limit, over_wall],
         [limit, most],
     )
-    wrong = absurd(found, number(Relation(sum_, "<=", S.Zero)))
-    wrong = chosen(under, chosen(above, wrong))
-    return reductio(chosen(assume(some), wrong), some)
+    wrong = not_intro(found, number(Relation(sum_, "<=", S.Zero)))
+    wrong = choose(under, choose(above, wrong))
+    return reductio(choose(assume(some), wrong), some)
 
 
 @cache
@@ -243,7 +203,7 @@ def step_by_step() -> Theorem:
         for delay in DELAYS:
             for damper, heavier in itertools.pairwise(DAMPERS):
                 found.append(_step(next(claims), (spring, damper), (spring, heavier), delay))
-    return conjoined(*found)
+    return conj(*found)
 
 
 def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
@@ -258,8 +218,8 @@ def _step(some: Any, arm: Arm, other: Arm, delay: int) -> Theorem:
     gap = number(Relation(S.Zero, "<", share * wall[0] - most.conclusion.right))  # type: ignore[attr-defined]
     first = beside(under, held, wall, lambda wanted: positive(wanted, [most], [gap]))
     here = {d: S(delay), RATE: share, MOST: limit, gamma: other[0], delta: other[1]}
-    second = placed(above_the_rate(), here)
+    second = inst(above_the_rate(), here)
     rest = [fact(p) for p in second.hypotheses if isinstance(p, (Relation, Predicate))]
     stable_ = stable(delay).at({gamma: other[0], delta: other[1]})
     second = closed(second, for_all(WALL, [stable_], bounded), *rest)
-    return witnessed(conjoined(first, second), some, {RATE: share})
+    return exists(conj(first, second), some, {RATE: share})

@@ -52,18 +52,18 @@ def max_stable_stiffness(
 ) -> Extremum:
     r"""The rightmost point of the stable region: largest alpha = K T^2/m, with its beta and theta.
 
-    For the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.  It
-    is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  Where the
-    spring's own frequency lies in the first half turn of the delay, sqrt(gamma) (d+1) <= pi, or
-    for d <= 1, and gamma is at most 9.8, it is the first maximum of the explicit boundary (the
-    end of the curve at theta = pi if there is none), found in a time that ignores the delay; that
-    this is the farthest piece rests on comparison with whole regions, not on a proof.  Elsewhere
-    every piece of the boundary is traced, one element after the other, which takes milliseconds
-    times the delay, and 100 000 periods at most.  A loop that no wall keeps stable gives NaN.
+    Takes the plant ``gamma`` >= 0, ``delta`` >= 0 and ``delay`` >= 0 periods; arrays broadcast.
+    The limit is a supremum: the wall there has roots on the unit circle, at exp(+-j theta).  If
+    gamma <= 9.8 and either d <= 1 or sqrt(gamma) (d+1) <= pi, it is the first maximum of the
+    explicit boundary (without a maximum, the end of the curve at theta = pi), and the time does not
+    depend on the delay.  That no other piece reaches farther is tested by comparison with whole
+    regions, not proved.  Otherwise every piece of the boundary is traced, one element after the
+    other, which takes milliseconds times the delay; the delay is then at most 100 000 periods.  A
+    loop that no wall makes stable gives NaN.
 
-    Where pieces of the boundary are missed, see :func:`symhaptic.stable_region`, a single loop
-    raises :class:`ValueError`; among others it gives NaN, with a :class:`RuntimeWarning` that
-    names it.  Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
+    If pieces of the boundary are missed, see :func:`symhaptic.stable_region`, a single loop
+    raises :class:`ValueError`.  In an array this loop gives NaN, with a :class:`RuntimeWarning`
+    that names it.  Raises :class:`ValueError` for an impossible plant or delay; NaN gives NaN.
 
     >>> alpha, beta, theta = max_stable_stiffness(0.0, 0.0, [0, 1])
     >>> alpha.round(6).tolist()

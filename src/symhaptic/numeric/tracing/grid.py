@@ -83,9 +83,8 @@ def grid_boundary(
 ) -> Array:
     """Points (alpha, beta) of the stability boundary, to within ``threshold`` along a grid line.
 
-    The grid's stability is computed at every node; between neighbours that differ, the interval
-    is halved until it is shorter than the threshold (Sec. IV-D of the paper).  All bisections run
-    side by side.
+    Computes the stability at every node of the grid.  If two neighbours differ, it halves the
+    interval between them until it is shorter than the threshold (Sec. IV-D of the paper).
 
     >>> points = grid_boundary(0.0, 0.0, 0, np.linspace(-0.1, 1, 23), np.linspace(-0.1, 2.1, 23))
     >>> points.shape[1]

@@ -46,11 +46,11 @@ def max_delay(
 ) -> Array:
     """Largest delay, in sampling periods, such that the loop is stable for every smaller one.
 
-    It is the delay at which the first root reaches the unit circle, exact to rounding.  Where that
+    It is the delay at which the first root reaches the unit circle, exact to rounding.  If this
     cannot be decided within a fixed number of steps, it is a lower bound: a delay up to which the
-    loop is stable.  A :class:`RuntimeWarning` then names the first of these loops and says how
-    many there are.  Loops need it that are close to instability at every delay, such as a hardly
-    damped device with omega_d T near a multiple of pi.
+    loop is stable.  A :class:`RuntimeWarning` then names the first of these loops and their number.
+    This occurs for loops that are close to instability at every delay, such as a hardly damped
+    device with omega_d T near a multiple of pi.
 
     Parameters
     ----------
@@ -59,13 +59,13 @@ def max_delay(
     gamma, delta : array_like
         Physical stiffness k T^2/m >= 0 and damping b T/m >= 0.  All arguments broadcast.
     sheet : {"exact", "principal"}
-        With "principal" the paper's z^-d = exp(-j d theta), in closed form.
+        "principal" uses the paper's z^-d = exp(-j d theta), in closed form.
 
     Returns
     -------
     ndarray or float
-        Delays in sampling periods.  0 where the loop is not certainly stable without delay,
-        infinite where no delay up to 1e15 periods destabilises it, NaN where an argument is NaN.
+        Delays in sampling periods.  0 if the loop is not certainly stable without delay,
+        infinite if no delay up to 1e15 periods destabilises it, NaN if an argument is NaN.
 
     Raises
     ------
@@ -75,21 +75,21 @@ def max_delay(
     Warns
     -----
     RuntimeWarning
-        Where a value is a lower bound only.
+        If a value is only a lower bound.
 
     Notes
     -----
-    For whole delays the crossings are known in closed form.  Between them two equations, for the
-    angle and the fraction of a period, are transcendental in the fraction.  Each part of a period
-    encloses the angles at which plant and wall can be equally strong, to second order, and the
-    phases there; these exclude roots on the circle for many whole delays at once, or show that
-    all roots cross in one direction.  The bounds are computed in double precision without
-    directed rounding.  At most 4096 parts of a period are examined for each loop, however
-    large the margin is, so that each call ends.
+    For integer delays the crossings are known in closed form.  Between integers, the angle and the
+    fraction of a period satisfy two equations that are transcendental in the fraction.  The period
+    is divided into parts.  For each part, the angles at which plant and wall can have equal
+    magnitude are enclosed to second order, and so are the phases there.  These bounds exclude roots
+    on the circle for many integer delays at once, or show that all roots cross in one direction.
+    They are computed in double precision without directed rounding.  At most 4096 parts of a period
+    are examined for each loop, so that each call ends.
 
     See Also
     --------
-    delay_margin : What may be added to a delay.
+    delay_margin : Delay that may be added.
 
     Examples
     --------
@@ -139,15 +139,15 @@ def delay_margin(
     delay : array_like, optional
         Delay of the loop in sampling periods, >= 0.  Arguments broadcast.
     sheet : {"exact", "principal"}, optional
-        Reading of a fractional delay.
+        Meaning of a fractional delay, as in :func:`max_delay`.
 
     Returns
     -------
     Array
         The loop is stable for every delay from ``delay`` to ``delay`` plus the margin.  0 if the
         loop is unstable at ``delay``.  Infinite if no delay destabilises it.  NaN if the loop is
-        stable at ``delay`` but not at every smaller delay, where the margin is not computed, and
-        if an argument is NaN.
+        stable at ``delay`` but not at every smaller delay (not computed), or if an argument is
+        NaN.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def delay_margin(
 
     Notes
     -----
-    The margin is ``max_delay(alpha, beta, gamma, delta) - delay`` where that is positive.  For
+    The margin is ``max_delay(alpha, beta, gamma, delta) - delay`` if this is positive.  For
     ``delay = 0`` both functions agree.
 
     Examples

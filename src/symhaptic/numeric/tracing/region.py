@@ -33,7 +33,7 @@ first that leaves no loose end is taken."""
 
 @dataclass(frozen=True)
 class Region(Shape):
-    """The walls (alpha, beta) that a device keeps stable, for one plant and one delay."""
+    """The stable walls (alpha, beta) of one plant with one delay."""
 
     loop: Loop
     polygon: Any
@@ -51,23 +51,23 @@ class Region(Shape):
 
     @property
     def max_stiffness(self) -> Extremum:
-        """The rightmost point."""
+        """The point of largest alpha."""
         return self.farthest(1.0, 0.0)
 
     @property
     def max_damping(self) -> Extremum:
-        """The uppermost point."""
+        """The point of largest beta."""
         return self.farthest(0.0, 1.0)
 
     @property
     def min_damping(self) -> Extremum:
-        """The lowest point."""
+        """The point of smallest beta."""
         return self.farthest(0.0, -1.0)
 
     def farthest(self, alpha: float, beta: float) -> Extremum:
-        """The boundary's point farthest in a direction, to full precision; NaN if there is none.
+        """The point of the boundary farthest in a direction, to full precision; NaN if none.
 
-        Its angle is NaN where it lies on a line of a real root only.
+        Its angle is NaN if it lies only on a line of a real root.
         """
         for name, value in (("alpha", alpha), ("beta", beta)):
             array = arguments.finite(name, value)
@@ -82,7 +82,7 @@ class Region(Shape):
         return Extremum(*(np.asarray(v) for v in found))
 
     def contains(self, alpha: ArrayLike, beta: ArrayLike) -> NDArray[np.bool_]:
-        """Whether walls are stable, by the root count and not by the outline."""
+        """Whether walls are stable; computed by the root count, not from the outline."""
         loop = self.loop
         return is_stable(alpha, beta, loop.gamma, loop.delta, loop.delay, loop.sheet)
 
@@ -103,15 +103,15 @@ def stable_region(
 ) -> Region:
     """The stable region for a plant ``gamma``, ``delta`` >= 0 and ``delay`` >= 0 periods.
 
-    Its sides are pieces of the explicit boundary and of the lines of a root at 1 and -1; its
-    corners are computed to full precision, the outline between them within ``tolerance`` of the
-    region's extent.  With ``sheet="principal"`` the region that the paper draws for a fractional
+    Its sides are pieces of the explicit boundary and of the lines with a root at 1 or -1.  Corners
+    are computed to full precision, the outline between them to within ``tolerance`` of the
+    region's extent.  ``sheet="principal"`` gives the region that the paper draws for a fractional
     delay.
 
-    Raises :class:`ValueError` for an impossible plant or tolerance, for more than 100 000
-    periods, as the time grows with the delay, and where pieces of the boundary are missed: next
-    to a hardly damped device that makes whole half swings in a period, and on the principal sheet
-    up to some 1e-6 of a period beyond a whole delay.
+    Raises :class:`ValueError` for an impossible plant or tolerance, for more than 100 000 periods
+    of delay, because the time grows with the delay, and if pieces of the boundary are missed.  This
+    occurs for hardly damped devices with omega_d T near a multiple of pi, and on the principal
+    sheet for delays within some 1e-6 of a period above an integer.
 
     >>> region = stable_region(0.0, 0.0, 0)
     >>> [round(float(x), 6) for x in region.max_stiffness]  # alpha = 4 (2 - r)(r - 1)/r, r = sqrt 2

@@ -53,19 +53,21 @@ def robust_region(
 ) -> RobustRegion:
     r"""The walls that are stable for every spring 0 <= gamma <= pi^2 + delta^2/4.
 
-    The intersection of the stable regions of all springs, (30) of the paper: ``delta`` >= 0,
-    0 <= ``delay`` <= 100 periods, the last of which take some ten seconds.  Springs are inserted
-    in the middle between two neighbours, in terms of the angle sqrt(gamma - delta^2/4), until this
-    moves the outline by less than ``tolerance`` of its extent; where every insertion moves it by
-    about a quarter of the one before, the rest is less than the last move.  No proof stands behind
-    the springs between those tried: keep away from the outline by ``error``, which is an estimate,
-    or take the walls that ``Scene.safe_walls`` proves for a range of arms.
+    Computes the intersection of the stable regions of all springs, (30) of the paper, for
+    ``delta`` >= 0 and 0 <= ``delay`` <= 100 periods.  Long delays take some ten seconds.  Springs
+    are inserted halfway between two neighbours, in terms of the angle sqrt(gamma - delta^2/4),
+    until this moves the outline by less than ``tolerance`` of its extent.  If each insertion moves
+    it by about a quarter of the previous move, the remaining error is below the last move.
 
-    Without damping there is no such wall (proved for whole and half delays in chapter s5c_robust,
-    no other was found), and the polygon is empty.
+    Springs between the sampled ones are not proved.  Keep a distance of ``error``, which is an
+    estimate, from the outline, or use the walls that ``Scene.safe_walls`` proves for a range of
+    arms.
 
-    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and where pieces of a
-    boundary are missed: some dampings below 1e-8, and where :func:`stable_region` does.
+    Without damping there is no such wall, and the polygon is empty.  Chapter s5c_robust proves this
+    for integer delays and half periods; for other delays no such wall was found.
+
+    Raises :class:`ValueError` for an impossible damping, delay or tolerance, and if pieces of a
+    boundary are missed: for some dampings below 1e-8, and as in :func:`stable_region`.
 
     >>> region = robust_region(0.02, 0)  # a triangle for d = 0; passive walls fill 0.0008 of it
     >>> region.area > 0.0008, len(region.outline)

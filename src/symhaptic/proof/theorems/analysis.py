@@ -30,8 +30,8 @@ from symhaptic.proof.theorems.kernel import (
     Judgement,
     NotShown,
     Theorem,
-    inst,
     predicate,
+    put,
     relation,
     rule,
     without,
@@ -172,7 +172,7 @@ def no_other_limit(limit: Theorem, apart: Theorem) -> Judgement:
 @rule
 def induction(claim: Proposition, number: Symbol, start: Theorem, step: Theorem) -> Judgement:
     """p(0), and p(n) => p(n + 1) for whole n, give p(n) for every whole n."""
-    (first, gone), (after, too) = (inst(claim, {number: at}) for at in (_ZERO, number + 1))
+    (first, gone), (after, too) = (put(claim, {number: at}) for at in (_ZERO, number + 1))
     if gone or too:
         raise NotShown(f"a divisor of {claim} is lost on the way")
     following = Implies((both([whole(number), claim]), after))

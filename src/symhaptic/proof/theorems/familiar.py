@@ -17,12 +17,12 @@ from symhaptic.proof.theorems.axioms import AXIOMS, known
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
-    conjoined,
-    cut,
-    discharged,
-    instance,
-    part,
-    unfolded,
+    conj,
+    conjunct,
+    disch,
+    prove_hyp,
+    spec,
+    undisch,
 )
 from symhaptic.proof.theorems.leaves import combined
 
@@ -30,15 +30,15 @@ from symhaptic.proof.theorems.leaves import combined
 def axiom(name: str, *terms: Any) -> Theorem:
     """An axiom at terms, in the order of its symbols; what it asks for are hypotheses."""
     over = AXIOMS[name].says.over  # type: ignore[attr-defined]
-    found = instance(known(name), dict(zip(over, map(term, terms), strict=True)))
-    return unfolded(found) if isinstance(found.conclusion, Implies) else found
+    found = spec(known(name), dict(zip(over, map(term, terms), strict=True)))
+    return undisch(found) if isinstance(found.conclusion, Implies) else found
 
 
 def _met(found: Theorem, *theorems: Theorem) -> Theorem:
     missing = [t for t in theorems if t.conclusion not in found.hypotheses]
     if missing:
         raise NotShown(f"{missing[0].conclusion} is not what is asked for")
-    return cut(found, *theorems)
+    return prove_hyp(found, *theorems)
 
 
 def _sides(theorem: Theorem, *signs: str) -> tuple[Expr, Expr]:
@@ -142,7 +142,7 @@ def _renamed(existence: Theorem, *names: Symbol) -> Theorem:
     if len(set(names)) != len(claim.over) or claim.free & set(names):
         raise NotShown(f"{', '.join(map(str, names))} are no new names")
     named = claim.body.at(dict(zip(claim.over, names, strict=True)))
-    return part(existence, Exists(names, named))
+    return conjunct(existence, Exists(names, named))
 
 
 def _said(theorem: Theorem, name: str) -> tuple[Expr, ...]:
@@ -179,7 +179,7 @@ def loop_late(numbers: Sequence[Any], values: Sequence[Any], names: Sequence[Sym
     """A loop that is stable as the paper reads it has a delay d = p/(q+1)."""
     found = axiom("loop as the paper reads it", *values, *numbers)
     reading = Predicate("stable_substituted", (), tuple(map(term, values)))
-    return discharged(_renamed(found, *names), reading)
+    return disch(_renamed(found, *names), reading)
 
 
 def device_exists(spring: Any, damper: Any, names: Sequence[Symbol]) -> Theorem:
@@ -199,7 +199,7 @@ def device_static(device: Theorem) -> Theorem:
 
 def device_at_rest(device: Theorem) -> Theorem:
     """1 - a + e = gamma (n1 + n0); 0 < n1 + n0 for 0 <= gamma, 0 < delta; e = exp(-delta)."""
-    return conjoined(
+    return conj(
         *(of_device(f"device{name}", device) for name in (" at rest", " pushed", "'s loss"))
     )
 
@@ -220,7 +220,7 @@ def swinging(device: Sequence[Any], rate: Symbol) -> Theorem:
     claim = found.conclusion
     swings, some = claim.parts
     named = Exists((rate,), some.body.at({some.over[0]: rate}))  # type: ignore[attr-defined]
-    return part(found, Iff((swings, named)))
+    return conjunct(found, Iff((swings, named)))
 
 
 # -- what a held force does at the samples ---------------------------------------------

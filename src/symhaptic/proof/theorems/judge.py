@@ -38,14 +38,14 @@ from symhaptic.proof.theorems.derivation import leaves_of
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
-    absurd,
-    anything,
-    applied,
     assume,
+    conjunct,
+    contr,
     covers,
-    instance,
-    part,
-    witnessed,
+    exists,
+    mp,
+    not_intro,
+    spec,
 )
 from symhaptic.proof.verdict import Kind, Unfounded, Verdict
 
@@ -64,9 +64,9 @@ class Case:
         if not covers(self.theorem.conclusion, wanted):
             return False
         try:
-            there = part(self.theorem, wanted)
+            there = conjunct(self.theorem, wanted)
             values = {s: v for s, v in self.values.items() if s in symbols}
-            return not witnessed(there, Exists(tuple(values), claim), values).hypotheses
+            return not exists(there, Exists(tuple(values), claim), values).hypotheses
         except NotShown:
             return False
 
@@ -75,17 +75,17 @@ class Case:
         try:
             denial = assume(claim)
             if isinstance(denial.conclusion, ForAll):
-                denial = instance(denial, {s: self.values[s] for s in denial.conclusion.over})
+                denial = spec(denial, {s: self.values[s] for s in denial.conclusion.over})
             if isinstance(denial.conclusion, Implies):
                 given, _ = denial.conclusion.of
-                denial = applied(denial, part(self.theorem, given))
+                denial = mp(denial, conjunct(self.theorem, given))
             if FALSE in conjuncts(denial.conclusion):  # a side of a relation has no value there
-                never = part(denial, FALSE)
-                contrary = anything(never, TRUE), anything(never, Not((TRUE,)))
-                return not absurd(*contrary, claim).hypotheses
+                never = conjunct(denial, FALSE)
+                contrary = contr(never, TRUE), contr(never, Not((TRUE,)))
+                return not not_intro(*contrary, claim).hypotheses
             for known in conjuncts(self.theorem.conclusion):
                 if _opposed(known, denial.conclusion):
-                    return not absurd(denial, part(self.theorem, known), claim).hypotheses
+                    return not not_intro(denial, conjunct(self.theorem, known), claim).hypotheses
         except (NotShown, KeyError):
             pass
         return False

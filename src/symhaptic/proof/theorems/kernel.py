@@ -210,13 +210,13 @@ def assume(claim: Any) -> Judgement:
 
 
 @rule
-def weakened(theorem: Theorem, *more: Any) -> Judgement:
+def add_assum(theorem: Theorem, *more: Any) -> Judgement:
     """G |- q gives G, p |- q."""
     return theorem.hypotheses | {proposition(p) for p in more}, theorem.conclusion
 
 
 @rule
-def discharged(theorem: Theorem, *given: Any) -> Judgement:
+def disch(theorem: Theorem, *given: Any) -> Judgement:
     """G |- q gives G without p |- p => q; of several hypotheses, their conjunction implies q."""
     found = tuple(proposition(p) for p in given)
     if not found:
@@ -226,7 +226,7 @@ def discharged(theorem: Theorem, *given: Any) -> Judgement:
 
 
 @rule
-def cut(theorem: Theorem, *lemmas: Theorem) -> Judgement:
+def prove_hyp(theorem: Theorem, *lemmas: Theorem) -> Judgement:
     """Hypotheses that lemmas conclude give way to the hypotheses of the lemmas."""
     shown = {c for lemma in lemmas for c in conjuncts(lemma.conclusion)}
     shown |= {lemma.conclusion for lemma in lemmas}
@@ -237,7 +237,7 @@ def cut(theorem: Theorem, *lemmas: Theorem) -> Judgement:
 
 
 @rule
-def applied(implication: Theorem, given: Theorem) -> Judgement:
+def mp(implication: Theorem, given: Theorem) -> Judgement:
     """p => q and p give q; so does p <=> q, in either direction."""
     claim = implication.conclusion
     hypotheses = implication.hypotheses | given.hypotheses
@@ -260,14 +260,14 @@ def covers(known: Proposition, wanted: Proposition) -> bool:
 
 
 @rule
-def conjoined(*theorems: Theorem) -> Judgement:
+def conj(*theorems: Theorem) -> Judgement:
     """p and q give p /\\ q."""
     hypotheses = frozenset[Proposition]().union(*(t.hypotheses for t in theorems))
     return hypotheses, And(tuple(t.conclusion for t in theorems))
 
 
 @rule
-def part(theorem: Theorem, wanted: Any) -> Judgement:
+def conjunct(theorem: Theorem, wanted: Any) -> Judgement:
     """p /\\ q gives p."""
     wanted = proposition(wanted)
     if not covers(theorem.conclusion, wanted):
@@ -276,7 +276,7 @@ def part(theorem: Theorem, wanted: Any) -> Judgement:
 
 
 @rule
-def widened(theorem: Theorem, wanted: Proposition) -> Judgement:
+def disj(theorem: Theorem, wanted: Proposition) -> Judgement:
     """p gives p \\/ q."""
     if not isinstance(wanted, Or) or theorem.conclusion not in wanted.of:
         raise NotShown("the conclusion is none of the cases")
@@ -284,7 +284,7 @@ def widened(theorem: Theorem, wanted: Proposition) -> Judgement:
 
 
 @rule
-def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
+def disj_cases(cover: Theorem, *cases: Theorem) -> Judgement:
     """p \\/ q, and r from either, give r; each case may use its own disjunct as a hypothesis."""
     if not isinstance(cover.conclusion, Or) or not 0 < len(cases) == len(cover.conclusion.of):
         raise NotShown("there is not one theorem for each case")
@@ -297,7 +297,7 @@ def by_cases(cover: Theorem, *cases: Theorem) -> Judgement:
 
 
 @rule
-def absurd(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
+def not_intro(theorem: Theorem, denial: Theorem, *given: Any) -> Judgement:
     """p and not p give the negation of a hypothesis; without one, falsehood.
 
     Of a relation the opposite one denies it, too: a < b and b <= a.
@@ -329,7 +329,7 @@ def _against(claim: Relation) -> set[Proposition]:
 
 
 @rule
-def anything(falsehood: Theorem, wanted: Any) -> Judgement:
+def contr(falsehood: Theorem, wanted: Any) -> Judgement:
     """Falsehood gives anything."""
     if falsehood.conclusion != FALSE:
         raise NotShown("the premise is not false")
@@ -337,7 +337,7 @@ def anything(falsehood: Theorem, wanted: Any) -> Judgement:
 
 
 @rule
-def equivalent(one: Theorem, other: Theorem) -> Judgement:
+def imp_antisym(one: Theorem, other: Theorem) -> Judgement:
     """p => q and q => p give p <=> q."""
     there, back = one.conclusion, other.conclusion
     if not (isinstance(there, Implies) and isinstance(back, Implies) and there.of == back.of[::-1]):
@@ -349,14 +349,14 @@ def equivalent(one: Theorem, other: Theorem) -> Judgement:
 
 
 @rule
-def general(theorem: Theorem, *symbols: Symbol) -> Judgement:
+def gen(theorem: Theorem, *symbols: Symbol) -> Judgement:
     """What holds for a symbol that no hypothesis knows holds for all of its values."""
     without(symbols, theorem.hypotheses)
     return theorem.hypotheses, ForAll(symbols, theorem.conclusion)
 
 
 @rule
-def instance(theorem: Theorem, values: Terms) -> Judgement:
+def spec(theorem: Theorem, values: Terms) -> Judgement:
     """For all x: p(x) gives p(a), a real term; its definedness becomes a hypothesis.
 
     Not where p(x) is an implication from a relation or a predicate of x itself, which is false of
@@ -370,27 +370,27 @@ def instance(theorem: Theorem, values: Terms) -> Judgement:
     sided = {t for p in given if isinstance(p, Relation) and p.sign in ("<", "<=") for t in p.terms}
     _real({s: v for s, v in values.items() if s not in sided})
     extra = conditions(*(term(v) for s, v in values.items() if s not in said))
-    found, lost = inst(claim.body, values)
+    found, lost = put(claim.body, values)
     return theorem.hypotheses | extra | lost, found
 
 
 @rule
-def placed(theorem: Theorem, values: Terms) -> Judgement:
+def inst(theorem: Theorem, values: Terms) -> Judgement:
     """Real terms in place of free symbols, in hypotheses and conclusion alike.
 
     That the terms have values is a hypothesis, and so is that a divisor is not zero which SymPy
     cancels when it writes what comes out: a hypothesis must not become weaker.
     """
-    conclusion, extra = inst(theorem.conclusion, values)
+    conclusion, extra = put(theorem.conclusion, values)
     extra |= _real(values) | conditions(*map(term, values.values()))
     hypotheses = set[Proposition]()
     for hypothesis in theorem.hypotheses:
-        there, lost = inst(hypothesis, values)
+        there, lost = put(hypothesis, values)
         hypotheses |= {there, *lost}
     return hypotheses | extra, conclusion
 
 
-def inst(claim: Proposition, values: Terms) -> tuple[Proposition, frozenset[Proposition]]:
+def put(claim: Proposition, values: Terms) -> tuple[Proposition, frozenset[Proposition]]:
     """A claim at terms as SymPy writes it, and what it divides by no more."""
     there = claim.inst({s: tree(term(v)) for s, v in values.items()})
     written = there.evaluated()
@@ -448,23 +448,23 @@ def _real(values: Terms) -> frozenset[Proposition]:
 
 
 @rule
-def substituted(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
+def subst(pattern: Any, place: Symbol, theorem: Theorem, equation: Theorem) -> Judgement:
     """p(a) and a = b give p(b)."""
     pattern, equal = proposition(pattern), relation(equation, "=")
-    before, extra = inst(pattern, {place: equal.left})
+    before, extra = put(pattern, {place: equal.left})
     if theorem.conclusion != before:
         raise NotShown(f"{theorem.conclusion} is not {pattern} there")
-    after, more = inst(pattern, {place: equal.right})
+    after, more = put(pattern, {place: equal.right})
     extra |= more | _real({place: equal.left}) | _real({place: equal.right})
     return theorem.hypotheses | equation.hypotheses | extra | conditions(*equal.terms), after
 
 
 @rule
-def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
+def exists(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement:
     """p(a), for real terms a, gives that there is an x with p(x)."""
     if not isinstance(wanted, Exists) or set(values) != set(wanted.over):
         raise NotShown("no value for each of the symbols")
-    there, lost_ = inst(wanted.body, values)
+    there, lost_ = put(wanted.body, values)
     if there != theorem.conclusion:
         raise NotShown(f"{theorem.conclusion} is not {wanted} at these values")
     _real(values)
@@ -472,7 +472,7 @@ def witnessed(theorem: Theorem, wanted: Proposition, values: Terms) -> Judgement
 
 
 @rule
-def chosen(existence: Theorem, theorem: Theorem) -> Judgement:
+def choose(existence: Theorem, theorem: Theorem) -> Judgement:
     """There is an x with p(x), and p(x) |- q where q does not know x, give q."""
     claim = existence.conclusion
     if not isinstance(claim, Exists):
@@ -485,7 +485,7 @@ def chosen(existence: Theorem, theorem: Theorem) -> Judgement:
 
 
 @rule
-def unfolded(theorem: Theorem) -> Judgement:
+def undisch(theorem: Theorem) -> Judgement:
     """p => q gives q under the hypothesis p, and p /\\ q => r under both."""
     if not isinstance(theorem.conclusion, Implies):
         raise NotShown("the conclusion is no implication")

@@ -27,18 +27,18 @@ from symhaptic.proof.theorems.judge import Case, taken_apart
 from symhaptic.proof.theorems.kernel import (
     NotShown,
     Theorem,
-    absurd,
-    anything,
-    applied,
     assume,
-    by_cases,
-    conjoined,
-    cut,
-    discharged,
-    equivalent,
-    general,
-    instance,
-    part,
+    conj,
+    conjunct,
+    contr,
+    disch,
+    disj_cases,
+    gen,
+    imp_antisym,
+    mp,
+    not_intro,
+    prove_hyp,
+    spec,
 )
 from symhaptic.proof.theorems.leaves import (
     broken,
@@ -55,25 +55,25 @@ def closed(theorem: Theorem, *lemmas: Theorem) -> Theorem:
         usable = [x for x in lemmas if x.conclusion in theorem.hypotheses]
         if not usable:
             break
-        theorem = cut(theorem, *usable)
+        theorem = prove_hyp(theorem, *usable)
     return theorem
 
 
 def follows(implication: Theorem, *given: Theorem) -> Theorem:
     """What is implied by the conjunction of the given theorems."""
-    return applied(implication, given[0] if len(given) == 1 else conjoined(*given))
+    return mp(implication, given[0] if len(given) == 1 else conj(*given))
 
 
 def at(theorem: Theorem, values: Terms, *given: Theorem) -> Theorem:
     """For all x: p(x) => q(x) at a value, with p there given."""
-    found = instance(theorem, values)
+    found = spec(theorem, values)
     return follows(found, *given) if given else found
 
 
 def for_all(symbols: Sequence[Symbol], given: Sequence[Any], theorem: Theorem) -> Theorem:
     """The theorem for all values of the symbols under the hypotheses given."""
-    found = discharged(theorem, *given) if given else theorem
-    return general(found, *symbols)
+    found = disch(theorem, *given) if given else theorem
+    return gen(found, *symbols)
 
 
 def every(symbols: Sequence[Symbol], given: Sequence[Any], then: Any) -> Proposition:
@@ -125,7 +125,7 @@ def example(values: Terms, given: Sequence[Any], *theorems: Theorem) -> Case:
     there = [proposition(g).at(values) for g in given]
     parts = [known[p] if p in known else fact(p) for p in there]
     extra = [t for t in theorems if t.conclusion not in there]
-    return Case(values, conjoined(*parts, *extra))
+    return Case(values, conj(*parts, *extra))
 
 
 def counterexample(
@@ -147,8 +147,8 @@ def counterexample(
 
 def none_of(claim: Or, *denials: Theorem) -> Theorem:
     """not (p or q), from what contradicts each."""
-    cases = [absurd(assume(p), denial) for p, denial in zip(claim.of, denials, strict=True)]
-    return reductio(by_cases(assume(claim), *cases), claim)
+    cases = [not_intro(assume(p), denial) for p, denial in zip(claim.of, denials, strict=True)]
+    return reductio(disj_cases(assume(claim), *cases), claim)
 
 
 def _denial(claim: Proposition) -> Proposition:
@@ -157,14 +157,14 @@ def _denial(claim: Proposition) -> Proposition:
 
 def either_way(there: Theorem, back: Theorem, left: Any, right: Any) -> Theorem:
     """p <=> q from q under the hypothesis p, and p under the hypothesis q."""
-    return equivalent(discharged(there, left), discharged(back, right))
+    return imp_antisym(disch(there, left), disch(back, right))
 
 
 def chained(one: Theorem, other: Theorem) -> Theorem:
     """p <=> r from p <=> q and q <=> r."""
     p, r = one.conclusion.of[0], other.conclusion.of[1]  # type: ignore[attr-defined]
-    there = applied(other, applied(one, assume(p)))
-    back = applied(one, applied(other, assume(r)))
+    there = mp(other, mp(one, assume(p)))
+    back = mp(one, mp(other, assume(r)))
     return either_way(there, back, p, r)
 
 
@@ -181,15 +181,15 @@ def sine_of_half(angle: Any) -> Theorem:
 def denied_by(equivalence: Theorem, denial: Theorem) -> Theorem:
     """not p, from p <=> q and not q."""
     claim = equivalence.conclusion.of[0]  # type: ignore[attr-defined]
-    return absurd(applied(equivalence, assume(claim)), denial, claim)
+    return not_intro(mp(equivalence, assume(claim)), denial, claim)
 
 
 def not_all(claim: Proposition, denial: Theorem) -> Theorem:
     """not (p and q), from not p."""
-    parts = (part(assume(claim), p) for p in conjuncts(claim))
+    parts = (conjunct(assume(claim), p) for p in conjuncts(claim))
     for known in parts:
         try:
-            return absurd(known, denial, claim)
+            return not_intro(known, denial, claim)
         except NotShown:
             continue
     raise NotShown(f"{denial.conclusion} denies no part of {claim}")
@@ -197,12 +197,12 @@ def not_all(claim: Proposition, denial: Theorem) -> Theorem:
 
 def denied(theorem: Theorem, wanted: Any) -> Theorem:
     """From b <= a the negation of a < b, and so on for each relation that cannot hold beside."""
-    return absurd(assume(wanted), theorem, wanted)
+    return not_intro(assume(wanted), theorem, wanted)
 
 
 def reductio(falsehood: Theorem, given: Any) -> Theorem:
     """p |- false gives not p."""
-    return absurd(anything(falsehood, TRUE), anything(falsehood, Not((TRUE,))), given)
+    return not_intro(contr(falsehood, TRUE), contr(falsehood, Not((TRUE,))), given)
 
 
 def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Theorem:
@@ -211,5 +211,5 @@ def zero_beyond(polynomial: Any, variable: Symbol, value: Theorem) -> Theorem:
     at_one = sp.sympify(polynomial).xreplace({variable: sp.S.One})
     start = first_minors(assume(zeros), 0)
     (claim,) = start.conclusion.parts
-    above = combined(Relation(sp.S.Zero, "<", at_one), [part(start, claim)])
-    return absurd(above, value, zeros)
+    above = combined(Relation(sp.S.Zero, "<", at_one), [conjunct(start, claim)])
+    return not_intro(above, value, zeros)
