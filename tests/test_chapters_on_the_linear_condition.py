@@ -451,7 +451,7 @@ def test_no_mutant_of_a_printed_formula_passes(record_property, name, id, enough
 
 # A chapter, one thing in it and what that is changed to: what it proves must then fail.
 CHANGED = [
-    ("s4d_explicit_boundary_signs", "arms, weakened(", "arms[1:], weakened("),
+    ("s4d_explicit_boundary_signs", "arms, add_assum(", "arms[1:], add_assum("),
     ("s4d_explicit_boundary_signs", "delta: S.One}, arms", "delta: -S.One}, arms"),
     ("s4e_lag", "T**2 / 24 -", "T**2 / 12 -"),
     ("s4e_lag", "-T / 2,", "T / 2,"),

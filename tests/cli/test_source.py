@@ -312,10 +312,10 @@ def _squared(printed):
     return ForAll((x,), proposition(Eq((x + 1)**2, x**2 + 2*x + 1)))
 """
 SQUARED = """
-from symhaptic.proof.theorems.kernel import general
+from symhaptic.proof.theorems.kernel import gen
 from symhaptic.proof.theorems.leaves import identity
 def derive(page):
-    page.settle("odd:words", general(identity((x + 1)**2, x**2 + 2*x + 1), x))
+    page.settle("odd:words", gen(identity((x + 1)**2, x**2 + 2*x + 1), x))
 """
 
 

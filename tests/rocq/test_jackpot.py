@@ -51,7 +51,7 @@ from symhaptic.notation import delta, gamma, z
 from symhaptic.notation.proposition import Relation, whole
 from symhaptic.proof.theorems.definitions import loop_substituted
 from symhaptic.proof.theorems.familiar import device_exists, loop_of_device
-from symhaptic.proof.theorems.kernel import chosen, part, placed
+from symhaptic.proof.theorems.kernel import choose, conjunct, inst
 from symhaptic.proof.theorems.leaves import combined
 from symhaptic.proof.theorems.tactics import closed, denied_by, fact, zero_beyond
 
@@ -61,15 +61,15 @@ AT = {gamma: sqrt(2), delta: S(2)}
 
 def derive(page):
     page.settle("odd:loop", closed(loop_substituted(WALL, z, 1), fact(whole(S.Zero))))
-    static, pushed = (placed(theorem, AT) for theorem in at_rest())
+    static, pushed = (inst(theorem, AT) for theorem in at_rest())
     readings = loop_of_device(NUMBERS, WALL)
-    loop = part(readings, readings.conclusion.parts[1])
+    loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
     away = fact(Relation(S.Zero, "<=", 100 - sqrt(2)))
     value = combined(Relation(zeros.subs(z, 1), "<=", S.Zero), [pushed, away], [static, 1])
     known = whole(S.Zero), Relation(S.Zero, "<=", sqrt(2)), Relation(S.Zero, "<", S(2))
     never = closed(denied_by(loop, zero_beyond(zeros, z, value)), *map(fact, known))
-    page.settle("odd:left", chosen(device_exists(sqrt(2), S(2), NUMBERS), never))
+    page.settle("odd:left", choose(device_exists(sqrt(2), S(2), NUMBERS), never))
 '''
 
 JACKPOT = """From Symhaptic Require Import Control Boxes Zeros.

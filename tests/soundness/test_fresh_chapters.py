@@ -395,7 +395,7 @@ SOURCES = {
     "K < 0 implies that 0 is whole": {
         "statement": '("K < 0",), condition=True',
         "claim": "ForAll((K,), implied(p, whole(0)))",
-        "chapter": 'page.settle("odd:a", for_all([K], [K < 0], weakened(is_whole(0), K < 0)), '
+        "chapter": 'page.settle("odd:a", for_all([K], [K < 0], add_assum(is_whole(0), K < 0)), '
         "example=example({K: -1}, [K < 0]))",
     },
     "2 K < 0 beside what is whole": {
@@ -415,7 +415,7 @@ SOURCES = {
         "statement": '("K < 0",), domain="T < K, K < T"',
         "claim": "ForAll((K, T), implied([T < K, K < T], p[0]))",
         "chapter": 'page.settle("odd:a", for_all([K, T], [T < K, K < T], '
-        "anything(absurd(assume(T < K), assume(K < T)), K < 0)))",
+        "contr(not_intro(assume(T < K), assume(K < T)), K < 0)))",
     },
     "an expression": {
         "statement": '("0",)',
@@ -435,7 +435,7 @@ SOURCES = {
         "statement": '("x < 0",)',
         "claim": "ForAll((x,), proposition(p[0]))",
         "chapter": 'right = ForAll((x,), Relation(S(0), "<=", x**2))\n'
-        'page.settle("odd:a", general(instance(known("square"), {symbols("x"): x}), x), '
+        'page.settle("odd:a", gen(spec(known("square"), {symbols("x"): x}), x), '
         'instead=right, corrected=("0 = 1",), '
         "unless=[counterexample(ForAll((x,), proposition(x < 0)), {x: 1})])",
     },
