@@ -14,6 +14,7 @@ from symhaptic.notation.proposition import Relation, both, negated, proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.propositions import CLAIMED
 from symhaptic.paper.propositions.arm import ARM, GIVEN, x, y, y_D, y_H
+from symhaptic.paper.reading import read
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum, conj
 from symhaptic.proof.theorems.tactics import (
@@ -64,8 +65,7 @@ def derive(page):
         "The sum of both ratios is more than needed. With the masses as weights, the damping of "
         "the whole is a mean of the two:"
     )
-    mean = b_D / m_D * m_D / (m_D + m_H) + b_H / m_H * m_H / (m_D + m_H)
-    _mean(page, mean)
+    _mean(page)
     _limits(page)
 
 
@@ -99,18 +99,23 @@ def _bounds(page):
     )
 
 
-def _mean(page, mean):
+MEAN = (
+    r"\frac{\delta}{T} = \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
+    r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H}"
+)
+
+
+def _mean(page):
     """With the device's share p of the mass, delta = T (p x + (1 - p) y), a mean of x and y."""
     parts = {p: m_D / (m_D + m_H), x: b_D / m_D, y: b_H / m_H}
     known = map(proposition, STATEMENTS["eq19"].printed)
     given = [*GIVEN, *known, *(Relation(name, "=", of) for name, of in parts.items())]
-    wanted = both([Eq(delta / T, mean), Eq(delta, T * (p * x + (1 - p) * y)), p > 0, p < 1])
+    wanted = both([*read(MEAN), Eq(delta, T * (p * x + (1 - p) * y)), p > 0, p < 1])
     claim = every((*ARM, gamma, delta, *parts), given, wanted)
     page.state(
         "arm-mean-ratio",
         r"$\delta/T$ is the mean of $b_D/m_D$ and $b_H/m_H$, weighted by the masses",
-        r"\frac{\delta}{T} = \frac{m_D}{m_D + m_H} \cdot \frac{b_D}{m_D} "
-        r"+ \frac{m_H}{m_D + m_H} \cdot \frac{b_H}{m_H}",
+        MEAN,
         claim=claim,
     )
     ones = dict.fromkeys((x, y), S.One) | {p: S.Half}

@@ -22,7 +22,7 @@ from symhaptic.book.lemmas.linear_corner import in_the_corner
 from symhaptic.book.lemmas.linear_error import risen
 from symhaptic.book.lemmas.linear_far import beyond
 from symhaptic.book.lemmas.linear_second_order import linearised
-from symhaptic.book.lemmas.linear_short_periods import tends
+from symhaptic.book.lemmas.linear_short_periods import all_tend
 from symhaptic.book.lemmas.linear_start import GIVEN, no_bound, unbounded
 from symhaptic.book.lemmas.linear_two_percent import SPRINGS, within
 from symhaptic.bounds.linear_points import Arc, error_without_stiffness, points
@@ -336,7 +336,7 @@ def test_no_threshold_is_shown_beyond_the_damping_where_it_is_false(damping):
     ("claim", "shown"),
     [
         (CLAIMED["s4e-linearised"](()), linearised),
-        (short_periods(), tends),
+        (short_periods(), all_tend),
         (corner(), in_the_corner),
     ],
 )
@@ -485,7 +485,7 @@ CHANGED = [
     ("s4e_line_passive", "t_d, d * T)", "t_d, 2 * d * T)"),
     ("s4e_line_passive", "b_D: S.Zero", "b_D: S.One"),
     ("s4e_line_second_order", "given, linearised()", "given[:-1], linearised()"),
-    ("s4e_line_second_order", "given, tends()", "given[1:], tends()"),
+    ("s4e_line_second_order", "given, all_tend()", "given[1:], all_tend()"),
     ("s4e_line_second_order", "(small - A / 2)", "(small + A / 2)"),
     ("s4e_line_tangent", "tangent())\n", "tangent().body)\n"),
     ("s4e_line_trade", "(2 * d + 1) * (2 * d + 3)", "(2 * d + 1) * (2 * d + 1)"),

@@ -7,8 +7,10 @@ import pytest
 import sympy as sp
 from sympy import Abs, Eq, I, Rational, cos, exp, pi, re, sin, sqrt
 
+from symhaptic.notation.proposition import proposition
 from symhaptic.paper import STATEMENTS
 from symhaptic.paper.reading import Unreadable, read
+from symhaptic.proof.theorems.definedness import conditions
 
 K, B, T, b, d, m, k, s, z, y = sp.symbols("K B T b d m k s z y")
 omega, omega_hat, alpha, beta, gamma, delta = sp.symbols("omega omega_hat alpha beta gamma delta")
@@ -376,3 +378,23 @@ def test_function_does_not_swallow_the_next_one():
     # sin theta cos theta is a product in print, everywhere
     theta = sp.Symbol("theta")
     assert read(r"\sin\theta\cos\theta") == (sin(theta) * cos(theta),)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *(r"\frac{x}{x} = 1", "x/x = 1", r"x x^{-1} = 1", r"\frac{x^2}{x} = x"),
+        *(r"\frac{1}{\frac{1}{x}} = x", r"\frac{1}{x} - \frac{1}{x} = 0"),
+        *(r"0 \cdot \frac{1}{x} = 0", r"\frac{K}{KT} = 1/T", r"\frac{x}{y} \cdot \frac{y}{x} = 1"),
+        *(r"\tan x - \tan x = 0", r"\sin^2(x) \cdot \sin^{-2}(x) = 1", r"|x|/|x| = 1"),
+    ],
+)
+def test_what_is_divided_by_is_not_forgotten(line):
+    (relation,) = map(proposition, read(line))
+    assert [claim for side in relation.terms for claim in conditions(side)]
+
+
+def test_a_divisor_that_no_form_keeps_is_not_read():
+    vector = r"\begin{pmatrix} x \\ y \end{pmatrix}"
+    with pytest.raises(Unreadable, match="a divisor that cancels"):
+        read(rf"\frac{{T}}{{T}} {vector} = {vector}")

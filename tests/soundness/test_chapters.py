@@ -240,6 +240,9 @@ def test_a_name_stands_for_one_thing_and_not_for_itself(define, page):
         (delta, -1 - beta**2, r"\delta + 2 = 1 - \beta^2"),
         (d, -1 - beta**2, r"d + 1 = -\beta^2"),
         (theta, 4 + beta**2, r"\theta - 4 = \beta^2"),
+        # what is divided by is zero, and cancels
+        (theta, 2 * alpha, r"\frac{\theta - 2\alpha}{\theta - 2\alpha} = 1"),
+        (theta, 2 * alpha, r"\theta (\theta - 2\alpha)/(\theta - 2\alpha) = \theta"),
     ],
 )
 def test_nothing_follows_from_a_name_outside_of_its_domain(name, meaning, printed, page):

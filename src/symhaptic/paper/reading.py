@@ -202,8 +202,8 @@ def names_something(name: str) -> bool:
 
 
 class _Reader:
-    def __init__(self, latex: str, notation: Notation = ()) -> None:
-        self.latex = latex
+    def __init__(self, latex: str, notation: Notation = (), inert: bool = False) -> None:
+        self.latex, self.notation, self.inert = latex, notation, inert
         self.own = {_called(tex): name for tex, name in notation}
         self.names = {tex: n for tex, n in _SYMBOLS.items() if n not in self.own.values()}
         squeezed = re.sub(r"\\mathrm\s*\{\s*e\s*\}", rf" \{_EULER} ", latex)
@@ -221,6 +221,8 @@ class _Reader:
             elif token not in _IGNORED:
                 self.tokens.append(token)
         self.at = 0
+        self.divisors: list[Expr] = []
+        """What must not be zero, as it was met."""
 
     # -- tokens ---------------------------------------------------------------------
 
@@ -248,6 +250,10 @@ class _Reader:
             raise Unreadable(f"differentials, or a d on both sides, in {self.latex!r}")
         if self.peek():
             raise Unreadable(f"{self.peek()!r} left over in {self.latex!r}")
+        if self.loses_a_divisor(sides):
+            if self.inert:
+                raise Unreadable(f"a divisor that cancels, in {self.latex!r}")
+            return _Reader(self.latex, self.notation, inert=True).line()
         if not relations:
             return (sides[0],)
         links: list[Expr] = []
@@ -263,13 +269,14 @@ class _Reader:
         sign = -1 if self.peek() == "-" else 1
         if self.peek() in ("+", "-"):
             self.take()
-        total = sign * self.term()
+        total = self.made(sp.Mul, sp.Integer(sign), self.term()) if sign < 0 else self.term()
         while self.peek() in ("+", "-"):
             minus = self.take() == "-"
             term = self.term()
             if isinstance(term, sp.MatrixBase) != isinstance(total, sp.MatrixBase):
                 raise Unreadable(f"a vector added to a number in {self.latex!r}")
-            total = total - term if minus else total + term
+            term = self.made(sp.Mul, sp.S.NegativeOne, term) if minus else term
+            total = self.made(sp.Add, total, term)
         return total
 
     def term(self) -> Expr:
@@ -279,8 +286,31 @@ class _Reader:
             factor = self.chain()
             if divides:
                 self.no_derivative(self.tokens[begin:end], self.tokens[end : self.at])
-            value = value / factor if divides else value * factor
+            factor = self.raised(factor, sp.S.NegativeOne) if divides else factor
+            value = self.made(sp.Mul, value, factor)
         return value
+
+    def made(self, kind: type, *parts: Expr) -> Expr:
+        """A sum, a product or a power; as it is printed, if SymPy would cancel a divisor."""
+        plain = not self.inert or any(isinstance(p, sp.MatrixBase) for p in parts)
+        return kind(*parts) if plain else kind(*parts, evaluate=False)
+
+    def raised(self, base: Expr, exponent: Expr) -> Expr:
+        if not exponent.is_nonnegative:
+            self.divisors.append(base)
+        return self.made(sp.Pow, base, exponent)
+
+    def loses_a_divisor(self, sides: Iterable[Expr]) -> bool:
+        """Whether sides forget what is divided by: of x/x = 1 SymPy leaves 1 = 1."""
+        powers = [power for side in sides for power in side.atoms(sp.Pow)]
+        bases = [p.base for p in powers if not p.exp.is_nonnegative]
+        left = {_alike(f) for base in bases for f in sp.Mul.make_args(base)}
+        left |= {_alike(sp.cos(f.args[0])) for side in sides for f in side.atoms(sp.tan)}
+        factors = (f.as_base_exp() for below in self.divisors for f in sp.Mul.make_args(below))
+        return any(
+            base.free_symbols and not exponent.is_negative and _alike(base) not in left
+            for base, exponent in factors
+        )
 
     def no_derivative(self, above: list[str], below: list[str]) -> None:
         """Refuse m dx/dt, in which d is no delay."""
@@ -290,7 +320,7 @@ class _Reader:
     def chain(self) -> Expr:
         value = self.power()
         while self.starts_factor():
-            value = value * self.factor()
+            value = self.made(sp.Mul, value, self.factor())
         return value
 
     def factor(self) -> Expr:
@@ -339,7 +369,7 @@ class _Reader:
             beside = bool(value.free_symbols) and self.peek() in _BESIDE
             if bracket or beside or self.at in self.spaced:
                 self.unclear()
-            value = value * self.factor()
+            value = self.made(sp.Mul, value, self.factor())
         if not bracket and self.peek() in (r"\cdot", r"\times", "/"):
             self.unclear()
         return value
@@ -366,7 +396,7 @@ class _Reader:
         if self.peek() == "^":
             self.take()
             exponent = self.exponent()
-            return sp.exp(exponent) if base is _E else base**exponent
+            return sp.exp(exponent) if base is _E else self.raised(base, exponent)
         if base is _E:
             raise Unreadable(f"e without exponent in {self.latex!r}")
         return base
@@ -406,7 +436,7 @@ class _Reader:
             begin, above = self.at, self.group("{")
             end, below = self.at, self.group("{")
             self.no_derivative(self.tokens[begin:end], self.tokens[end : self.at])
-            return above / below
+            return self.made(sp.Mul, above, self.raised(below, sp.S.NegativeOne))
         if token == r"\sqrt" and self.peek() != "{":
             raise Unreadable(f"a root that is not square in {self.latex!r}")
         if token == r"\sqrt":
@@ -424,7 +454,10 @@ class _Reader:
                 power = self.exponent()
             if power == -1:
                 raise Unreadable(f"{token}^{{-1}}, an inverse or 1/{token}, in {self.latex!r}")
-            return _FUNCTIONS[token](self.argument()) ** power
+            value = _FUNCTIONS[token](self.argument())
+            if isinstance(value, sp.tan):
+                self.divisors.append(sp.cos(value.args[0]))
+            return value if power == 1 else self.raised(value, power)
         if token.startswith(r"\text"):
             unit = token.partition("{")[2][:-1].strip()
             if unit in _UNITS:
@@ -474,6 +507,12 @@ class _Reader:
             other = next(tex for tex, name in self.own.items() if name == _SYMBOLS[spelled])
             raise Unreadable(f"{spelled!r}, which the source calls {other!r}, in {self.latex!r}")
         raise Unreadable(f"{spelled!r} is not in the notation, in {self.latex!r}")
+
+
+def _alike(base: Expr) -> frozenset[Expr]:
+    """The same for all multiples of an expression."""
+    form = sp.expand(base).primitive()[1]
+    return frozenset((form, -form))
 
 
 _E = sp.Symbol("_base_of_the_exponential")
