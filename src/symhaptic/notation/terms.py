@@ -79,11 +79,7 @@ class Term:
 
     @cached_property
     def sympy(self) -> Expr:
-        """The term as SymPy writes it, which has its value wherever the term has one.
-
-        An expression that was read as this tree is given back as it was; where symbols were
-        replaced SymPy evaluates.
-        """
+        """The term as SymPy writes it, evaluated; it has its value wherever the term has one."""
         if not self.args:
             return self.head
         args = [a.sympy for a in self.args]
@@ -107,6 +103,8 @@ class Term:
         args = [a.shown for a in self.args]
         if isinstance(self.head, str):
             return sp.Function(self.head)(*args)
+        if self.head is sp.Add or self.head is sp.Mul:
+            args.sort(key=sp.default_sort_key)
         return self.head(*args, evaluate=False)
 
     def walk(self) -> Iterator[Term]:
@@ -141,7 +139,6 @@ def tree(of: Expr) -> Term:
     found = _READ.get(of)
     if found is None:
         found = _READ[of] = _read(of)
-        found.__dict__.setdefault("sympy", of)
     return found
 
 
