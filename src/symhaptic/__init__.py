@@ -10,6 +10,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from symhaptic.version import __version__ as __version__
+
 if TYPE_CHECKING:
     from symhaptic.book.formulas import Formula, formula
     from symhaptic.model.jury import jury
@@ -40,7 +42,6 @@ if TYPE_CHECKING:
     from symhaptic.scene.scene import Scene
     from symhaptic.sweeps.sweep import sweep
 
-__version__ = "0.1.0"
 
 _HOME = {
     "Arm": "symhaptic.scene.arms",

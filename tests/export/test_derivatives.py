@@ -14,8 +14,8 @@ from export.test_targets import run_all
 from symhaptic import lambdify
 from symhaptic.export import module, request
 from symhaptic.export.precision import DOUBLE, SINGLE
+from symhaptic.export.printing import Refused
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import differentiable
 from symhaptic.model.parts import FULL, Parts

@@ -8,7 +8,8 @@ import pytest
 
 from symhaptic.cli.main import main
 from symhaptic.export import request
-from symhaptic.export.target import OPERATIONS, Refused, Target
+from symhaptic.export.printing import OPERATIONS, Refused
+from symhaptic.export.target import Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 from symhaptic.model.parts import Parts

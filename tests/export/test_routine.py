@@ -17,8 +17,8 @@ from symhaptic.export.code_names import code_name
 from symhaptic.export.error_scale import size as largest_term
 from symhaptic.export.module import known
 from symhaptic.export.precision import PRECISIONS
+from symhaptic.export.printing import OPERATIONS
 from symhaptic.export.routine import Repeat, TwoProdError, names
-from symhaptic.export.target import OPERATIONS
 from symhaptic.forms import values
 from symhaptic.forms.entire import written_out
 from symhaptic.notation import delta, gamma

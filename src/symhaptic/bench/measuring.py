@@ -14,11 +14,11 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from symhaptic import __version__
 from symhaptic.bench import functions, models, peers, tracing, verdicts
 from symhaptic.bench.functions import FUNCTIONS
 from symhaptic.bench.timing import METHOD
 from symhaptic.book.measured.record import SCHEMA
+from symhaptic.version import __version__
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from symhaptic import __version__
 from symhaptic.book import foreign
 from symhaptic.book.chapters import BadChapter, expected_ledger
 from symhaptic.book.committed import places, records
 from symhaptic.book.ledger import Entry, counted
 from symhaptic.book.sources import STATEMENTS
 from symhaptic.proof.verdict import Kind
+from symhaptic.version import __version__
 
 _NO_XML = re.compile(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """What no document of XML may have in it, not even as an entity."""

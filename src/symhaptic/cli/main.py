@@ -54,8 +54,8 @@ def _root(
         except ValueError as wrong:
             refuse(str(wrong))
     if version:
-        from symhaptic import __version__
         from symhaptic.numeric.compiled import kernels_used
+        from symhaptic.version import __version__
 
         typer.echo(f"symhaptic {__version__} ({kernels_used()} kernels)")
     elif context.invoked_subcommand is None:

@@ -27,9 +27,10 @@ from symhaptic.export.described import describe
 from symhaptic.export.hoist_plant import hoisted
 from symhaptic.export.module import Library, known, named, precise
 from symhaptic.export.precision import SINGLE
+from symhaptic.export.printing import called, vocabulary
 from symhaptic.export.routine import Routine, Step, fresh
 from symhaptic.export.steps import Steps
-from symhaptic.export.target import Target, called, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import in_brackets, wrapped
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.form import Form

@@ -10,8 +10,8 @@ from sympy import Expr, Piecewise, Symbol
 from sympy.core.function import AppliedUndef
 
 from symhaptic.export.blocks import Assign, Block, Return, expressions, inputs
+from symhaptic.export.printing import calls
 from symhaptic.export.routine import Routine, Search, Several, TwoProdError
-from symhaptic.export.target import calls
 
 Products = dict[object, Symbol]
 """The names of products and squares, by their factors."""

@@ -13,11 +13,11 @@ from symhaptic.export.cmake import FLAGS, STRICT
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, called, vocabulary
 from symhaptic.export.records import Places, Records
 from symhaptic.export.routine import Routine, Several
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, called, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import WIDTH, wrapped
 
 KEYWORDS = vocabulary(

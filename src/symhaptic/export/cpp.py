@@ -11,10 +11,10 @@ from symhaptic.export.cmake import FLAGS, STRICT
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, called
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, called
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 
 

@@ -6,18 +6,18 @@ from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
-from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
 from symhaptic.export.branches import guarded
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, called, vocabulary
 from symhaptic.export.routine import Repeat, Routine, Several, plain
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target, called, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
+from symhaptic.version import __version__
 
 
 class _Printer(Printing, FCodePrinter):  # type: ignore[misc]

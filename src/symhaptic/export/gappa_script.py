@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from symhaptic.export.target import Target
+from symhaptic.export.printing import Language
 
 FORMATS = {53: ("ieee_64", -1021, 1023), 24: ("ieee_32", -125, 127)}
 """By the binary digits of a float: Gappa's name, and the powers of two between which no result on
@@ -46,7 +46,7 @@ class _Value:
 class Script:
     """Definitions, hypotheses and hints while they are collected."""
 
-    target: Target
+    target: Language
     steps: dict[str, sp.Expr]
     leaves: dict[str, str]
     """Names that are given, each with the function that gives it, or none."""

@@ -8,8 +8,8 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from symhaptic.export.code_names import code_name
+from symhaptic.export.printing import OPERATIONS
 from symhaptic.export.routine import Routine, Step, computed, fresh, names
-from symhaptic.export.target import OPERATIONS
 from symhaptic.notation import delta, gamma
 
 _PLANT = {gamma, delta}

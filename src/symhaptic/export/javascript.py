@@ -6,16 +6,16 @@ from types import MappingProxyType
 
 from sympy.printing.jscode import JavascriptCodePrinter
 
-from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, called, vocabulary
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, called, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
+from symhaptic.version import __version__
 
 
 class _Printer(Printing, JavascriptCodePrinter):  # type: ignore[misc]

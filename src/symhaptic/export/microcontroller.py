@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from types import MappingProxyType
+from typing import Self
 
 from symhaptic.export.c import C
 from symhaptic.export.cmake import FLAGS
 from symhaptic.export.module import Library
 from symhaptic.export.operations import KINDS, most
 from symhaptic.export.precision import SINGLE, Precision
+from symhaptic.export.printing import Refused, operations
 from symhaptic.export.routine import Routine
-from symhaptic.export.target import Refused, Target, operations
 
 SIZES = {
     "discretize": 3820,
@@ -45,7 +46,7 @@ class Microcontroller(C):
         {**C.single, "exp": "exponential({0})", "TwoProdError": "two_prod_error({0}, {1})"}
     )
 
-    def at(self, precision: Precision) -> Target:
+    def at(self, precision: Precision) -> Self:
         """Itself: it has single precision only."""
         if precision is not SINGLE:
             raise Refused(f"--precision {precision.name}: {self.title} is exported in single only")

@@ -30,9 +30,9 @@ from symhaptic.export.free_stable import with_free_verdict
 from symhaptic.export.fused import fused, merged
 from symhaptic.export.late_device import with_late_device
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
+from symhaptic.export.printing import Language, Refused, calls, operations
 from symhaptic.export.routine import Repeat, Routine
 from symhaptic.export.shared import routine
-from symhaptic.export.target import Refused, Target, calls, operations
 from symhaptic.export.zeros import without_zeros
 from symhaptic.forms.stable import Form
 
@@ -141,7 +141,7 @@ def _reached(helpers: Mapping[str, Routine], public: Iterable[Routine]) -> set[s
 
 
 def library(
-    name: str, title: str, forms: Iterable[Form], target: Target, merges: bool = True
+    name: str, title: str, forms: Iterable[Form], target: Language, merges: bool = True
 ) -> Library:
     """Everything that a target writes for these forms, each routine alone if none are merged.
 

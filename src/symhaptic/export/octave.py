@@ -11,10 +11,10 @@ from symhaptic.export import standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, called, vocabulary
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target, called, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
 

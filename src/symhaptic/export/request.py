@@ -11,8 +11,9 @@ from pathlib import Path
 
 from symhaptic.export.module import Library, library
 from symhaptic.export.precision import PRECISIONS
+from symhaptic.export.printing import Refused
 from symhaptic.export.readme import readme
-from symhaptic.export.target import Refused, Target
+from symhaptic.export.target import Target
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.forms import stable

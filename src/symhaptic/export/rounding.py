@@ -20,8 +20,8 @@ from symhaptic.export.blocks import Assign, Block, Choice, Return
 from symhaptic.export.branches import guarded
 from symhaptic.export.gappa_script import FORMATS, NotStraight, Script
 from symhaptic.export.precision import Precision
+from symhaptic.export.printing import Language
 from symhaptic.export.routine import Routine, Several
-from symhaptic.export.target import Target
 
 MARK = "# Written by `symhaptic export`; do not edit."
 
@@ -58,7 +58,7 @@ class Goal:
         return next(bits for bits, (name, _, _) in FORMATS.items() if name in self.text)
 
 
-def goals(routine: Routine, target: Target) -> list[Goal]:
+def goals(routine: Routine, target: Language) -> list[Goal]:
     """What Gappa proves of a public routine: of each result that is rounded on a straight way.
 
     Of one that chooses between whole delays and others, it is the result of a whole delay.
@@ -79,7 +79,7 @@ def goals(routine: Routine, target: Target) -> list[Goal]:
 
 
 def _straight(
-    block: Block, routine: Routine, target: Target
+    block: Block, routine: Routine, target: Language
 ) -> tuple[dict[str, sp.Expr], dict[str, str], tuple[sp.Basic, ...], bool]:
     """The steps of the one way that is taken inside the domain, by name; what is given; the end.
 

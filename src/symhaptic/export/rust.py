@@ -6,19 +6,19 @@ from types import MappingProxyType
 
 from sympy.printing.rust import RustCodePrinter
 
-from symhaptic import __version__
 from symhaptic.export import standard
 from symhaptic.export.branches import guarded
 from symhaptic.export.described import describe
 from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing
+from symhaptic.export.printing import Printing, vocabulary
 from symhaptic.export.routine import Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target, vocabulary
+from symhaptic.export.target import Target
 from symhaptic.export.vectors import ORDINARY
 from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
+from symhaptic.version import __version__
 
 
 class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sys
 
-from symhaptic.export.target import vocabulary
+from symhaptic.export.printing import vocabulary
 
 _C_FUNCTIONS = vocabulary(
     "abort abs acos acosh asin asinh atan atanh atof atoi atol bsearch calloc cbrt ceil clock "
