@@ -5,7 +5,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from symhaptic import Scene
-from symhaptic.scene.picture import draw, draw_safe
+from symhaptic.scene.picture import draw
+from symhaptic.scene.safe import draw_safe
 
 SCENE = Scene(mass=0.1, damping=2.0, sampling_period=1e-3, delay=1.5e-3)
 

@@ -122,7 +122,8 @@ def picture(found: Device, safe: SafeWalls | None, format: LimitsFormat) -> byte
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    from symhaptic.scene.picture import draw, draw_safe
+    from symhaptic.scene.picture import draw
+    from symhaptic.scene.safe import draw_safe
 
     figure, axes = pyplot.subplots(figsize=(7.2, 4.4), layout="constrained")
     if safe is None:

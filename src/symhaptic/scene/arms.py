@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -12,7 +12,6 @@ from symhaptic.notation.suggest import suggested
 
 if TYPE_CHECKING:
     from symhaptic.rules.devices import Device
-    from symhaptic.scene.scene import Scene
 
 UNITS = {"mass": "kg", "damping": "N*s/m", "stiffness": "N/m"}
 
@@ -91,16 +90,6 @@ def checked(arm: Any) -> Arm:
     return arm
 
 
-def held_by(scene: Scene, arm: Arm) -> Scene:
-    """The same device, coupled to an arm."""
-    if scene.arm is not None:
-        raise ValueError(
-            f"arm: {shown(arm)} beside {scene.arm!r} is not allowed; "
-            "scene.device.held_by(...) couples the device to another arm"
-        )
-    return replace(scene, arm=checked(arm))
-
-
 class Coupled(NamedTuple):
     """Device and arm together, (2): the sums of their masses, dampings and stiffnesses."""
 
@@ -112,28 +101,10 @@ class Coupled(NamedTuple):
     """k in N/m; ``None`` if neither has a spring."""
 
 
-def coupled(scene: Scene) -> Coupled:
-    """Mass, damping and stiffness that count for stability, (2).
-
-    An arm that was measured together with its device takes the device's place.
-    """
-    if scene.arm is None:
-        return Coupled(scene.mass, scene.damping, scene.stiffness)
-    return Coupled(*(added(scene.arm, name, getattr(scene, name)) for name in UNITS))
-
-
 def added(arm: Arm, name: str, own: float | None) -> float:
     """The device's ``own`` mass, damping or stiffness and the arm's, summed as decimals."""
     of_device = Fraction(0) if arm.with_device else decimal(own or 0)
     return nearest(decimal(getattr(arm, name)) + of_device)
-
-
-def together(scene: Scene) -> Scene:
-    """The loop of device and arm as one mass, damper and spring.
-
-    Only stability may be asked of it: passivity would count the arm's damping.
-    """
-    return scene if scene.arm is None else replace(scene.device, **coupled(scene)._asdict())
 
 
 Range: TypeAlias = float | tuple[float, float]

@@ -10,15 +10,15 @@ from symhaptic.notation.extras import needed
 from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.numeric.passivity import passivity_boundary
 from symhaptic.numeric.stability import is_stable
-from symhaptic.scene.arms import together
+from symhaptic.scene import walls
 from symhaptic.scene.dimensionless import units
+from symhaptic.scene.loop import DeviceLoop, together
+from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from symhaptic.scene.limit import Stiffness
-    from symhaptic.scene.safe import SafeWalls
-    from symhaptic.scene.scene import Scene
 
 STABLE, EDGE, PASSIVE, UNSTABLE = "#cfe6da", "#1b6e4b", "#c98a1b", "#b3261e"
 
@@ -26,13 +26,13 @@ BELOW: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), 
 """Where a legend is: below the axes."""
 
 
-def draw(axes: Axes, scene: Scene, wall: tuple[float, float] | None = None) -> None:
+def draw(axes: Axes, scene: DeviceLoop, wall: tuple[float, float] | None = None) -> None:
     """Draw stable walls of device and arm, passive walls of the device, and the stiffest of both.
 
     ``wall`` (K, B) is marked, too.
     """
     held, alone = together(scene), scene.device
-    most = held.max_stable_stiffness()
+    most = max_stable_stiffness(held)
     high = {"K": 1.1 * max(most.K, wall[0] if wall else 0.0), "B": 2.25 * most.B}
     high["B"] = max(high["B"], 1.3 * wall[1] if wall else 0.0)
     low = {"K": -0.06 * high["K"], "B": -0.16 * high["B"]}
@@ -55,10 +55,10 @@ def draw(axes: Axes, scene: Scene, wall: tuple[float, float] | None = None) -> N
     for (limit, text), shape in zip(marks, "od", strict=False):
         axes.plot(limit.B, limit.K, shape, ms=5, color="black", zorder=3, label=text)
     if wall is not None:
-        good = bool(held.is_stable(K=wall[0], B=wall[1]))
+        good = bool(walls.is_stable(held, *wall))
         text = f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m"
         color = EDGE if good else UNSTABLE
-        top = held.limit_at(B=wall[1]).K
+        top = limit_at(held, wall[1]).K
         if good and wall[0] < top:
             axes.plot(
                 [wall[1], wall[1]], [wall[0], top],
@@ -83,54 +83,7 @@ def new_axes(caller: str) -> Axes:
     return axes
 
 
-def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = None) -> None:
-    """Walls that every arm of a range keeps stable, with their largest rectangle, passive ones.
-
-    The border of the stable walls of the device without an arm is drawn beside them.
-    """
-    outline, box = safe.outline, safe.rectangle
-    axes.fill(outline[:, 1], outline[:, 0], color=STABLE, lw=0, label="stable with every arm")
-    alone = safe.scene
-    most = alone.max_stable_stiffness()
-    high = {
-        "K": 1.12 * max(most.K, safe.stiffest[0], wall[0] if wall else 0.0),
-        "B": 1.05 * max(2 * most.B, outline[:, 1].max(), wall[1] if wall else 0.0),
-    }
-    n = alone.dimensionless
-    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
-    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
-    per_K, per_B = units(alone.mass, alone.sampling_period)
-    K, B = alpha * per_K, beta * per_B
-    far = {name: 2 * end for name, end in high.items()}
-    seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
-    axes.plot(
-        np.where(seen, B, np.nan), np.where(seen, K, np.nan),
-        color=EDGE, lw=1.3, label="border without an arm",
-    )  # fmt: skip
-    (low, top), (left, right) = box
-    axes.plot(
-        [left, right, right, left, left], [low, low, top, top, low],
-        color="black", lw=1, ls="--", label=f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m",
-    )  # fmt: skip
-    if safe.passive_corners:
-        corners = np.array(safe.passive_corners)
-        axes.fill(corners[:, 1], corners[:, 0], color=PASSIVE, lw=0, label="passive")
-        stiff = safe.stiffest_passive
-        if stiff and stiff[0] < 0.02 * high["K"]:
-            axes.plot(stiff[1], stiff[0], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
-    if wall is not None:
-        good = bool(safe.contains(*wall))
-        axes.plot(
-            wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
-            label=f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m",
-        )  # fmt: skip
-    axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
-    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(**BELOW, ncols=2, fontsize=9)
-
-
-def _passive(axes: Axes, alone: Scene) -> tuple[Stiffness, str]:
+def _passive(axes: Axes, alone: DeviceLoop) -> tuple[Stiffness, str]:
     """The passive walls, and the stiffest of them with what is said of it."""
     _, own, delay = alone.dimensionless
     per_K, per_B = units(alone.mass, alone.sampling_period)
@@ -141,7 +94,7 @@ def _passive(axes: Axes, alone: Scene) -> tuple[Stiffness, str]:
         np.r_[-own, beta[known]] * per_B, np.r_[0, alpha[known]] * per_K,
         color=PASSIVE, alpha=0.75, lw=0, label="passive walls",
     )  # fmt: skip
-    safe = alone.max_passive_stiffness()
+    safe = max_passive_stiffness(alone)
     return safe, _said("passive", safe)
 
 

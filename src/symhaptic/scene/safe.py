@@ -19,13 +19,18 @@ from symhaptic.bounds.safe.find import certified
 from symhaptic.bounds.safe.passive import is_passive, passive
 from symhaptic.notation.quantities import decimal, in_unit, number, shown
 from symhaptic.numeric import arguments
+from symhaptic.numeric.boundary import stability_boundary
 from symhaptic.scene.arms import Arm, ArmRange
+from symhaptic.scene.dimensionless import units
+from symhaptic.scene.loop import DeviceLoop
+from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE, new_axes
+from symhaptic.scene.walls import max_stable_stiffness
+from symhaptic.scene.words import table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
-    from symhaptic.scene.scene import Scene
 
 Arms = ArmRange | Arm | Iterable[Arm] | None
 """A range of arms, one, some of them and all between, or by (23) of the paper."""
@@ -63,7 +68,7 @@ class SafeWalls:
     balls; what is left out beside them is about a hundredth.
     """
 
-    scene: Scene
+    scene: DeviceLoop
     """The device without an arm."""
     arms: ArmRange
     certificate: Certificate = field(repr=False)
@@ -213,15 +218,11 @@ class SafeWalls:
 
         Draws into ``axes`` of matplotlib's, or into new ones, and returns them.
         """
-        from symhaptic.scene.picture import draw_safe, new_axes
-
         axes = axes if axes is not None else new_axes("SafeWalls.plot")
         draw_safe(axes, self)
         return axes
 
     def _repr_html_(self) -> str:
-        from symhaptic.scene.words import table
-
         return table(self.facts())
 
     def facts(self) -> dict[str, str]:
@@ -258,7 +259,7 @@ def _range(arm: Arms) -> ArmRange:
     return ArmRange.around(some)
 
 
-def safe_walls(scene: Scene, arm: Arms) -> SafeWalls:
+def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
     """What :meth:`symhaptic.scene.scene.Scene.safe_walls` returns."""
     if scene.arm is not None:
         if arm is not None:
@@ -278,3 +279,50 @@ def safe_walls(scene: Scene, arm: Arms) -> SafeWalls:
         arms.by_mass,
     )
     return SafeWalls(scene, arms, certified(loops), passive(loops))
+
+
+def draw_safe(axes: Axes, safe: SafeWalls, wall: tuple[float, float] | None = None) -> None:
+    """Walls that every arm of a range keeps stable, with their largest rectangle, passive ones.
+
+    The border of the stable walls of the device without an arm is drawn beside them.
+    """
+    outline, box = safe.outline, safe.rectangle
+    axes.fill(outline[:, 1], outline[:, 0], color=STABLE, lw=0, label="stable with every arm")
+    alone = safe.scene
+    most = max_stable_stiffness(alone)
+    high = {
+        "K": 1.12 * max(most.K, safe.stiffest[0], wall[0] if wall else 0.0),
+        "B": 1.05 * max(2 * most.B, outline[:, 1].max(), wall[1] if wall else 0.0),
+    }
+    n = alone.dimensionless
+    theta = np.linspace(1e-4, min(np.pi, 2.2 * np.pi / (n.delay + 1)), 4000)
+    alpha, beta = stability_boundary(theta, n.gamma, n.delta, n.delay)[:2]
+    per_K, per_B = units(alone.mass, alone.sampling_period)
+    K, B = alpha * per_K, beta * per_B
+    far = {name: 2 * end for name, end in high.items()}
+    seen = (K > 0) & (far["K"] > K) & (abs(B) < far["B"])
+    axes.plot(
+        np.where(seen, B, np.nan), np.where(seen, K, np.nan),
+        color=EDGE, lw=1.3, label="border without an arm",
+    )  # fmt: skip
+    (low, top), (left, right) = box
+    axes.plot(
+        [left, right, right, left, left], [low, low, top, top, low],
+        color="black", lw=1, ls="--", label=f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m",
+    )  # fmt: skip
+    if safe.passive_corners:
+        corners = np.array(safe.passive_corners)
+        axes.fill(corners[:, 1], corners[:, 0], color=PASSIVE, lw=0, label="passive")
+        stiff = safe.stiffest_passive
+        if stiff and stiff[0] < 0.02 * high["K"]:
+            axes.plot(stiff[1], stiff[0], "d", ms=5, color=PASSIVE, zorder=3, clip_on=False)
+    if wall is not None:
+        good = bool(safe.contains(*wall))
+        axes.plot(
+            wall[1], wall[0], "x", ms=9, mew=2, color=EDGE if good else UNSTABLE,
+            label=f"this wall: {wall[0]:g} N/m, {wall[1]:g} Ns/m",
+        )  # fmt: skip
+    axes.set(xlim=(0, high["B"]), ylim=(0, high["K"]))
+    axes.set(xlabel="virtual damping $B$ in Ns/m", ylabel="virtual stiffness $K$ in N/m")
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(**BELOW, ncols=2, fontsize=9)

@@ -6,41 +6,25 @@ imports the module that answers it.
 
 from __future__ import annotations
 
-import copy
-import warnings
-from dataclasses import dataclass
-from fractions import Fraction
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
-from symhaptic.model.parts import Parts
-from symhaptic.notation.quantities import nearest, number
-from symhaptic.scene.dimensionless import Dimensionless, dimensionless, limit, periods
+from symhaptic.notation.quantities import number, shown
+from symhaptic.scene.arms import checked
 from symhaptic.scene.limit import Limit, Stiffness, one_or_many
+from symhaptic.scene.loop import DeviceLoop
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from numpy.typing import ArrayLike
 
     from symhaptic.bounds.simplest.choose import Simplest
-    from symhaptic.scene.arms import Arm, Coupled
+    from symhaptic.scene.arms import Arm
     from symhaptic.scene.safe import Arms, SafeWalls
     from symhaptic.scene.walls import PassiveWalls, StableWalls
 
-UNITS = {
-    "mass": "kg",
-    "sampling_period": "s",
-    "damping": "N*s/m",
-    "stiffness": "N/m",
-    "delay": "s",
-    "delay_samples": "",
-}
 
-_LONG = 100
-"""A delay in s of more sampling periods than this is warned of."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Scene:
+class Scene(DeviceLoop):
     """A haptic device in SI units, with its sampling period, its delay and the arm that holds it.
 
     Stability counts device and arm together, (2) of the paper.  Passivity counts the device alone,
@@ -90,45 +74,6 @@ class Scene:
     >>> scene.parts.name
     'damping, virtual damping, delay'
     """
-
-    mass: float
-    """m_D of the device in kg, > 0."""
-    sampling_period: float
-    """T in s, > 0."""
-    damping: float | None = None
-    """b_D of the device in Ns/m, >= 0."""
-    stiffness: float | None = None
-    """Stiffness of the device in N/m, >= 0."""
-    delay: float | None = None
-    """t_d in s, >= 0."""
-    delay_samples: float | None = None
-    """d in sampling periods, >= 0, if the delay is not given in s."""
-    arm: Arm | None = None
-    """The arm that holds the device."""
-
-    def __post_init__(self) -> None:
-        for name, unit in UNITS.items():
-            value = getattr(self, name)
-            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
-            if value is not None or least == "> 0":  # without these there is no loop
-                object.__setattr__(self, name, number(name, value, unit, least))
-        if self.delay is not None and self.delay_samples is not None:
-            raise ValueError(
-                f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
-                "allowed; one of them is"
-            )
-        if self.arm is not None:
-            from symhaptic.scene.arms import checked
-
-            checked(self.arm)
-            for name, value in self.coupled._asdict().items():
-                number(name, value, UNITS[name], "> 0" if name == "mass" else ">= 0")
-        if self.delay is not None and self.periods > _LONG:
-            warnings.warn(
-                f"delay: {self.delay!r} s are {nearest(self.periods):g} sampling periods; "
-                f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
-                stacklevel=3,
-            )
 
     @classmethod
     def of(cls, device: str, **given: Any) -> Scene:
@@ -192,72 +137,12 @@ class Scene:
         >>> held.damping, held.max_passive_stiffness() == alone.max_passive_stiffness()
         (0.005, True)
         """
-        from symhaptic.scene.arms import held_by
-
-        return held_by(self, arm)
-
-    @property
-    def device(self) -> Scene:
-        """The scene of the device without the arm; passivity uses it, (3)."""
-        if self.arm is None:
-            return self
-        alone = copy.copy(self)
-        object.__setattr__(alone, "arm", None)
-        return alone
-
-    @property
-    def coupled(self) -> Coupled:
-        """Mass, damping and stiffness of device and arm together; stability uses them, (2)."""
-        from symhaptic.scene.arms import coupled
-
-        return coupled(self)
-
-    @property
-    def parts(self) -> Parts:
-        """Parts of the loop, with the arm's damper and spring."""
-        _, damping, stiffness = self.coupled
-        return Parts(
-            stiffness=stiffness is not None,
-            damping=damping is not None,
-            delay=self.delay is not None or self.delay_samples is not None,
-        )
-
-    @property
-    def periods(self) -> Fraction:
-        """The delay in sampling periods, exactly; 0 if there is none."""
-        return periods(self)
-
-    @property
-    def dimensionless(self) -> Dimensionless:
-        """gamma, delta and the delay d in periods; 0 for what is not modelled.
-
-        gamma and delta are those of device and arm together, (2), for stability.  Passivity uses
-        those of the device alone, ``scene.device.dimensionless``.
-
-        Raises
-        ------
-        ValueError
-            If a number is outside the range of the functions.
-        """
-        return dimensionless(self)
-
-    def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
-        """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
-
-        m is the mass of device and arm together.
-
-        Raises
-        ------
-        ValueError
-            If an argument is not one number.
-
-        Examples
-        --------
-        >>> limit = Scene(mass=0.1, sampling_period=0.001).limit(0.5, 0.25, 1.0)
-        >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
-        (50000.0, 25.0, 159.155)
-        """
-        return limit(self, alpha, beta, theta)
+        if self.arm is not None:
+            raise ValueError(
+                f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
+                "scene.device.held_by(...) couples the device to another arm"
+            )
+        return replace(self, arm=checked(arm))
 
     def is_stable(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls of stiffness ``K`` (N/m) and damping ``B`` (Ns/m) are stable.
@@ -365,11 +250,9 @@ class Scene:
         >>> round(scene.max_stable_stiffness(B=5.0), 3)  # 2 B (2 m - B T)/(T (2 m + B T))
         9512.195
         """
-        if B is not None:
-            return one_or_many(self.limit_at(B))
-        from symhaptic.numeric.tracing.extremes import max_stable_stiffness
+        from symhaptic.scene.walls import limit_at, max_stable_stiffness
 
-        return Stiffness(*limit(self, *max_stable_stiffness(*self.dimensionless)))
+        return max_stable_stiffness(self) if B is None else one_or_many(limit_at(self, B))
 
     @overload
     def max_passive_stiffness(self, B: float | None = None) -> Stiffness: ...
@@ -391,14 +274,9 @@ class Scene:
         >>> round(scene.max_passive_stiffness(B=0.2), 6)  # 2 (b - B)/T
         600.0
         """
-        if B is not None:
-            from symhaptic.scene.walls import passive_limit_at
+        from symhaptic.scene.walls import max_passive_stiffness, passive_limit_at
 
-            return one_or_many(passive_limit_at(self, B))
-        from symhaptic.numeric.passivity import max_passive_stiffness
-
-        _, delta, delay = self.device.dimensionless
-        return Stiffness(*limit(self.device, *max_passive_stiffness(delta, delay)))
+        return max_passive_stiffness(self) if B is None else one_or_many(passive_limit_at(self, B))
 
     def limit_at(self, B: ArrayLike) -> Limit:
         """Largest stiffness K in N/m of a stable wall with the damping ``B`` in Ns/m.

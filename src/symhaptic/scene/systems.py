@@ -7,17 +7,15 @@ coefficient (modified z-transform).
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from symhaptic.kernels import haptic
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import decimal
-
-if TYPE_CHECKING:
-    from symhaptic.scene.scene import Scene
+from symhaptic.scene.loop import DeviceLoop
 
 
-def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
+def coefficients(scene: DeviceLoop) -> tuple[list[float], list[float]]:
     """Numerator and denominator in z, the highest power first, of position over force in m/N.
 
     >>> from symhaptic.scene.scene import Scene
@@ -38,7 +36,7 @@ def coefficients(scene: Scene) -> tuple[list[float], list[float]]:
     return top, [1.0, -a, e] + [0.0] * (steps + (part > 0))
 
 
-def control_system(scene: Scene) -> Any:
+def control_system(scene: DeviceLoop) -> Any:
     """As a ``control.TransferFunction``; needs python-control."""
     needed("Scene.to_control", "control")
     import control
@@ -46,7 +44,7 @@ def control_system(scene: Scene) -> Any:
     return control.TransferFunction(*coefficients(scene), scene.sampling_period)
 
 
-def scipy_system(scene: Scene) -> Any:
+def scipy_system(scene: DeviceLoop) -> Any:
     """As a ``scipy.signal.dlti``, which when it is made leaves out first coefficients below 1e-14.
 
     The numerator, in m/N, is therefore set afterwards; what converts it leaves them out with a
@@ -60,7 +58,7 @@ def scipy_system(scene: Scene) -> Any:
     return system
 
 
-def sympy_system(scene: Scene) -> Any:
+def sympy_system(scene: DeviceLoop) -> Any:
     """As an exact ``TransferFunction`` of SymPy, in z; floats are the decimals that they print as.
 
     >>> from symhaptic.scene.scene import Scene

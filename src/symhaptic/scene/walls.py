@@ -16,32 +16,31 @@ from symhaptic.notation.quantities import in_unit, number, with_unit
 from symhaptic.numeric import arguments, boundary, passivity, stability
 from symhaptic.numeric.containers import kept
 from symhaptic.numeric.given import Given
-from symhaptic.numeric.tracing import margin
+from symhaptic.numeric.tracing import extremes, margin
 from symhaptic.numeric.tracing import region as tracing
 from symhaptic.numeric.tracing.shape import Shape
-from symhaptic.scene.dimensionless import per_unit, units, wall_units
-from symhaptic.scene.limit import Limit
+from symhaptic.scene.dimensionless import per_unit, units
+from symhaptic.scene.limit import Limit, Stiffness
+from symhaptic.scene.loop import DeviceLoop, wall_units
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from symhaptic.numeric.extremum import Extremum
-    from symhaptic.scene.limit import Stiffness
-    from symhaptic.scene.scene import Scene
 
 
-def is_stable(scene: Scene, K: Any, B: Any) -> Any:
+def is_stable(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether all characteristic roots lie inside the unit circle."""
     return _of_walls(stability.is_stable, scene, scene.dimensionless, K, B, bool)
 
 
-def is_passive(scene: Scene, K: Any, B: Any) -> Any:
+def is_passive(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """Whether no motion extracts energy, by the damping of the device alone (3)."""
     alone = scene.device
     return _of_walls(passivity.is_passive, alone, alone.dimensionless[1:], K, B, bool)
 
 
-def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
+def passivity_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The damping of the device alone (3) in Ns/m minus the damping that a wall needs."""
     alone = scene.device
     unit = units(alone.mass, alone.sampling_period)[1]
@@ -49,13 +48,13 @@ def passivity_margin(scene: Scene, K: Any, B: Any) -> Any:
     return _of_walls(passivity.passivity_margin, *args)
 
 
-def max_delay(scene: Scene, K: Any, B: Any) -> Any:
+def max_delay(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The largest delay in s up to which a wall is stable."""
     args = scene, scene.dimensionless[:2], K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.max_delay, *args)
 
 
-def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
+def delay_margin(scene: DeviceLoop, K: Any, B: Any) -> Any:
     """The delay in s that may be added until a wall is unstable."""
     args = scene, scene.dimensionless, K, B, float, scene.sampling_period, "s"
     return _of_walls(margin.delay_margin, *args)
@@ -63,7 +62,7 @@ def delay_margin(scene: Scene, K: Any, B: Any) -> Any:
 
 def _of_walls(
     function: Callable[..., Any],
-    scene: Scene,
+    scene: DeviceLoop,
     loop: tuple[float, ...],
     K: Any,
     B: Any,
@@ -94,7 +93,7 @@ _MOST = 1e15
 """Plain numbers up to here need no look at what they are."""
 
 
-def stability_boundary(scene: Scene, frequency_hz: Any) -> tuple[Any, Any]:
+def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:
     """The walls with which the loop swings at these frequencies."""
     gamma, delta, delay = scene.dimensionless
     period = scene.sampling_period
@@ -123,7 +122,7 @@ def _one(found: Any, kind: type) -> Any:
 class StableWalls(Shape):
     """The walls (K, B) that a scene keeps stable, in N/m and Ns/m."""
 
-    scene: Scene
+    scene: DeviceLoop
     region: tracing.Region
     """The same without units."""
     polygon: Any
@@ -158,7 +157,7 @@ class StableWalls(Shape):
 class PassiveWalls(Shape):
     """The walls (K, B) from which no motion extracts energy, in N/m and Ns/m."""
 
-    scene: Scene
+    scene: DeviceLoop
     """The device alone."""
     polygon: Any
     """Shapely's polygon, inside the curved border; ``area`` is in N^2 s/m^2."""
@@ -166,14 +165,14 @@ class PassiveWalls(Shape):
     @property
     def max_stiffness(self) -> Stiffness:
         """The stiffest passive wall."""
-        return self.scene.max_passive_stiffness()
+        return max_passive_stiffness(self.scene)
 
     def contains(self, K: ArrayLike, B: ArrayLike) -> Any:
         """Whether walls are passive, by their margin and not by the outline."""
         return is_passive(self.scene, K, B)
 
 
-def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
+def passive_region(scene: DeviceLoop, corners: int = 400) -> PassiveWalls:
     """The passive walls of the (K, B) plane: convex, from (0, -b) to (0, b) and beyond."""
     from shapely import MultiPoint, Polygon
 
@@ -185,29 +184,39 @@ def passive_region(scene: Scene, corners: int = 400) -> PassiveWalls:
     alpha, beta = passivity.passivity_boundary(omega, 1.0, scene.dimensionless.delay)
     known = np.flatnonzero(np.isfinite(alpha) & (alpha >= 0))
     near = known[np.unique(np.linspace(0, len(known) - 1, corners).astype(int))]
-    stiffest = scene.max_passive_stiffness()
+    stiffest = max_passive_stiffness(scene)
     walls = np.column_stack([alpha[near] * (b / period), beta[near] * b])
     points = [(0.0, -b), (0.0, b), (stiffest.K, stiffest.B), *walls.tolist()]
     return PassiveWalls(scene, MultiPoint(points).convex_hull)
 
 
-def limit_at(scene: Scene, B: Any) -> Limit:
-    """The largest stable stiffness at a damping, or at each of many."""
-    from symhaptic.numeric.tracing.extremes import stiffest_at
+def max_stable_stiffness(scene: DeviceLoop) -> Stiffness:
+    """The stiffest stable wall of any damping."""
+    return Stiffness(*scene.limit(*extremes.max_stable_stiffness(*scene.dimensionless)))
 
+
+def max_passive_stiffness(scene: DeviceLoop) -> Stiffness:
+    """The stiffest passive wall of any damping, of the device alone (3)."""
+    alone = scene.device
+    _, delta, delay = alone.dimensionless
+    return Stiffness(*alone.limit(*passivity.max_passive_stiffness(delta, delay)))
+
+
+def limit_at(scene: DeviceLoop, B: Any) -> Limit:
+    """The largest stable stiffness at a damping, or at each of many."""
     gamma, delta, delay = scene.dimensionless
     _, scale = wall_units(scene)
 
     def rows(damping: NDArray[np.float64]) -> NDArray[np.float64]:
         betas = arguments.unitless("B", damping, damping * scale).flat
-        found = [scene.limit(*stiffest_at(float(b), gamma, delta, delay)) for b in betas]
+        found = [scene.limit(*extremes.stiffest_at(float(b), gamma, delta, delay)) for b in betas]
         table = np.array([(one.K, one.frequency_hz) for one in found]).reshape(-1, 2).T
         return table.reshape(2, *damping.shape)
 
     return _limits(rows, B)
 
 
-def passive_limit_at(scene: Scene, B: Any) -> Limit:
+def passive_limit_at(scene: DeviceLoop, B: Any) -> Limit:
     """The largest passive stiffness at a damping, or at each of many, of the device alone (3)."""
     scene = scene.device
     _, delta, delay = scene.dimensionless
@@ -249,24 +258,25 @@ _STEP = 1e-4
 """By this part the parameters are changed to see what comes of it."""
 
 
-def sensitivity(scene: Scene, B: float | None = None) -> dict[str, float]:
+def sensitivity(scene: DeviceLoop, B: float | None = None) -> dict[str, float]:
     """Change of the stiffness limit in per cent for a 1 % increase of each parameter."""
     arm: tuple[str, ...] = ("arm_mass", "arm_damping", "arm_stiffness") if scene.arm else ()
-    here, found = scene.max_stable_stiffness(B).K, {}
+    here, found = _limit(scene, B), {}
     for name in ("mass", "damping", "stiffness", *arm, "sampling_period", "delay", "delay_samples"):
         owner = scene.arm if name in arm else scene
         value = getattr(owner, name.removeprefix("arm_"))
         if value:
             # forward alone: at an integer delay the slope to the left is another one
-            more, most = (
-                _changed(scene, name, value * (1 + n * _STEP)).max_stable_stiffness(B).K
-                for n in (1, 2)
-            )
+            more, most = (_limit(_changed(scene, name, value * (1 + n * _STEP)), B) for n in (1, 2))
             found[name] = (4 * more - 3 * here - most) / (2 * _STEP * here)
     return found
 
 
-def _changed(scene: Scene, name: str, value: float) -> Scene:
+def _limit(scene: DeviceLoop, B: float | None) -> float:
+    return float(max_stable_stiffness(scene) if B is None else limit_at(scene, B).K)
+
+
+def _changed(scene: DeviceLoop, name: str, value: float) -> DeviceLoop:
     """The scene with another value of a parameter, of its own or of its arm."""
     own: dict[str, Any] = {name.removeprefix("arm_"): value}
     if name in own or scene.arm is None:
@@ -274,7 +284,7 @@ def _changed(scene: Scene, name: str, value: float) -> Scene:
     return replace(scene, arm=replace(scene.arm, **own))
 
 
-def stable_region(scene: Scene) -> StableWalls:
+def stable_region(scene: DeviceLoop) -> StableWalls:
     """The region of the (K, B) plane."""
     from shapely.affinity import scale
 

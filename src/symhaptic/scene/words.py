@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from html import escape
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from symhaptic.scene.scene import Scene
+from symhaptic.scene.loop import DeviceLoop
+from symhaptic.scene.walls import limit_at, max_passive_stiffness, max_stable_stiffness
 
 
 def table(facts: Mapping[str, str]) -> str:
@@ -34,7 +33,7 @@ def lines(facts: Mapping[str, str]) -> str:
     return "\n".join(f"{name:<{width}}  {said}" for name, said in facts.items())
 
 
-def facts(scene: Scene) -> dict[str, str]:
+def facts(scene: DeviceLoop) -> dict[str, str]:
     """Parameters and limits of a scene, with units."""
     units = (("mass", "kg"), ("damping", "Ns/m"), ("stiffness", "N/m"), ("sampling_period", "s"))
     given = {name: (getattr(scene, name), unit) for name, unit in units}
@@ -48,11 +47,11 @@ def facts(scene: Scene) -> dict[str, str]:
         found["delay"] = f"{seconds:g} s, {float(scene.periods):g} sampling periods"
     if scene.arm is not None:
         found["arm"] = str(scene.arm)
-    most, free = scene.max_stable_stiffness(), scene.limit_at(B=0.0)
+    most, free = max_stable_stiffness(scene), limit_at(scene, 0.0)
     found["stable up to"] = _limit(most.K, most.frequency_hz, most.B)
     found["without B"] = _limit(free.K, free.frequency_hz)
     if scene.damping:
-        safe = scene.max_passive_stiffness()
+        safe = max_passive_stiffness(scene)
         found["passive up to"] = _limit(safe.K, safe.frequency_hz, safe.B)
     else:
         found["passive up to"] = "nothing, because the device has no damping"
@@ -69,7 +68,7 @@ def _limit(K: float, hz: float, B: float | None = None) -> str:
     return f"{found}, at {hz:.4g} Hz" if math.isfinite(hz) else found
 
 
-def latex(scene: Scene) -> str:
+def latex(scene: DeviceLoop) -> str:
     r"""The parameters and the dimensionless ones of Table I, as LaTeX.
 
     With an arm, gamma and delta are those of device and arm together.

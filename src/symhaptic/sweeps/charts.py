@@ -15,8 +15,8 @@ import numpy as np
 
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
-from symhaptic.scene.arms import together
 from symhaptic.scene.dimensionless import units
+from symhaptic.scene.loop import together
 from symhaptic.scene.picture import BELOW, EDGE, PASSIVE, STABLE, UNSTABLE
 from symhaptic.sweeps.axes import scene_or_none
 from symhaptic.sweeps.drawing import figure_and_axes, filled, in_ms, labelled, plain, said

@@ -18,7 +18,7 @@ from types import BuiltinFunctionType, CodeType, FunctionType, MappingProxyType,
 from types import ModuleType as Module
 from typing import Any
 
-import symhaptic
+from symhaptic.version import __version__
 
 _ATOMS = (type(None), type(...), type(NotImplemented), bool, int, float, complex, str, bytes)
 
@@ -32,10 +32,10 @@ _OF_NO_CLASS = {
 @cache
 def package() -> str:
     """Return the version of this package and a digest of its code."""
-    home, found = Path(symhaptic.__file__).parent, hashlib.sha256()
+    home, found = Path(__file__).parents[1], hashlib.sha256()
     for path in sorted(home.rglob("*.py")):
         found.update(f"{path.relative_to(home).as_posix()}\n".encode() + path.read_bytes())
-    return f"{symhaptic.__version__} ({found.hexdigest()[:12]})"
+    return f"{__version__} ({found.hexdigest()[:12]})"
 
 
 def mark(function: Any) -> str:

@@ -81,7 +81,9 @@ def pages() -> dict[str, str]:
 def _entry(name: str) -> list[str]:
     thing = getattr(symhaptic, name)
     if inspect.isclass(thing):
-        return [f".. autoclass:: {name}", "   :members:", "", *_picture(name)]
+        ours = thing.__base__.__module__.startswith("symhaptic")
+        inherited = ["   :inherited-members: object"] if ours else []
+        return [f".. autoclass:: {name}", "   :members:", *inherited, "", *_picture(name)]
     return [
         *heading(f"``{name}``", "~"),
         f".. autofunction:: {name}",

@@ -1,0 +1,204 @@
+"""What a scene is made of: a device, its arm, its period and its delay, in SI units and without.
+
+gamma = k T^2/m, delta = b T/m, d = t_d/T, and limits back in SI units.
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+import warnings
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import lru_cache
+from numbers import Real
+from typing import Any, Self, TypeVar
+
+from symhaptic.model.parts import Parts
+from symhaptic.notation.quantities import decimal, nearest, number, shown
+from symhaptic.notation.sizes import LARGEST, LONGEST, STIFFEST
+from symhaptic.scene.arms import UNITS as ARM_UNITS
+from symhaptic.scene.arms import Arm, Coupled, added, checked
+from symhaptic.scene.dimensionless import Dimensionless, per_unit, units
+from symhaptic.scene.limit import Limit
+
+UNITS = {
+    "mass": "kg",
+    "sampling_period": "s",
+    "damping": "N*s/m",
+    "stiffness": "N/m",
+    "delay": "s",
+    "delay_samples": "",
+}
+
+_LONG = 100
+"""A delay in s of more sampling periods than this is warned of."""
+
+_WIDEST = 1e300
+"""The largest unit of stiffness, and its inverse the smallest: beyond, no float holds a wall."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DeviceLoop:
+    """A device with its sampling period, its delay and its arm."""
+
+    mass: float
+    """m_D of the device in kg, > 0."""
+    sampling_period: float
+    """T in s, > 0."""
+    damping: float | None = None
+    """b_D of the device in Ns/m, >= 0."""
+    stiffness: float | None = None
+    """Stiffness of the device in N/m, >= 0."""
+    delay: float | None = None
+    """t_d in s, >= 0."""
+    delay_samples: float | None = None
+    """d in sampling periods, >= 0, if the delay is not given in s."""
+    arm: Arm | None = None
+    """The arm that holds the device."""
+
+    def __post_init__(self) -> None:
+        for name, unit in UNITS.items():
+            value = getattr(self, name)
+            least = "> 0" if name in ("mass", "sampling_period") else ">= 0"
+            if value is not None or least == "> 0":  # without these there is no loop
+                object.__setattr__(self, name, number(name, value, unit, least))
+        if self.delay is not None and self.delay_samples is not None:
+            raise ValueError(
+                f"delay_samples: {self.delay_samples!r} beside delay={self.delay!r} is not "
+                "allowed; one of them is"
+            )
+        if self.arm is not None:
+            checked(self.arm)
+            for name, value in self.coupled._asdict().items():
+                number(name, value, UNITS[name], "> 0" if name == "mass" else ">= 0")
+        if self.delay is not None and self.periods > _LONG:
+            warnings.warn(
+                f"delay: {self.delay!r} s are {nearest(self.periods):g} sampling periods; "
+                f"a delay of {self.delay!r} periods is delay_samples={self.delay!r}",
+                stacklevel=3,
+            )
+
+    @property
+    def device(self) -> Self:
+        """The scene of the device without the arm; passivity uses it, (3)."""
+        if self.arm is None:
+            return self
+        alone = copy.copy(self)
+        object.__setattr__(alone, "arm", None)
+        return alone
+
+    @property
+    def coupled(self) -> Coupled:
+        """Mass, damping and stiffness of device and arm together; stability uses them, (2)."""
+        if self.arm is None:
+            return Coupled(self.mass, self.damping, self.stiffness)
+        return Coupled(*(added(self.arm, name, getattr(self, name)) for name in ARM_UNITS))
+
+    @property
+    def parts(self) -> Parts:
+        """Parts of the loop, with the arm's damper and spring."""
+        _, damping, stiffness = self.coupled
+        return Parts(
+            stiffness=stiffness is not None,
+            damping=damping is not None,
+            delay=self.delay is not None or self.delay_samples is not None,
+        )
+
+    @property
+    def periods(self) -> Fraction:
+        """The delay in sampling periods, exactly; 0 if there is none."""
+        if self.delay_samples is not None:
+            return decimal(self.delay_samples)
+        delay, period = self.delay or 0.0, self.sampling_period
+        exact = decimal(delay) / decimal(period)
+        # 3 * 1e-4 is not the number that 3e-4 is, but it is what three periods are in floats
+        whole = Fraction(round(exact))
+        return whole if nearest(whole) * period == delay else exact
+
+    @property
+    def dimensionless(self) -> Dimensionless:
+        """gamma, delta and the delay d in periods; 0 for what is not modelled.
+
+        gamma and delta are those of device and arm together, (2), for stability.  Passivity uses
+        those of the device alone, ``scene.device.dimensionless``.
+
+        Raises
+        ------
+        ValueError
+            If a number is outside the range of the functions.
+        """
+        return _dimensionless(self)
+
+    def limit(self, alpha: Any, beta: Any, theta: Any) -> Limit:
+        """K = alpha m/T^2 in N/m, B = beta m/T in Ns/m, f = theta/(2 pi T) in Hz.
+
+        m is the mass of device and arm together.
+
+        Raises
+        ------
+        ValueError
+            If an argument is not one number.
+
+        Examples
+        --------
+        >>> limit = DeviceLoop(mass=0.1, sampling_period=0.001).limit(0.5, 0.25, 1.0)
+        >>> round(limit.K, 6), round(limit.B, 6), round(limit.frequency_hz, 3)
+        (50000.0, 25.0, 159.155)
+        """
+        given = {"alpha": alpha, "beta": beta, "theta": theta}
+        for name, value in given.items():
+            if not isinstance(value, Real) and getattr(value, "shape", None) != ():
+                raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
+        period = self.sampling_period
+        unit_K, unit_B = units(self.coupled.mass, period)
+        return Limit(
+            float(alpha) * unit_K,
+            float(beta) * unit_B,
+            float(theta) / (2 * math.pi * period),
+        )
+
+
+AnyLoop = TypeVar("AnyLoop", bound=DeviceLoop)
+
+
+@lru_cache(maxsize=256)
+def _dimensionless(loop: DeviceLoop) -> Dimensionless:
+    moved = loop.coupled
+    period, mass = decimal(loop.sampling_period), decimal(moved.mass)
+    if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
+        raise ValueError(
+            f"sampling_period: {loop.sampling_period!r} with mass={moved.mass!r} is not allowed; "
+            f"T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g} are, in s^2 and N/m"
+        )
+    found = Dimensionless(
+        gamma=nearest(decimal(moved.stiffness or 0) * period**2 / mass),
+        delta=nearest(decimal(moved.damping or 0) * period / mass),
+        delay=nearest(loop.periods),
+    )
+    late = "delay" if loop.delay_samples is None else "delay_samples"
+    for name, own, formula, value, most in (
+        ("stiffness", moved.stiffness, "k T^2/m", found.gamma, STIFFEST),
+        ("damping", moved.damping, "b T/m", found.delta, LARGEST),
+        (late, getattr(loop, late), "t_d/T", found.delay, LONGEST),
+    ):
+        if value > most:
+            of = f"with mass={moved.mass!r} and sampling_period={loop.sampling_period!r}"
+            given = f"{name}: {own!r} {of}"
+            raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
+    return found
+
+
+@lru_cache(maxsize=256)
+def wall_units(loop: DeviceLoop) -> tuple[float, float]:
+    """T^2/m and T/m of device and arm together."""
+    stiff, damped = per_unit(loop.coupled.mass, loop.sampling_period)
+    return stiff, damped
+
+
+def together(loop: AnyLoop) -> AnyLoop:
+    """The loop of device and arm as one mass, damper and spring.
+
+    Only stability may be asked of it: passivity would count the arm's damping.
+    """
+    return loop if loop.arm is None else replace(loop.device, **loop.coupled._asdict())
