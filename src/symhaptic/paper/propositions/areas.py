@@ -6,26 +6,13 @@ the other.  All is said of whole delays and numbers for the arm.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TypeAlias
 
-from sympy import Rational, S
-
-from symhaptic.notation import alpha, beta, delta, gamma
-from symhaptic.notation.proposition import (
-    ForAll,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
 from symhaptic.paper.propositions.comparison import transcribed
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import ARM, stable
-from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import HEAVIER
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.ranges import DAMPED
 
 Wall: TypeAlias = tuple[Rational, Rational]
 Side: TypeAlias = tuple[Rational, Rational, Rational]

@@ -5,21 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import sympy as sp
-from sympy import Expr, Rational, Symbol
 
-from symhaptic.notation import T, b, b_D, b_H, delta, gamma, k, k_H, m, m_D, m_H, second
-from symhaptic.notation.proposition import (
-    ForAll,
-    Or,
-    Proposition,
-    both,
-    implied,
-    proposition,
-)
+from symhaptic.notation import second
 from symhaptic.paper import tables
 from symhaptic.paper.propositions.device import transcribed
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 
 ARM = (T, m_D, m_H, b_D, b_H, k_H)
 GIVEN = (T > 0, m_D > 0, m_H > 0, b_D >= 0, b_H >= 0, k_H >= 0)

@@ -9,49 +9,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    gamma,
-    k,
-    l,
-    m,
-    n_0,
-    n_1,
-    omega,
-    omega_hat,
-    x,
-    y,
-    z,
-)
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Not,
-    Predicate,
-    Proposition,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import x, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.propositions.device import normalised
 from symhaptic.paper.propositions.digits import bounds, example, number, quoted
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER, WALL, at_every_frequency
-from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.ranges import DAMPED as DAMPED_MOST
-from symhaptic.paper.ranges import STIFF
-from symhaptic.paper.reading import Printed
 
 LOOP = (alpha, beta, gamma, delta, d)
 q = sp.Symbol("q")

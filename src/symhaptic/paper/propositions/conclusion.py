@@ -3,24 +3,14 @@
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, Rational, S, Symbol
 
-from symhaptic.notation import B, K, T, alpha, b, d, delta, gamma, k, k_H, m, omega, v, x, y
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Predicate,
-    Proposition,
-    both,
-    implied,
-    whole,
-)
+from symhaptic.notation import x, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.comparison import ABOUT, DAMPED, SWINGS, transcribed
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, WALL, at_every_frequency
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import BEST, outdoes, passive, stable
-from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import (
     HEAVY,
     LOOPS,
@@ -30,7 +20,6 @@ from symhaptic.paper.propositions.stability import (
 )
 from symhaptic.paper.ranges import DAMPED as DAMPER_END
 from symhaptic.paper.ranges import STIFF as SPRING_END
-from symhaptic.paper.reading import Printed
 
 
 @claims("s6-human-10000")

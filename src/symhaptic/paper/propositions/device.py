@@ -7,62 +7,11 @@ there is no such X.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import sympy as sp
-from sympy import Expr, Symbol
 
-from symhaptic.notation import (
-    F_E,
-    B,
-    K,
-    T,
-    T_s,
-    X,
-    X_d,
-    a,
-    alpha,
-    b,
-    b_D,
-    b_H,
-    beta,
-    c_1,
-    c_2,
-    c_3,
-    d,
-    d_1,
-    d_2,
-    delta,
-    e,
-    function,
-    gamma,
-    k,
-    k_H,
-    l,
-    m,
-    m_D,
-    m_H,
-    n_0,
-    n_1,
-    s,
-    t_d,
-    w,
-    z,
-)
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
+from symhaptic.notation import F_E, T_s, X, X_d, c_1, c_2, c_3, d_1, d_2, function
 from symhaptic.paper.equations import EQUATIONS
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.tables import TABLES
 
 DEVICE = (m, b, k, T)

@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from sympy import Rational, S
-
-from symhaptic.notation import alpha, beta, d, delta, gamma, x, y
-from symhaptic.notation.proposition import (
-    ForAll,
-    Proposition,
-    both,
-    implied,
-    whole,
-)
+from symhaptic.notation import x, y
+from symhaptic.notation.proposition import whole
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import (
     BEST,
     outdoes,
     passive,
     stable,
 )
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.ranges import DAMPED
 
 RATIOS = {
     S.Zero: {

@@ -10,44 +10,13 @@ from __future__ import annotations
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Symbol
 
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    b_D,
-    b_H,
-    beta,
-    d,
-    delta,
-    gamma,
-    k,
-    m,
-    s,
-    t_d,
-    t_e,
-    x,
-)
-from symhaptic.notation.proposition import (
-    ForAll,
-    Iff,
-    Not,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import t_e, x
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.device import normalised, transcribed
 from symhaptic.paper.propositions.passivity import PASSIVE
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 
 LAGGING = Predicate("hurwitz", (s,), ((m * s**2 + b * s + k) * (1 + t_e * s) + K + B * s,))
 """The loop with the lag comes to rest."""

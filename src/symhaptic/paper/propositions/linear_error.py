@@ -10,25 +10,13 @@ from __future__ import annotations
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Rational, S, Symbol
 
-from symhaptic.notation import B, K, T, alpha, alpha_lin, b, beta, d, delta, gamma, k, m, t_d, x, y
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Not,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
+from symhaptic.notation import alpha_lin, x, y
 from symhaptic.paper.propositions.comparison import STABLE
 from symhaptic.paper.propositions.device import transcribed
 from symhaptic.paper.propositions.linear import LATE, on_the_line_of_25
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
+from symhaptic.paper.ranges import DAMPED
 
 ARMS = tuple(map(proposition, transcribed("eq23")))
 """The ranges of gamma and delta."""

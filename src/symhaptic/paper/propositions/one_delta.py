@@ -6,44 +6,14 @@ counts for passivity is that of the device alone.
 
 from __future__ import annotations
 
-from sympy import Expr, Rational, S
-
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    alpha,
-    b,
-    b_D,
-    b_H,
-    beta,
-    d,
-    delta,
-    gamma,
-    k_H,
-    m_D,
-    m_H,
-    x,
-    y,
-)
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import x, y
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.comparison import STABLE, passive, transcribed
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import FIVE, PASSIVE, at_every_frequency
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import BEST, WALL, outdoes, stable
-from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.paper.reading import Printed
 
 MASS = m_D + m_H
 OWN, WHOLE = T * b_D / MASS, T * (b_D + b_H) / MASS

@@ -2,28 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import sympy as sp
 
-from symhaptic.notation import B, K, T, b, d, omega, v, w, x, y, z
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Not,
-    Or,
-    Predicate,
-    Proposition,
-    both,
-    implied,
-    proposition,
-)
+from symhaptic.notation import x, y
 from symhaptic.paper.equations import EQUATIONS
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.digits import bounds, quoted
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 
 WALL = (K, B, b, T, d)
 LOOP = (T > 0, b >= 0, d >= 0)

@@ -9,38 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
-from sympy import Expr, Rational, Symbol
 
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    gamma,
-    n_0,
-    n_1,
-    omega_hat,
-    theta,
-)
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Iff,
-    Not,
-    Or,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-)
 from symhaptic.paper.figures import DELAYS
 from symhaptic.paper.propositions.comparison import (
     COMES_TO_REST,
@@ -50,7 +19,7 @@ from symhaptic.paper.propositions.comparison import (
 )
 from symhaptic.paper.propositions.linear import on_the_line_of_25
 from symhaptic.paper.propositions.passivity import ABOVE, BORDER
-from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.stability import (
     DEVICE,
     NUMBERS,
@@ -60,8 +29,7 @@ from symhaptic.paper.propositions.stability import (
     explicit,
     on_boundary,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.ranges import DAMPED
 
 OTHER = Symbol("gamma'")
 """Another spring."""

@@ -11,27 +11,15 @@ All of it is in the units of Table I, with m = T = 1; delays are whole.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
 
 import sympy as sp
-from sympy import Expr, Rational, S, Symbol
 
-from symhaptic.notation import B, K, T, alpha, b, beta, d, delta, gamma, theta, x, y
-from symhaptic.notation.proposition import (
-    Exists,
-    ForAll,
-    Or,
-    Proposition,
-    Terms,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation import x, y
+from symhaptic.notation.proposition import Terms, whole
 from symhaptic.paper.propositions.comparison import STABLE, transcribed
 from symhaptic.paper.propositions.digits import number, quoted
 from symhaptic.paper.propositions.passivity import PASSIVE
-from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.stability import (
     DEVICE,
     HEAVIER,
@@ -39,8 +27,7 @@ from symhaptic.paper.propositions.stability import (
     NUMBERS,
     on_boundary,
 )
-from symhaptic.paper.ranges import DAMPED, STIFF
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.ranges import DAMPED
 
 WALL, BEST = (alpha, beta), (x, y)
 ARM: Terms = {gamma: STIFF, delta: DAMPED}

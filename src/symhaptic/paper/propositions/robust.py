@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import pairwise
 
 import sympy as sp
-from sympy import Expr, Rational
 
-from symhaptic.notation import alpha, beta, d, delta, gamma, x
-from symhaptic.notation.proposition import ForAll, Proposition, both, implied, whole
+from symhaptic.notation import x
+from symhaptic.notation.proposition import whole
 from symhaptic.paper.propositions.comparison import STABLE
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.propositions.ratio import BEST, WALL, outdoes, passive, stable
-from symhaptic.paper.propositions.registry import claims
 from symhaptic.paper.propositions.stability import HEAVIER, LATER
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.paper.reading import Printed
 
 NYQUIST = sp.pi**2 + delta**2 / 4
 """The spring of (30) as an equation."""

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Rational, pi
-
-from symhaptic.notation import delta, gamma
-from symhaptic.notation.proposition import ForAll, Iff, Or, Proposition, both, implied, proposition
 from symhaptic.paper.propositions.device import transcribed
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 
 END = Rational(1, 50)
 """Largest delta of (23)."""

@@ -7,47 +7,12 @@ d = p/q periods.  A region is larger than another where it holds all of its wall
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Expr, I, Rational, S, Symbol, cos, exp, pi, sin
+from sympy import I, cos, exp, sin
 
-from symhaptic.notation import (
-    B,
-    K,
-    T,
-    a,
-    alpha,
-    b,
-    beta,
-    d,
-    delta,
-    e,
-    gamma,
-    k,
-    m,
-    m_D,
-    m_H,
-    n_0,
-    n_1,
-    theta,
-)
-from symhaptic.notation.proposition import (
-    And,
-    Exists,
-    ForAll,
-    Iff,
-    Not,
-    Or,
-    Predicate,
-    Proposition,
-    Relation,
-    both,
-    implied,
-    proposition,
-    whole,
-)
+from symhaptic.notation.proposition import And, whole
 from symhaptic.paper.propositions.comparison import LOOP, STABLE, transcribed
-from symhaptic.paper.propositions.registry import claims
+from symhaptic.paper.propositions.prelude import *
 from symhaptic.paper.ranges import DAMPED
-from symhaptic.paper.reading import Printed
 
 PLANT = (gamma >= 0, delta >= 0)
 LATER = Symbol("d'")

@@ -4,17 +4,8 @@ from __future__ import annotations
 
 from sympy import Eq, Ne, symbols
 
-from symhaptic.notation import d, delta, gamma
-from symhaptic.notation.proposition import (
-    ForAll,
-    Proposition,
-    both,
-    implied,
-    proposition,
-)
 from symhaptic.paper.propositions.comparison import COMES_TO_REST, LOOP, PASSIVE_WALL
-from symhaptic.paper.propositions.registry import claims
-from symhaptic.paper.reading import Printed
+from symhaptic.paper.propositions.prelude import *
 
 R_1, X_1, R_2, X_2 = FREQUENCY = symbols("R_1 X_1 R_2 X_2")
 """Real and imaginary part of what two systems answer to a sine, Z = R + j X; passive is 0 <= R."""
