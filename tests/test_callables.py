@@ -180,7 +180,7 @@ def test_a_scene_leaves_arguments_out():
         ({"id": "eq11", "scene": Parts(damping=False)}, "without damping"),
         ({"id": "eq11", "scene": "no-dely"}, "scene: no-dely: .* did you mean 'no-delay'"),
         ({"id": "linear_limt"}, "id: 'linear_limt' .* did you mean 'linear_limit'"),
-        ({"id": ["eq11"]}, r"^id: \['eq11'\] is not allowed; text such as 'eq11' is$"),
+        ({"id": ["eq11"]}, r"^id: \['eq11'\] is not allowed; give text such as 'eq11'$"),
         ({"id": ["eq11"], "form": "derived"}, r"^id: \['eq11'\] is not allowed"),
         ({"id": "eq11", "derivatives": [["delta"]]}, r"^derivatives: .* no argument \['delta'\]"),
     ],
@@ -192,7 +192,7 @@ def test_what_is_not_known_is_named(arguments, named):
 
 @pytest.mark.parametrize("derivatives", [3, 1.5, {"delta": 1}, True])
 def test_derivatives_that_are_no_names_are_named(derivatives):
-    with pytest.raises(TypeError, match=r"^derivatives: .* is not allowed; names of arguments are"):
+    with pytest.raises(TypeError, match=r"^derivatives: .* is not allowed; give names"):
         lambdify("eq11", derivatives=derivatives)
 
 

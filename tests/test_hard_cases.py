@@ -143,12 +143,12 @@ def test_nan_spoils_its_own_element_only(name, position):
 def test_an_infinite_argument_is_named(name, position, bad):
     given = list(NUMERIC[name])
     given[position] = [given[position], bad]
-    with pytest.raises(ValueError, match=r"^\w+: -?inf is not allowed; .+ (is|are)$"):
+    with pytest.raises(ValueError, match=r"^\w+: -?inf is not allowed; give .+$"):
         getattr(symhaptic, name)(*given)
 
 
 def test_a_negative_plant_or_delay_is_named():
-    with pytest.raises(ValueError, match=r"gamma: -1\.0 is not allowed; finite numbers gamma >= 0"):
+    with pytest.raises(ValueError, match=r"gamma: -1\.0 .*; give finite numbers gamma >= 0"):
         is_stable(0.1, 0.1, [0.1, -1.0], 0.0, 0)
     with pytest.raises(ValueError, match=r"delay: -0\.5 is not allowed"):
         max_stable_stiffness(0.0, 0.0, -0.5)
@@ -182,7 +182,7 @@ def test_an_undamped_whole_half_swing_is_never_stable(swings, delay):
 
 
 def test_shapes_that_do_not_fit_give_one_line():
-    with pytest.raises(ValueError, match=r"shapes of the arguments: .+ that broadcast are$"):
+    with pytest.raises(ValueError, match=r"shapes of the arguments: .+ that broadcast$"):
         is_stable([1, 2], [1, 2, 3], 0.0, 0.0, 0)
 
 

@@ -85,11 +85,11 @@ def test_one_wall_gives_a_number_and_arrays_broadcast():
 @pytest.mark.parametrize("name", ["is_stable", "is_passive", "passivity_margin"])
 def test_what_is_no_wall_is_named(name):
     ask = getattr(late(0), name)
-    with pytest.raises(ValueError, match=r"^K: inf is not allowed; finite numbers are$"):
+    with pytest.raises(ValueError, match=r"^K: inf is not allowed; give finite numbers$"):
         ask(np.inf, 1.0)
-    with pytest.raises(ValueError, match=r"^B: '1' is not allowed; real numbers are$"):
+    with pytest.raises(ValueError, match=r"^B: '1' is not allowed; give real numbers$"):
         ask(1.0, "1")
-    with pytest.raises(ValueError, match=r"^K: 1e\+75 is not allowed; numbers up to"):
+    with pytest.raises(ValueError, match=r"^K: 1e\+75 is not allowed; give numbers up to"):
         ask(1e75, 1.0)
 
 
@@ -102,7 +102,7 @@ def test_a_damping_that_is_too_large_is_named_as_it_was_given(name, damping):
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, 1e9, np.inf])
 def test_what_is_no_frequency_is_named(bad):
-    with pytest.raises(ValueError, match=r"^frequency_hz: .+ is not allowed; numbers 0 < freq"):
+    with pytest.raises(ValueError, match=r"^frequency_hz: .+ .*; give numbers 0 < freq"):
         late(0).stability_boundary([1.0, bad])
 
 
@@ -117,5 +117,5 @@ def test_labels_and_units_go_with_a_wall():
     unit = pint.UnitRegistry()
     same = late(0).passivity_margin(1 * unit("N/mm"), 5 * unit("N*s/m"))
     assert same.m_as("N*s/m") == late(0).passivity_margin(1000.0, 5.0)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
         late(0).is_stable(1 * unit.N, 1.0)

@@ -65,5 +65,5 @@ def test_a_number_is_shown_as_one():
     assert re.fullmatch(r"Extremum\(alpha=0\.15\d+, beta=0\.42\d+, theta=0\.55\d+\)", shown)
     scene = Scene(mass=np.array(0.098), sampling_period=np.float64(0.001))
     assert repr(scene).startswith("Scene(mass=0.098, sampling_period=0.001, damping=None")
-    with pytest.raises(ValueError, match=r"^mass: -0\.098 is not allowed; finite numbers > 0 are$"):
+    with pytest.raises(ValueError, match=r"^mass: -0\.098 .*; give finite numbers > 0$"):
         Scene(mass=np.array(-0.098), sampling_period=0.001)

@@ -219,17 +219,17 @@ def test_a_range_costs_at_least_what_its_points_do():
 @pytest.mark.parametrize(
     ("rtol", "over", "message"),
     [
-        (0, {}, "rtol: 0 is not allowed; finite numbers > 0 are"),
-        (-0.1, {}, "rtol: -0.1 is not allowed; finite numbers > 0 are"),
-        (math.nan, {}, "rtol: nan is not allowed; finite numbers > 0 are"),
-        ("1", {}, "rtol: '1' is not allowed; finite numbers > 0 are"),
-        (10**400, {}, "rtol: 1000.* is not allowed; finite numbers > 0 are"),
-        (0.1, {"mass": 10**400}, "mass: 1000.* is not allowed; finite numbers > 0 are"),
-        (0.1, {"damping": -1.0}, "damping: -1.0 is not allowed; finite numbers >= 0 are"),
-        (0.1, {"B": math.inf}, "B: inf is not allowed; finite numbers are"),
-        (0.1, {"mass": (0, 1)}, "mass: 0 is not allowed; finite numbers > 0 are"),
-        (0.1, {"B": (2, 1)}, r"B: \(2, 1\) is not allowed; \(lowest, highest\) is"),
-        (0.1, {"B": (1, 2, 3)}, r"B: \(1, 2, 3\) is not allowed; a number or"),
+        (0, {}, "rtol: 0 is not allowed; give finite numbers > 0"),
+        (-0.1, {}, "rtol: -0.1 is not allowed; give finite numbers > 0"),
+        (math.nan, {}, "rtol: nan is not allowed; give finite numbers > 0"),
+        ("1", {}, "rtol: '1' is not allowed; give finite numbers > 0"),
+        (10**400, {}, "rtol: 1000.* is not allowed; give finite numbers > 0"),
+        (0.1, {"mass": 10**400}, "mass: 1000.* is not allowed; give finite numbers > 0"),
+        (0.1, {"damping": -1.0}, "damping: -1.0 is not allowed; give finite numbers >= 0"),
+        (0.1, {"B": math.inf}, "B: inf is not allowed; give finite numbers"),
+        (0.1, {"mass": (0, 1)}, "mass: 0 is not allowed; give finite numbers > 0"),
+        (0.1, {"B": (2, 1)}, r"B: \(2, 1\) is not allowed; give \(lowest, highest\)"),
+        (0.1, {"B": (1, 2, 3)}, r"B: \(1, 2, 3\) is not allowed; give a number or"),
     ],
 )
 def test_bad_input_gets_one_clear_line(rtol, over, message):

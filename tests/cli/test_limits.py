@@ -80,7 +80,7 @@ def test_words_and_a_picture(device, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ('"72 g"', '"72 lb"', "device.toml:1: mass = '72 lb' is not allowed; a number and one of"),
+        ('"72 g"', '"72 lb"', "device.toml:1: mass = '72 lb' is not allowed; give a number"),
         ("\ndelay", "\ndealy", "device.toml:4: dealy is not known; did you mean 'delay'?"),
         ('"1 ms"', '"0 ms"', "device.toml:3: sampling_period: 0.0 is not allowed"),
         ('mass = "72 g"\n', "", "device.toml: mass is missing, such as mass = "),
@@ -90,18 +90,18 @@ def test_words_and_a_picture(device, tmp_path):
         ('"800 N/m"', '"800 N"', "device.toml:12: K = '800 N' is not allowed"),
         ("[wall]", "[wall", "device.toml: "),
         ('K = "800 N/m"\nB = "5 Ns/m"\n', "", "device.toml: [wall] needs K and B"),
-        ('"800 N/m"', '"1e400 N/m"', "device.toml:12: K: inf is not allowed; finite numbers are"),
-        ('"5 Ns/m"', "nan", "device.toml:13: B: nan is not allowed; finite numbers are"),
+        ('"800 N/m"', '"1e400 N/m"', "device.toml:12: K: inf is not allowed; give finite numbers"),
+        ('"5 Ns/m"', "nan", "device.toml:13: B: nan is not allowed; give finite numbers"),
         ('"800 N/m"', '"1e80 N/m"', "device.toml: K: 1e+80 is not allowed; "),
         ('"40 N/m"', '"1e25 N/m"', "device.toml:9: stiffness: 1e+25 with mass=0.572 and s"),
         ('"0.005 Ns/m"', '"1e80 Ns/m"', "device.toml:2: damping: 1e+80 with mass=0.072 and sa"),
         ('delay = "1.5 ms"', "delay_samples = 1e16", "device.toml:4: delay_samples: 1e+16 with"),
         ('delay = "1.5 ms"', "delay_samples = 2e5", "device.toml: delay: 200000.0 is not allowed"),
-        ('"72 g"', 400 * "9", "device.toml:1: mass: inf is not allowed; finite numbers > 0 are"),
+        ('"72 g"', 400 * "9", "device.toml:1: mass: inf is not allowed; give finite numbers > 0"),
         ('"72 g"', 9999 * "9", "device.toml: Exceeds the limit (4300 digits) for integer string"),
         ('"72 g"', 3000 * "[" + 3000 * "]", "device.toml: is nested too deeply"),
         ("[arm]\n", '[arm]\nname = "Hogan"\n', "device.toml:8: mass beside name is not allowed"),
-        ("[arm]", "[[arm]]", "device.toml: arm is not allowed; a table [arm] is"),
+        ("[arm]", "[[arm]]", "device.toml: arm is not allowed; give a table [arm]"),
     ],
 )
 def test_a_bad_file_is_told_in_one_line(device, old, new, told):
@@ -202,8 +202,8 @@ def test_the_delay_margin_of_a_wall_begins_at_the_delay_of_the_loop(tmp_path):
         ('"Phantom Premium 1.5"', '"Phantom Premium 2"', "device.toml:1: device: 'Phantom Premi"),
         ('"Phantom Premium 1.5"', '"Touch"', "device.toml: mass is missing, such as mass = "),
         ('["0.5 kg", "2 kg"]', '["2 kg", "0.5 kg"]', "device.toml:6: mass: (2.0, 0.5) is not"),
-        ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed; one"),
-        ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; a number and"),
+        ('["0.5 kg", "2 kg"]', '["2 kg"]', "device.toml:6: mass = ['2 kg'] is not allowed"),
+        ('"6 Ns/m"', '"6 N/m"', "device.toml:7: damping = '6 N/m' is not allowed; give a number"),
         ('damping = "6', 'dampng = "6', "device.toml:7: dampng is not known; did you mean 'damp"),
     ],
 )
@@ -263,7 +263,7 @@ BEGIN = {"svg": b"<svg", "png": b"\x89PNG", "pdf": b"%PDF-"}
         (["--format", "png"], "--format png: needs -o FILE; text and json can be printed"),
         (["--format", "png", "-o", "walls.svg"], "-o walls.svg: does not end as --format png do"),
         (["--format", "text", "-o", "walls.json"], "-o walls.json: does not end as --format tex"),
-        (["-o", "walls"], "-o walls: '' is not allowed; .text, .json, .svg, .png, .pdf, .txt are"),
+        (["-o", "walls"], "-o walls: '' is not allowed; give .text, .json, .svg, .png, .pdf, .txt"),
         (["-o", "no/walls.svg"], "-o no/walls.svg: cannot write there (No such file or direct"),
     ],
 )
@@ -356,7 +356,7 @@ def test_an_arm_that_was_measured_with_its_device_may_be_said_to_be(tmp_path):
     assert scene.max_passive_stiffness() == pytest.approx(2000.0)  # 2 b/T of the device
     path.write_text(f'{loop}[arm]\nmass = "1 kg"\nwith_device = 1\n')
     told = symhaptic("limits", path).stderr
-    assert told.endswith("device.toml:6: with_device = 1 is not allowed; true or false is\n")
+    assert told.endswith("device.toml:6: with_device = 1 is not allowed; give true or false\n")
 
 
 def test_a_wall_that_pulls_has_no_margin_and_json_has_no_infinity(device):

@@ -40,7 +40,7 @@ def test_a_delay_may_be_a_fraction():
     for wrong in ("1/0", "a/b", "1/2/3", "1e999/1"):
         run = symhaptic("trace", "--gamma", "0.001", "--delta", "0.02", "--delay", wrong)
         assert run.returncode == 2
-        assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; a number is\n"
+        assert run.stderr == f"symhaptic: error: --delay: {wrong!r} is not allowed; give a number\n"
 
 
 @pytest.mark.parametrize(

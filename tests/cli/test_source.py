@@ -400,14 +400,14 @@ def test_a_chapter_does_not_say_what_its_source_claims(tmp_path, claimed, print_
     [
         (
             'Statement("drift:way", "p. 1", "", ["x = v t"])',
-            "latex: ['x = v t'] is not allowed; a tup",
+            "latex: ['x = v t'] is not allowed; give a tup",
         ),
         (
             'Statement("drift:way", "p. 1", "", "x = v t")',
-            "latex: 'x = v t' is not allowed; a tuple ",
+            "latex: 'x = v t' is not allowed; give a tuple ",
         ),
-        ('Statement("drift:way", 1, "it drifts")', "location: 1 is not allowed; text is"),
-        ('Statement("drift:way", "p. 1", None)', "says: None is not allowed; text is"),
+        ('Statement("drift:way", 1, "it drifts")', "location: 1 is not allowed; give text"),
+        ('Statement("drift:way", "p. 1", None)', "says: None is not allowed; give text"),
     ],
 )
 def test_what_is_no_text_is_told_in_one_line(notes, statement, told):

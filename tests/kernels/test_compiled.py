@@ -122,8 +122,8 @@ def test_out_of_range_is_nan_without_a_warning():
 @pytest.mark.parametrize(
     ("name", "given", "said"),
     [
-        ("discretize", (-1.0, 0.1), "gamma: -1.0 is not allowed; finite numbers gamma >= 0 are"),
-        ("discretize", (0.1, np.inf), "delta: inf is not allowed; finite numbers delta >= 0 are"),
+        ("discretize", (-1.0, 0.1), "gamma: -1.0 is not allowed; give finite numbers gamma >= 0"),
+        ("discretize", (0.1, np.inf), "delta: inf is not allowed; give finite numbers delta >= 0"),
         ("is_stable", (0.1, 0.1, 0.1, -2.0, 1.0), "delta: -2.0 is not allowed"),
         ("is_stable", (np.inf, 0.1, 0.1, 2.0, 1.0), "alpha: inf is not allowed"),
         ("stability_boundary", (4.0, 0.1, 0.1, 1.0), "theta: 4.0 is not allowed"),
@@ -224,7 +224,7 @@ def test_a_call_with_numbers_is_that_with_arrays(name):
 def test_a_wall_that_is_too_large_is_no_wall_of_size_one(scale, shape):
     """What is scaled before it is looked at passes every question."""
     given = [np.full(shape, v) if shape else v for v in (scale, scale, 0.0, 0.5)]
-    with pytest.raises(ValueError, match=r"alpha: .* is not allowed; numbers up to 1e"):
+    with pytest.raises(ValueError, match=r"alpha: .* is not allowed; give numbers up to 1e"):
         symhaptic.passivity_margin(*given)
 
 
@@ -283,7 +283,7 @@ def test_either_kernels_can_be_asked_for():
         assert found.stdout.endswith("\n0.5 0.5 2.0 1.0\n")
     wrong = told("fast")
     assert wrong.returncode == 1
-    assert "'array' or 'compiled' is" in wrong.stderr
+    assert "give 'array' or 'compiled'" in wrong.stderr
 
 
 def test_the_variable_is_refused_on_one_line_by_every_command(monkeypatch, capsys):

@@ -86,7 +86,7 @@ def test_xarray_whose_labels_disagree_is_refused_on_one_line():
     one, two = (xarray.DataArray([0.1, 0.2], dims="K", coords={"K": k}) for k in ([1, 2], [2, 3]))
     with pytest.raises(ValueError, match=r"^coordinates of the arguments: [^\n]+$"):
         is_stable(one, two, 0.0, 0.1, 0)
-    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; beside arrays of xarray"):
+    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; give arrays of xarray"):
         is_stable(one, np.array([0.1, 0.2]), 0.0, 0.1, 0)
 
 
@@ -138,11 +138,11 @@ def test_pandas_keeps_its_index(function):
 def test_pandas_with_other_labels_is_refused():
     pandas = library("pandas")
     one, two = pandas.Series([0.1, 0.2], index=[0, 1]), pandas.Series([0.1, 0.2], index=[1, 0])
-    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; with labels other"):
+    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; give the labels of the first"):
         is_stable(one, two, 0.0, 0.1, 0)
-    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; beside arrays of pandas"):
+    with pytest.raises(ValueError, match=r"^beta: .+ is not allowed; give arrays of pandas"):
         is_stable(one, np.array([0.1, 0.2]), 0.0, 0.1, 0)
-    with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; of pandas only Series"):
+    with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; give a Series"):
         is_stable(pandas.Index([0.1]), 0.1, 0.0, 0.1, 0)
     frame = pandas.DataFrame({"p": [0.1, 0.2], "q": [0.3, 9.0]})
     found = is_stable(frame, 0.4, 0.0, 0.0, 0)
@@ -162,9 +162,9 @@ def test_pint_is_converted_to_plain_numbers(function):
 
 def test_pint_of_another_dimension_is_refused():
     unit = library("pint").UnitRegistry()
-    with pytest.raises(ValueError, match=r"^delay: .+ is not allowed; a number without dimension"):
+    with pytest.raises(ValueError, match=r"^delay: .+ .*; give a number without dimension"):
         is_stable(0.1, 0.1, 0.0, 0.1, 1.5 * unit.ms)
-    with pytest.raises(ValueError, match=r"^gamma: .+ is not allowed; a number without dimension"):
+    with pytest.raises(ValueError, match=r"^gamma: .+ .*; give a number without dimension"):
         stable_region(5 * unit.N, 0.1, 0)
     assert is_stable(100 * unit("mm/m"), 0.4, 0.0, 0.0, 0)
     assert not is_stable(100, 0.4, 0.0, 0.0, 0)
@@ -183,7 +183,7 @@ def test_behind_a_mask_are_real_numbers_only():
     for bad in ([0.5 + 1j, 0.5], ["0.5", "1"], np.array([1, 2], "m8[s]"), [1j, 0.5j]):
         for kind in (None, object):
             given = np.ma.MaskedArray(np.array(bad, dtype=kind), mask=[False, True])
-            with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; real numbers are$"):
+            with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; give real numbers$"):
                 is_stable(given, 0.4, 0.0, 0.1, 0)
     given = np.ma.MaskedArray([0.1, None], mask=[False, True])
     assert is_stable(given, 0.4, 0.0, 0.1, 0).tolist() == [True, None]
@@ -191,7 +191,7 @@ def test_behind_a_mask_are_real_numbers_only():
 
 def test_one_loop_takes_no_labels():
     pandas = library("pandas")
-    with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; plain numbers are$"):
+    with pytest.raises(ValueError, match=r"^alpha: .+ is not allowed; give plain numbers$"):
         characteristic_polynomial(pandas.Series([0.1]), 0.1, 0.0, 0.1, 0)
 
 
@@ -212,7 +212,7 @@ def test_formulas_as_functions_keep_labels_and_units():
     assert alpha.dims == theta.dims == ("d",)
     assert alpha.to_numpy() == pytest.approx([2, 2 * np.tan(np.pi / 8)])  # 2 tan(pi/(4 (d + 1)))
     assert stiffest(1000 * unit("mm/m"), 0.0)[0].magnitude == pytest.approx(2)
-    with pytest.raises(ValueError, match="a number without dimension is"):
+    with pytest.raises(ValueError, match="a number without dimension"):
         stiffest(1.0, 1 * unit.ms)
 
 
@@ -228,7 +228,7 @@ def test_series_of_what_is_no_real_number_are_refused():
     """Dates are not counted in nanoseconds, and an imaginary part is not cut off."""
     pandas = library("pandas")
     for values in (pandas.to_datetime(["2020-01-01"]), pandas.to_timedelta([1]), [1j], ["1.0"]):
-        with pytest.raises(ValueError, match=r"^beta: .* is not allowed; real numbers are$"):
+        with pytest.raises(ValueError, match=r"^beta: .* is not allowed; give real numbers$"):
             linear_limit(pandas.Series(values), 0.1, 1)
     for values in ([True], pandas.array([1, None], dtype="Int64")):
         assert len(linear_limit(pandas.Series(values), 0.1, 1)) == len(values)
@@ -238,7 +238,7 @@ def test_other_kinds_of_these_libraries_are_refused_on_one_line():
     xarray, pint = library("xarray"), library("pint")
     units = pint.UnitRegistry()
     for value in (xarray.DataTree(xarray.Dataset({"K": 0.1})), units.dimensionless):
-        with pytest.raises(ValueError, match=r"^alpha: .* is not allowed; .* are$"):
+        with pytest.raises(ValueError, match=r"^alpha: .* is not allowed; give .*$"):
             is_stable(value, 0.1, 0.1, 0.1, 1)
 
 
@@ -253,12 +253,12 @@ def test_a_number_of_pint_may_stand_beside_labels():
 
 
 def test_a_word_is_no_array():
-    with pytest.raises(ValueError, match=r"^sheet: array.* is not allowed; 'exact' or 'principal'"):
+    with pytest.raises(ValueError, match=r"^sheet: array.* .*; give 'exact' or 'principal'"):
         is_stable(0.1, 0.1, 0.1, 0.1, 0.5, sheet=np.ones(2))
 
 
 @pytest.mark.filterwarnings("error")
 def test_what_no_float_holds_is_infinite():
     beyond = np.array(["1e400"], dtype=np.longdouble)
-    with pytest.raises(ValueError, match="beta: inf is not allowed; finite numbers are"):
+    with pytest.raises(ValueError, match="beta: inf is not allowed; give finite numbers"):
         linear_limit(beyond, 0.1, 1)

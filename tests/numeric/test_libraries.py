@@ -57,9 +57,9 @@ def test_public_functions_answer_in_the_library_of_their_arguments(library):
 @pytest.mark.parametrize("library", ["array-api-strict", "jax", "torch"])
 def test_bad_values_are_named_in_every_library(library):
     bad = MAKE[library](np.array([0.1, -0.25]))
-    with pytest.raises(ValueError, match=r"^gamma: -0.25 is not allowed; finite numbers gamma"):
+    with pytest.raises(ValueError, match=r"^gamma: -0.25 .*; give finite numbers gamma"):
         symhaptic.discretize(bad, 0.0)
-    with pytest.raises(ValueError, match=r"^delta: .* is not allowed; real numbers are"):
+    with pytest.raises(ValueError, match=r"^delta: .* is not allowed; give real numbers"):
         symhaptic.discretize(0.0, MAKE[library](np.array([1j])))
 
 

@@ -78,9 +78,9 @@ def test_whole_and_fractional_delays_may_stand_beside_each_other():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ((0.0, 1.0, 1.0, 1.0, 0), "theta: 0.0 is not allowed; numbers 0 < theta < pi are"),
+        ((0.0, 1.0, 1.0, 1.0, 0), "theta: 0.0 is not allowed; give numbers 0 < theta < pi"),
         ((3.1416, 1.0, 1.0, 1.0, 0), "theta: 3.1416 is not allowed"),
-        ((1.0, math.inf, 1.0, 1.0, 0), "alpha: inf is not allowed; finite numbers are"),
+        ((1.0, math.inf, 1.0, 1.0, 0), "alpha: inf is not allowed; give finite numbers"),
         ((1.0, 1.0, 1.0, -1.0, 0.5), "delta: -1.0 is not allowed"),
         ((1.0, 1.0, 1.0, 1.0, -0.5), "delay: -0.5 is not allowed"),
     ],
@@ -115,5 +115,5 @@ def test_a_device_behind_a_fraction_is_pushed_as_far_in_the_end(epsilon):
 @pytest.mark.parametrize("epsilon", [-0.1, 1.0, 1.5, math.inf])
 def test_a_fraction_is_less_than_a_period(epsilon):
     for value in (epsilon, np.array([0.5, epsilon])):
-        with pytest.raises(ValueError, match=r"epsilon: .* is not allowed; numbers 0 <= epsilon"):
+        with pytest.raises(ValueError, match=r"epsilon: .* .*; give numbers 0 <= epsilon"):
             symhaptic.discretize_fractional(0.1, 0.1, value)

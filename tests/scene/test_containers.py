@@ -60,9 +60,9 @@ def test_quantities_are_converted_and_come_back(method):
             assert found.units == unit(METHODS[method]).units
             found = found.magnitude
         assert found == pytest.approx(wanted)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
         getattr(SCENE, method)(K=K * unit("m"), B=5.0)
-    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; what converts to N/m is$"):
+    with pytest.raises(ValueError, match=r"^K: .+ is not allowed; give what converts to N/m$"):
         getattr(SCENE, method)(K=xarray.DataArray(K * unit("m"), dims="wall"), B=5.0)
 
 
@@ -83,7 +83,7 @@ def test_a_frequency_with_an_angle_is_no_number_of_hertz(name):
     """Pint takes 1 rad/s for 1 Hz."""
     unit = library("pint").UnitRegistry()
     for rate in (100 * unit(name), [100.0] * unit(name)):
-        with pytest.raises(ValueError, match=r"^frequency_hz: .* without an angle is, 2 pi rad/s"):
+        with pytest.raises(ValueError, match=r"^frequency_hz: .* without an angle: 2 pi rad/s"):
             SCENE.stability_boundary(rate)
 
 
@@ -150,7 +150,7 @@ def test_what_cannot_be_kept_is_refused_on_one_line():
         "gamma": lambda: characteristic_polynomial(0.1, 0.1, walls, 0.0, 0),
     }
     for name, call in refused.items():
-        with pytest.raises(ValueError, match=rf"^{name}: .+ (is|are)$") as caught:
+        with pytest.raises(ValueError, match=rf"^{name}: .+ give .+$") as caught:
             call()
         assert "\n" not in str(caught.value)
 

@@ -99,7 +99,7 @@ def test_what_is_no_number_is_named(bad):
         "B:": lambda: safe.limit_at(bad),
         "K:": lambda: safe.is_passive(bad, 1.0),
     }.items():
-        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; real numbers are"):
+        with pytest.raises(ValueError, match=f"^{name}.* is not allowed; give real numbers"):
             ask()
 
 
@@ -128,16 +128,16 @@ def test_a_masked_wall_is_not_said_to_be_safe():
         (lambda: ArmRange(mass=(1, 2, 3)), "mass: .* a number or"),
         (lambda: ArmRange(damping=1, damping_per_mass=2), "damping_per_mass: 2 beside damping=1"),
         (lambda: ArmRange(damping=np.array([1, 2])), r"damping: array\(\[1, 2\]\) is not allowed"),
-        (lambda: ArmRange(mass=None), "mass: None is not allowed; finite numbers >= 0 are"),
+        (lambda: ArmRange(mass=None), "mass: None is not allowed; give finite numbers >= 0"),
         (lambda: ArmRange(stiffness=(0, float("inf"))), "stiffness: inf is not allowed"),
         (lambda: ArmRange.around([]), "arms: .* is not allowed"),
         (
             lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls(arm=3),
-            "arm: 3 is not allowed; an ArmRange",
+            "arm: 3 is not allowed; give an ArmRange",
         ),
         (
             lambda: Scene.of("Phantom Premium 1.5", sampling_period=1).safe_walls("all"),
-            "arm: 'all' is not allowed; an ArmRange",
+            "arm: 'all' is not allowed; give an ArmRange",
         ),
         (lambda: ArmRange.around([Arm.of("Daniel et al.")]), "arms: one that was measured with"),
         (lambda: phantom().best_damping(1e5), "K: 100000.0 is not allowed"),

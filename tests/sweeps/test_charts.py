@@ -19,7 +19,7 @@ FEW = {
 
 @pytest.mark.parametrize("chart", FEW, ids=lambda f: f.__name__)
 def test_what_is_no_scene_is_named(chart):
-    with pytest.raises(ValueError, match="scene: 'free mass' is not allowed; a Scene is"):
+    with pytest.raises(ValueError, match="scene: 'free mass' is not allowed; give a Scene"):
         chart("free mass")
 
 
@@ -70,14 +70,14 @@ def test_leaving_out_the_damper_costs_what_is_proved():
 @pytest.mark.parametrize(
     ("ask", "told"),
     [
-        (lambda: charts.robust_limits(stiffness=0.001), "^stiffness: 0.001 is not allowed; (low"),
-        (lambda: charts.model_costs(damping=(0, 1, 2)), "^damping: (0, 1, 2) is not allowed; (l"),
-        (lambda: charts.stiffest(delay=(2, 1)), "^delay: (2, 1) is not allowed; (lowest, highest"),
-        (lambda: charts.stiffest(damping=(0, "a")), "^delta: (0, 'a') is not allowed; (lowest"),
-        (lambda: charts.stiffest(delay=2), "^delay: 2 is not allowed; (lowest, highest) is$"),
-        (lambda: charts.delay_margin(K=1), "^K: 1 is not allowed; (lowest, highest) is$"),
-        (lambda: charts.robust_limits(points=1), "^points: 1 is not allowed; whole numbers >= 2"),
-        (lambda: charts.stiffest(points=2.5), "^points: 2.5 is not allowed; whole numbers >= 2 a"),
+        (lambda: charts.robust_limits(stiffness=0.001), "^stiffness: 0.001 .*; give (low"),
+        (lambda: charts.model_costs(damping=(0, 1, 2)), "^damping: (0, 1, 2) .*; give (l"),
+        (lambda: charts.stiffest(delay=(2, 1)), "^delay: (2, 1) .*; give (lowest, highest"),
+        (lambda: charts.stiffest(damping=(0, "a")), "^delta: (0, 'a') .*; give (lowest"),
+        (lambda: charts.stiffest(delay=2), "^delay: 2 is not allowed; give (lowest, highest)$"),
+        (lambda: charts.delay_margin(K=1), "^K: 1 is not allowed; give (lowest, highest)$"),
+        (lambda: charts.robust_limits(points=1), "^points: 1 .*; give whole numbers >= 2"),
+        (lambda: charts.stiffest(points=2.5), "^points: 2.5 .*; give whole numbers >= 2"),
     ],
 )
 def test_what_is_no_range_is_told_by_its_name(ask, told):

@@ -153,7 +153,7 @@ def test_what_stands_beside_it_stays_and_nothing_is_left_beside_it(kind, tmp_pat
 def test_a_place_that_cannot_be_is_told_in_one_line(place, why, kind, tmp_path):
     (tmp_path / "a_file").write_text("mine")
     told = (
-        rf"^to: '.+{kind}' is not allowed; it cannot be made there \({why}.*\); a name in a .+ is$"
+        rf"^to: '.+{kind}' is not allowed; it cannot be made there \({why}.*\); give a name .+$"
     )
     with pytest.raises(ValueError, match=told):
         sweep("is_stable", to=tmp_path / f"{place}.{kind}", **arms([1, 2]))
@@ -170,7 +170,7 @@ def test_a_plan_that_is_damaged_is_told_in_one_line(kind, file, said, tmp_path):
         place.mkdir()
         (place / "_symhaptic_sweep.json").write_text(said)
     told = (
-        rf"^to: '.+' is not allowed; its file {file}, which .+ is damaged; .+ when it is removed$"
+        rf"^to: '.+' is not allowed; its file {file}, which .+ is damaged; give .+ this one$"
     )
     with pytest.raises(ValueError, match=told):
         sweep("is_stable", to=place, **arms([1, 2]))

@@ -65,8 +65,8 @@ def add(source: Source, statements: Iterable[Statement]) -> Source:
     named = source.key.isidentifier() and source.key.isascii()
     if not named or any(source.key == other.key for other in SOURCES):
         raise ValueError(
-            f"the key {source.key!r} of a source is not allowed; an identifier in ASCII that no "
-            "other source has is"
+            f"the key {source.key!r} of a source is not allowed; give an identifier in ASCII that "
+            "no other source has"
         )
     found: dict[str, Statement] = {}
     for statement in statements:
@@ -170,12 +170,12 @@ def _not_text(statement: Statement) -> str | None:
     """What a statement has in place of text, or of several texts, if it has anything else."""
     for name in ("id", "location", "says", "domain", "quote"):
         if not isinstance(found := getattr(statement, name), str):
-            return f"{statement.id}: {name}: {found!r} is not allowed; text is"
+            return f"{statement.id}: {name}: {found!r} is not allowed; give text"
     for name in ("latex", "reading"):
         found = getattr(statement, name)
         several = isinstance(found, tuple) and all(isinstance(line, str) for line in found)
         if not (several or (name == "reading" and found is None)):
-            return f"{statement.id}: {name}: {found!r} is not allowed; a tuple of texts is"
+            return f"{statement.id}: {name}: {found!r} is not allowed; give a tuple of texts"
     return None
 
 
@@ -185,7 +185,7 @@ def of_source(source: Source) -> dict[str, Statement]:
 
 
 NO_ID = (
-    "the id {!r} is not allowed; allowed are a letter or digit and up to 99 further letters, "
+    "the id {!r} is not allowed; give a letter or digit and up to 99 further letters, "
     "digits and : . _ + -, all of ASCII, since other letters can look the same"
 )
 

@@ -156,7 +156,7 @@ def jury(
     if not delay.isdecimal():
         refuse(f"DELAY: {delay!r} is no whole number of periods; give 0, 1, 2, ...")
     if len(delay) > len(str(criterion.LONGEST)) or int(delay) > criterion.LONGEST:
-        refuse(f"DELAY: {delay} is not allowed; at most {criterion.LONGEST} periods are")
+        refuse(f"DELAY: {delay} is not allowed; give at most {criterion.LONGEST} periods")
     try:
         found = criterion.jury(int(delay), **device)
     except ValueError as wrong:
@@ -287,4 +287,4 @@ def number(name: str, text: str) -> float:
     try:
         return float(Fraction(text) if "/" in text else text)
     except (ValueError, ZeroDivisionError, OverflowError):
-        refuse(f"--{name}: {text!r} is not allowed; a number is")
+        refuse(f"--{name}: {text!r} is not allowed; give a number")

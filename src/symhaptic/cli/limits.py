@@ -109,7 +109,7 @@ def asked(
     into = ENDINGS.get(ending) if ending else given
     if into is None:
         every = ", ".join(f".{name}" for name in ENDINGS)
-        refuse(f"-o {output}: {output.suffix!r} is not allowed; {every} are")
+        refuse(f"-o {output}: {output.suffix!r} is not allowed; give {every}")
     if given not in (None, into) and (given in DRAWN or into not in DRAWN):
         refuse(f"-o {output}: does not end as --format {given} does; .{given} is allowed, or none")
     return plain or (LimitsFormat.text if into in DRAWN else into), into

@@ -116,7 +116,7 @@ def jury(delay: int, gamma: float | None = None, delta: float | None = None) -> 
     """
     if isinstance(delay, Integral) and delay > LONGEST:
         raise ValueError(
-            f"delay: {shown(delay)} is not allowed; at most {LONGEST} periods are, since each "
+            f"delay: {shown(delay)} is not allowed; give at most {LONGEST} periods, since each "
             "takes twice as long as the one before; use is_stable for longer delays"
         )
     found = criterion(coefficients(delay))
@@ -144,7 +144,7 @@ def _parameter(name: str, value: float | None, most: float) -> float:
         raise ValueError(f"{name}: is missing; give gamma and delta, or none")
     found = number(name, value, "", ">= 0")
     if found > most:
-        raise ValueError(f"{name}: {found!r} is not allowed; numbers 0 <= {name} <= {most:g} are")
+        raise ValueError(f"{name}: {found!r} is not allowed; give numbers 0 <= {name} <= {most:g}")
     return found
 
 

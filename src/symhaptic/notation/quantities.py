@@ -23,7 +23,7 @@ def number(name: str, value: Any, unit: str, least: str = "") -> float:
     low = (least and found < 0) or (least == "> 0" and found == 0)
     if low or not math.isfinite(found):
         allowed = f"finite numbers {least}".strip()
-        raise ValueError(f"{name}: {shown(given)} is not allowed; {allowed} are")
+        raise ValueError(f"{name}: {shown(given)} is not allowed; give {allowed}")
     return found
 
 
@@ -40,12 +40,12 @@ def _converted(name: str, quantity: Any, unit: str) -> Any:
     registry = quantity._REGISTRY
     wanted = registry.Unit(unit)
     if not quantity.is_compatible_with(wanted):
-        allowed = f"what converts to {unit} is" if unit else "a number without dimension is"
-        raise ValueError(f"{name}: {shown(quantity)} is not allowed; {allowed}")
+        allowed = f"what converts to {unit}" if unit else "a number without dimension"
+        raise ValueError(f"{name}: {shown(quantity)} is not allowed; give {allowed}")
     if unit == "Hz" and "radian" in dict(quantity.to_root_units().unit_items()):
         raise ValueError(  # Pint's radian is 1, so that it takes 1 rad/s for 1 Hz
-            f"{name}: {shown(quantity)} is not allowed; what converts to Hz without an angle is, "
-            "2 pi rad/s being 1 Hz"
+            f"{name}: {shown(quantity)} is not allowed; give a frequency in Hz without an angle: "
+            "2 pi rad/s are 1 Hz"
         )
     return quantity.to(wanted).magnitude
 

@@ -54,7 +54,7 @@ def one(name: str, value: Any) -> float:
 def single(name: str, values: Array) -> float:
     """The argument as one number."""
     if values.size != 1:
-        raise ValueError(f"{name}: {shown(values)} is not allowed; one number is")
+        raise ValueError(f"{name}: {shown(values)} is not allowed; give one number")
     return float(values.reshape(())) + 0.0  # no negative zero
 
 
@@ -85,30 +85,30 @@ def check(name: str, array: Any, xp: Any) -> None:
 
 
 def _finite(name: str, array: Any, xp: Any) -> None:
-    refuse(name, array, xp.isinf(array), "finite numbers are")
+    refuse(name, array, xp.isinf(array), "finite numbers")
     if float(xp.finfo(array.dtype).max) > LARGEST:
-        refuse(name, array, xp.abs(array) > LARGEST, f"numbers up to {LARGEST:g} in size are")
+        refuse(name, array, xp.abs(array) > LARGEST, f"numbers up to {LARGEST:g} in size")
 
 
 def _nonnegative(name: str, array: Any, xp: Any) -> None:
-    refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0 are")
+    refuse(name, array, (array < 0) | xp.isinf(array), f"finite numbers {name} >= 0")
     if float(xp.finfo(array.dtype).max) > LARGEST:
         most = STIFFEST if name == "gamma" else LARGEST
-        refuse(name, array, array > most, f"numbers 0 <= {name} <= {most:g} are")
+        refuse(name, array, array > most, f"numbers 0 <= {name} <= {most:g}")
 
 
 def _periods(name: str, array: Any, xp: Any) -> None:
     _nonnegative(name, array, xp)
-    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST:g} are")
+    refuse(name, array, array > LONGEST, f"numbers 0 <= {name} <= {LONGEST:g}")
 
 
 def _angle(name: str, array: Any, xp: Any) -> None:
     last = _BELOW_PI[float(xp.finfo(array.dtype).max) > LARGEST]
-    refuse(name, array, (array <= 0) | (array > last), f"numbers 0 < {name} < pi are")
+    refuse(name, array, (array <= 0) | (array > last), f"numbers 0 < {name} < pi")
 
 
 def _fraction(name: str, array: Any, xp: Any) -> None:
-    refuse(name, array, (array < 0) | (array >= 1), f"numbers 0 <= {name} < 1 are")
+    refuse(name, array, (array < 0) | (array >= 1), f"numbers 0 <= {name} < 1")
 
 
 _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
@@ -128,7 +128,7 @@ _CHECKS: dict[str, Callable[[str, Any, Any], None]] = {
 
 def refuse_all(name: str, value: object) -> NoReturn:
     """Raise :class:`ValueError` for what is no real number."""
-    raise ValueError(f"{name}: {shown(value)} is not allowed; real numbers are")
+    raise ValueError(f"{name}: {shown(value)} is not allowed; give real numbers")
 
 
 def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
@@ -136,12 +136,12 @@ def refuse(name: str, values: Any, bad: Any, allowed: str) -> None:
     xp = array_namespace(bad)
     if bool(xp.any(bad)):
         value = float(xp.reshape(values, (-1,))[xp.reshape(bad, (-1,))][0])
-        raise ValueError(f"{name}: {value!r} is not allowed; {allowed}")
+        raise ValueError(f"{name}: {value!r} is not allowed; give {allowed}")
 
 
 def unitless(name: str, values: Array, found: Array) -> Array:
     """What an argument is without its unit; too large, it is refused by the argument's name."""
-    allowed = f"what is at most {LARGEST:g} in size without its unit is"
+    allowed = f"what is at most {LARGEST:g} in size without its unit"
     refuse(name, values, np.abs(found) > LARGEST, allowed)
     return found
 
@@ -150,7 +150,7 @@ def one_of(name: str, value: str, allowed: tuple[str, ...]) -> str:
     """The argument, which must be one of a few words."""
     if not isinstance(value, str) or value not in allowed:
         words = " or ".join(map(repr, allowed))
-        raise ValueError(f"{name}: {shown(value)} is not allowed; {words} is")
+        raise ValueError(f"{name}: {shown(value)} is not allowed; give {words}")
     return value
 
 
@@ -161,7 +161,7 @@ def together(*arrays: Any) -> tuple[int, ...]:
     except ValueError:
         shapes = ", ".join(str(tuple(a.shape)) for a in arrays)
         raise ValueError(
-            f"shapes of the arguments: {shapes} are not allowed; shapes that broadcast are"
+            f"shapes of the arguments: {shapes} are not allowed; give shapes that broadcast"
         ) from None
 
 

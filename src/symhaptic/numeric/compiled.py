@@ -37,7 +37,7 @@ _STALE = "the compiled kernels are of other sources: `pip install -e .` compiles
 def _module() -> ModuleType | None:
     choice = os.environ.get(CHOICE, "")
     if choice not in ("", "array", "compiled"):
-        raise ValueError(f"{CHOICE}: {choice!r} is not allowed; 'array' or 'compiled' is")
+        raise ValueError(f"{CHOICE}: {choice!r} is not allowed; give 'array' or 'compiled'")
     if choice == "array":
         return None
     try:
@@ -46,13 +46,13 @@ def _module() -> ModuleType | None:
         if choice == "compiled":
             raise ValueError(
                 f"{CHOICE}: 'compiled' is not allowed where the install found no compiler; "
-                "'array' is"
+                "give 'array'"
             ) from None
         return None
     if getattr(_compiled, "STAMP", "") == STAMP:
         return _compiled
     if choice == "compiled":
-        raise ValueError(f"{CHOICE}: 'compiled' is not allowed where {_STALE}; or 'array' is")
+        raise ValueError(f"{CHOICE}: 'compiled' is not allowed where {_STALE}; or give 'array'")
     warnings.warn(f"{_STALE}; until then the array kernels work", RuntimeWarning, stacklevel=2)
     return None
 

@@ -68,7 +68,7 @@ def numbers_only(function: Callable[P, R]) -> Callable[P, R]:
             if _library(value) == "pint":
                 bound[name] = dimensionless(name, value)
             if _library(bound[name]) not in ("", "torch"):
-                _refuse(name, value, "plain numbers are")
+                _refuse(name, value, "plain numbers")
         return cast(Callable[..., R], function)(**bound)
 
     return wrapped
@@ -97,7 +97,7 @@ def _by_name(function: Callable[..., Any], names: list[str], words: Any, *values
 
 
 def _refuse(name: str, value: object, allowed: str) -> NoReturn:
-    raise ValueError(f"{name}: {shown(value)} is not allowed; {allowed}")
+    raise ValueError(f"{name}: {shown(value)} is not allowed; give {allowed}")
 
 
 def _carried(
@@ -129,7 +129,7 @@ def _with_units(
 
     for name, value in numbers.items():
         if _library(value) == "pint" and not isinstance(value, pint.Quantity):
-            _refuse(name, value, "of Pint only quantities are")
+            _refuse(name, value, "quantities of Pint")
     first = next(v for v in numbers.values() if _library(v) == "pint")
     plain = (
         dimensionless(name, value) if _library(value) == "pint" else value
@@ -148,7 +148,7 @@ def _alone(numbers: Mapping[str, Any], library: str) -> None:
     """Refuse arrays without labels beside labelled ones: which axis is meant is not known."""
     for name, value in numbers.items():
         if _library(value) != library and (_library(value) != "" or np.ndim(value)):
-            _refuse(name, value, f"beside arrays of {library} only these and numbers are")
+            _refuse(name, value, f"arrays of {library} alone, or beside numbers")
 
 
 def _by_dimension(
@@ -160,7 +160,7 @@ def _by_dimension(
     _alone(numbers, "xarray")
     for name, value in numbers.items():
         if isinstance(value, xarray.DataTree):
-            _refuse(name, type(value), "of xarray DataArray, Dataset and Variable are")
+            _refuse(name, type(value), "a DataArray, a Dataset or a Variable of xarray")
     try:
         found = xarray.apply_ufunc(
             work,
@@ -183,9 +183,9 @@ def _lazily(work: Callable[..., Any], numbers: Mapping[str, Any], kinds: Mapping
 
     for name, value in numbers.items():
         if _library(value) == "dask" and not isinstance(value, dask.array.Array):
-            _refuse(name, type(value), "of Dask's only arrays are")
+            _refuse(name, type(value), "arrays of Dask")
         if _library(value) not in ("dask", ""):
-            _refuse(name, value, "beside arrays of Dask's only these and plain ones are")
+            _refuse(name, value, "arrays of Dask alone, or beside plain ones")
     signature = ",".join(["()"] * len(numbers)) + "->" + ",".join(["()"] * len(kinds))
     return dask.array.apply_gufunc(
         work,
@@ -207,12 +207,12 @@ def _by_index(
     first = next(iter(labelled.values()))
     for name, value in labelled.items():
         if not isinstance(value, pandas.Series | pandas.DataFrame):
-            _refuse(name, value, "of pandas only Series and DataFrame are")
+            _refuse(name, value, "a Series or a DataFrame of pandas")
         same = type(value) is type(first) and all(
             one.equals(other) for one, other in zip(value.axes, first.axes, strict=True)
         )
         if not same:
-            _refuse(name, type(value), "with labels other than those of the first it is not")
+            _refuse(name, type(value), "the labels of the first")
     plain = (_numbers(n, v) if n in labelled else v for n, v in numbers.items())
 
     def labels(name: str, found: Any) -> Any:
@@ -228,7 +228,7 @@ def _numbers(name: str, labelled: Any) -> Any:
     try:
         values = labelled.to_numpy(na_value=np.nan)
     except (TypeError, ValueError):
-        return _refuse(name, labelled, "real numbers are")
+        return _refuse(name, labelled, "real numbers")
     return real(name, values)
 
 

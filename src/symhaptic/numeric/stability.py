@@ -287,7 +287,7 @@ def characteristic_polynomial(
     arrays = map(to_numpy, given.values)
     values = [arguments.single(*pair) for pair in zip(names, arrays, strict=True)]
     if values[4] != np.floor(values[4]):
-        raise ValueError(f"delay: {delay!r} is not allowed; whole numbers delay >= 0 are")
+        raise ValueError(f"delay: {delay!r} is not allowed; give whole numbers delay >= 0")
     n1, n0, a, e = (float(x) for x in discretize(values[2], values[3]))
     coefficients = np.zeros(int(values[4]) + 4)
     coefficients[:3] = 1.0, -a, e

@@ -108,10 +108,10 @@ def exact(caller: str, name: str, number: Any) -> Expr:
         isinstance(number, Number) and not isinstance(number, complex)
     ):
         kind = ValueError if number is None or isinstance(number, (list, tuple)) else TypeError
-        raise kind(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
+        raise kind(f"{caller}: {name}: {number!r} is not allowed; give a SymPy expression")
     found = number if isinstance(number, Expr) else _number(caller, number)
     if not isinstance(found, Expr) or isinstance(found, sp.Lambda):
-        raise TypeError(f"{caller}: {name}: {number!r} is not allowed; a SymPy expression is")
+        raise TypeError(f"{caller}: {name}: {number!r} is not allowed; give a SymPy expression")
     if _known(caller, found).has(sp.Float):
         raise ValueError(
             f"{caller}: {name}: {number} has a float; exact numbers are allowed, such as "
@@ -128,9 +128,9 @@ def spend_reading(*forms: Expr) -> None:
 def allowed_steps(caller: str, steps: Any) -> None:
     """Raises unless it is a positive whole number."""
     if not isinstance(steps, int) or isinstance(steps, bool):
-        raise TypeError(f"{caller}: steps: {steps!r} is not allowed; a whole number is")
+        raise TypeError(f"{caller}: steps: {steps!r} is not allowed; give a whole number")
     if steps < 1:
-        raise ValueError(f"{caller}: steps: {steps} is not allowed; 1 or more are")
+        raise ValueError(f"{caller}: steps: {steps} is not allowed; give 1 or more")
 
 
 def box_of(caller: str, ends: Any, *forms: Expr) -> tuple[Box, list[Expr]]:
@@ -198,7 +198,7 @@ def _end(caller: str, symbol: sp.Symbol, end: Any) -> Expr:
         and known.is_real
     ):
         raise ValueError(
-            f"{caller}: box: {end} of {symbol} is not allowed; an exact real number is, "
+            f"{caller}: box: {end} of {symbol} is not allowed; give an exact real number, "
             "such as Rational(1, 10)"
         )
     return known

@@ -45,7 +45,7 @@ def _of_constant(expr: Expr, digits: int) -> arb | acb:
     if expr.free_symbols or not expr.is_commutative or expr.is_Matrix:
         raise ValueError(f"enclose: expr: {expr} is no constant; a number without symbols is")
     if isinstance(digits, bool) or not isinstance(digits, int) or not 1 <= digits <= _LIMIT:
-        raise ValueError(f"enclose: digits: {digits!r} is not allowed; 1 to {_LIMIT} are")
+        raise ValueError(f"enclose: digits: {digits!r} is not allowed; give 1 to {_LIMIT}")
     try:
         return _enclosed(expr, digits)
     except (Exhausted, Unsupported, Uncheckable) as wrong:
@@ -99,7 +99,7 @@ def enclose_maximum(expr: Expr, box: Ends, digits: int = 6, *, steps: int = STEP
     """
     allowed_steps("enclose_maximum", steps)
     if isinstance(digits, bool) or not isinstance(digits, int) or not 0 <= digits <= 15:
-        raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; 0 to 15 are")
+        raise ValueError(f"enclose_maximum: digits: {digits!r} is not allowed; give 0 to 15")
     try:
         with budget(steps):
             spend_reading(*(expr,) if isinstance(expr, Expr) else ())

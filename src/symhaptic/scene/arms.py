@@ -86,7 +86,7 @@ class Arm:
 def checked(arm: Any) -> Arm:
     """The argument, which has to be an :class:`Arm`."""
     if not isinstance(arm, Arm):
-        raise ValueError(f"arm: {shown(arm)} is not allowed; an Arm is")
+        raise ValueError(f"arm: {shown(arm)} is not allowed; give an Arm")
     return arm
 
 
@@ -209,7 +209,7 @@ _RANGED = {
 def _ends(name: str, value: Any, unit: str) -> tuple[float, float]:
     pair = value if isinstance(value, tuple | list) else (value, value)
     if len(pair) != 2:
-        raise ValueError(f"{name}: {shown(value)} is not allowed; a number or (low, high) is")
+        raise ValueError(f"{name}: {shown(value)} is not allowed; give a number or (low, high)")
     low, high = (number(name, end, unit, ">= 0") for end in pair)
     if low > high:
         raise ValueError(f"{name}: {shown(value)} is not allowed; the lowest comes first")

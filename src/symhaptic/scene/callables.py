@@ -99,7 +99,7 @@ def lambdify(
     (0.5, -0.25)
     """
     if not isinstance(id, str):
-        raise ValueError(f"id: {id!r} is not allowed; text such as 'eq11' is")
+        raise ValueError(f"id: {id!r} is not allowed; give text such as 'eq11'")
     for name, given, known in (("form", form, FORMS), ("modules", modules, MODULES)):
         if given not in known:
             raise ValueError(f"{name}: {given!r} is not allowed; {suggested(given, known)}")
@@ -123,7 +123,7 @@ def lambdify(
     except Refused as wrong:
         raise ValueError(f"id: {str(wrong).removeprefix('FORMULA: ')}") from None
     if not isinstance(derivatives, Sequence | None):
-        raise TypeError(f"derivatives: {derivatives!r} is not allowed; names of arguments are")
+        raise TypeError(f"derivatives: {derivatives!r} is not allowed; give names of arguments")
     if isinstance(derivatives, str):
         derivatives = [name.strip() for name in derivatives.split(",") if name.strip()]
     if derivatives:
@@ -159,7 +159,7 @@ def _parts(scene: Scene | Parts | str | None) -> Parts:
     if isinstance(scene, Scene):
         return scene.parts
     if not isinstance(scene, str):
-        raise TypeError(f"scene: {scene!r} is not allowed; a Scene or words as 'no-delay' are")
+        raise TypeError(f"scene: {scene!r} is not allowed; give a Scene or words as 'no-delay'")
     try:
         return left(scene)
     except ValueError as wrong:

@@ -136,7 +136,7 @@ def _given(path: Path, text: str, table: str, key: str, given: Any) -> Any:
     if table == RANGED and isinstance(given, list):
         if len(given) != 2:
             place = _place(path, text, table, key)
-            raise BadDevice(f"{place} = {given!r} is not allowed; one number or two are")
+            raise BadDevice(f"{place} = {given!r} is not allowed; give one number or two")
         return tuple(_value(path, text, table, key, end) for end in given)
     return _value(path, text, table, key, given)
 
@@ -148,7 +148,7 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     """A number in SI units, the decimal that it is written as."""
     known = SCHEMA[table]
     if not table and key and key in SCHEMA:
-        raise BadDevice(f"{_place(path, text, table, key)} is not allowed; a table [{key}] is")
+        raise BadDevice(f"{_place(path, text, table, key)} is not allowed; give a table [{key}]")
     if key not in known:
         named = [*known, *([NAMED[table]] if table in NAMED else [])]
         raise BadDevice(f"{_place(path, text, table, key)} is not known; {suggested(key, named)}")
@@ -156,7 +156,7 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     if unit == "true or false":
         if not isinstance(given, bool):
             place = _place(path, text, table, key)
-            raise BadDevice(f"{place} = {given!r} is not allowed; true or false is")
+            raise BadDevice(f"{place} = {given!r} is not allowed; give true or false")
         return given
     if isinstance(given, int | float) and not isinstance(given, bool):
         return float(str(given))  # a whole number that is no float is infinite, as in text
@@ -164,7 +164,7 @@ def _value(path: Path, text: str, table: str, key: str, given: Any) -> float:
     match = _NUMBER.fullmatch(given) if isinstance(given, str) else None
     if match is None or match[2] not in UNITS[unit]:
         place = _place(path, text, table, key)
-        raise BadDevice(f"{place} = {given!r} is not allowed; {allowed} is")
+        raise BadDevice(f"{place} = {given!r} is not allowed; give {allowed}")
     size, factor = float(match[1]), UNITS[unit][match[2]]
     return nearest(decimal(size) * decimal(factor)) if math.isfinite(size) else size
 

@@ -149,7 +149,7 @@ class DeviceLoop:
         given = {"alpha": alpha, "beta": beta, "theta": theta}
         for name, value in given.items():
             if not isinstance(value, Real) and getattr(value, "shape", None) != ():
-                raise ValueError(f"{name}: {shown(value)} is not allowed; one number is")
+                raise ValueError(f"{name}: {shown(value)} is not allowed; give one number")
         period = self.sampling_period
         unit_K, unit_B = units(self.coupled.mass, period)
         return Limit(
@@ -169,7 +169,7 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
     if not all(1 / _WIDEST <= size <= _WIDEST for size in (period**2, mass / period**2)):
         raise ValueError(
             f"sampling_period: {loop.sampling_period!r} with mass={moved.mass!r} is not allowed; "
-            f"T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g} are, in s^2 and N/m"
+            f"give T^2 and m/T^2 from {1 / _WIDEST:g} to {_WIDEST:g}, in s^2 and N/m"
         )
     found = Dimensionless(
         gamma=nearest(decimal(moved.stiffness or 0) * period**2 / mass),
@@ -185,7 +185,7 @@ def _dimensionless(loop: DeviceLoop) -> Dimensionless:
         if value > most:
             of = f"with mass={moved.mass!r} and sampling_period={loop.sampling_period!r}"
             given = f"{name}: {own!r} {of}"
-            raise ValueError(f"{given} is not allowed; {formula} <= {most:g} is")
+            raise ValueError(f"{given} is not allowed; give {formula} <= {most:g}")
     return found
 
 

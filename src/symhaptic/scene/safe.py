@@ -164,7 +164,7 @@ class SafeWalls:
         (safe,) = np.nonzero((self._tops >= K) & (self.softest <= K))
         if not len(safe):
             raise ValueError(
-                f"K: {K!r} is not allowed; {self.softest:.3g} to {self.stiffest[0]:.6g} N/m are"
+                f"K: {K!r} is not allowed; give {self.softest:.3g} to {self.stiffest[0]:.6g} N/m"
             )
         gap = np.nonzero(np.diff(safe) > 1)[0]
         run = max(np.split(safe, gap + 1), key=len)
@@ -254,8 +254,8 @@ def _range(arm: Arms) -> ArmRange:
         return arm
     some = [arm] if isinstance(arm, Arm) else list(arm) if isinstance(arm, Iterable) else []
     if not some or not all(isinstance(one, Arm) for one in some):
-        allowed = "an ArmRange(...), an Arm(...) or some of them are"
-        raise ValueError(f"arm: {shown(arm)} is not allowed; {allowed}")
+        allowed = "an ArmRange(...), an Arm(...) or several of them"
+        raise ValueError(f"arm: {shown(arm)} is not allowed; give {allowed}")
     return ArmRange.around(some)
 
 
@@ -265,7 +265,7 @@ def safe_walls(scene: DeviceLoop, arm: Arms) -> SafeWalls:
         if arm is not None:
             raise ValueError(
                 f"arm: {shown(arm)} beside the scene's {scene.arm!r} is not allowed; "
-                "scene.device.safe_walls(...) takes another arm"
+                "use scene.device.safe_walls(...) for another arm"
             )
         scene, arm = scene.device, scene.arm
     arms = _range(arm)

@@ -140,7 +140,7 @@ class Scene(DeviceLoop):
         if self.arm is not None:
             raise ValueError(
                 f"arm: {shown(arm)} beside {self.arm!r} is not allowed; "
-                "scene.device.held_by(...) couples the device to another arm"
+                "use scene.device.held_by(...) for another arm"
             )
         return replace(self, arm=checked(arm))
 

@@ -105,7 +105,7 @@ def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:
         (hz,), half = given.values, 0.5 / period
         if not given.traced:
             beyond = (hz <= 0) | (2 * math.pi * period * hz >= math.pi)
-            arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g} are")
+            arguments.refuse("frequency_hz", hz, beyond, f"numbers 0 < frequency_hz < {half:g}")
         alpha, beta = boundary.stability_boundary(2 * math.pi * period * hz, gamma, delta, delay)
         return alpha * unit_K, beta * unit_B
 
@@ -240,7 +240,7 @@ def _limits(rows: Callable[[NDArray[np.float64]], NDArray[np.float64]], B: Any) 
         return Limit(float(K), one, float(hz))
 
     def finite(damping: NDArray[np.float64]) -> NDArray[np.float64]:
-        arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers are")
+        arguments.refuse("B", damping, ~np.isfinite(damping), "finite numbers")
         return rows(damping)
 
     @kept(K=float, B=float, frequency_hz=float)

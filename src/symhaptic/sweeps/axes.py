@@ -21,7 +21,7 @@ _PINT = {"N/m": "N/m", "Ns/m": "N*s/m", "1": "", "kg": "kg", "s": "s", "Hz": "Hz
 def scene_or_none(scene: Scene | None) -> None:
     """Raise :class:`ValueError` for what is no scene."""
     if scene is not None and not isinstance(scene, Scene):
-        raise ValueError(f"scene: {shown(scene)} is not allowed; a Scene is")
+        raise ValueError(f"scene: {shown(scene)} is not allowed; give a Scene")
 
 
 def plan_of(
@@ -54,16 +54,16 @@ def plan_of(
         for dim, size in zip(dims, values.shape, strict=True):
             if sizes.setdefault(dim, size) != size:
                 raise ValueError(f"{name}: {size} values along {dim!r} are not allowed; "
-                                 f"{sizes[dim]} are")  # fmt: skip
+                                 f"give {sizes[dim]}")  # fmt: skip
     along, reduced = _words("over", over), _words("reduce", reduce)
     for dim in along:
         if dim not in sizes:
             raise ValueError(f"over: {dim!r} is not allowed; {suggested(dim, sizes)}")
         if along.count(dim) > 1:
-            raise ValueError(f"over: {shown(over)} is not allowed; each dimension once is")
+            raise ValueError(f"over: {shown(over)} is not allowed; give each dimension once")
     if bool(along) != bool(reduced):
         raise ValueError(f"over: {along!r} with reduce={reduced!r} is not allowed; "
-                         "both or none are")  # fmt: skip
+                         "give both or none")  # fmt: skip
     stay = {d: n for d, n in sizes.items() if d not in along}
     gone = {d: sizes[d] for d in along}
     variables = tuple(
@@ -99,7 +99,7 @@ def _words(name: str, value: str | Sequence[str]) -> tuple[str, ...]:
     if isinstance(value, Iterable) and not isinstance(value, str):
         words = tuple(value)
     if not all(isinstance(word, str) for word in words):
-        raise ValueError(f"{name}: {shown(value)} is not allowed; a word or several are")
+        raise ValueError(f"{name}: {shown(value)} is not allowed; give a word or several")
     return words
 
 
@@ -140,12 +140,12 @@ def _input(
     if kind == "pandas" and hasattr(value, "to_xarray"):
         value, kind = value.to_xarray(), "xarray"
     if kind == "dask" or isinstance(value, np.ma.MaskedArray):
-        raise ValueError(f"{name}: {shown(value)} is not allowed; arrays in memory without "
-                         "masks are")  # fmt: skip
+        raise ValueError(f"{name}: {shown(value)} is not allowed; give arrays in memory without "
+                         "masks")  # fmt: skip
     dims: tuple[str, ...] | None = None
     if kind == "xarray":
         if not hasattr(value, "coords") or hasattr(value, "data_vars"):
-            raise ValueError(f"{name}: {shown(value)} is not allowed; of xarray DataArrays are")
+            raise ValueError(f"{name}: {shown(value)} is not allowed; give xarray's DataArrays")
         dims = tuple(map(str, value.dims))
         more = {str(n): (c.dims, c.values, c.attrs) for n, c in value.coords.items()
                 if c.dims and set(c.dims) <= set(dims)}  # fmt: skip
@@ -159,11 +159,11 @@ def _input(
         _check(name, array)
     if dims is None:
         if array.ndim > 1:
-            raise ValueError(f"{name}: {array.ndim} dimensions are not allowed; one is, or "
-                             "xarray's, which have names")  # fmt: skip
+            raise ValueError(f"{name}: {array.ndim} dimensions are not allowed; give one, "
+                             "or xarray's, which have names")  # fmt: skip
         dims = (name,) if array.ndim else ()
     if not array.size:
-        raise ValueError(f"{name}: no values are not allowed; one or more are")
+        raise ValueError(f"{name}: no values are not allowed; give one or more")
     return Input(dims, array), {**more, name: (dims, array, said)}
 
 
@@ -171,10 +171,10 @@ def _check(name: str, array: Any) -> None:
     """Refuse what is out of range before anything is computed."""
     if name in ("mass", "sampling_period"):
         bad = ~(array > 0) | np.isinf(array)
-        arguments.refuse(name, array, bad, f"finite numbers {name} > 0 are")
+        arguments.refuse(name, array, bad, f"finite numbers {name} > 0")
     elif name in ("stiffness", "damping", "delay_samples"):
         bad = (array < 0) | np.isinf(array)
-        arguments.refuse(name, array, bad, f"finite numbers {name} >= 0 are")
+        arguments.refuse(name, array, bad, f"finite numbers {name} >= 0")
     else:
         arguments.check(name, array, np)
 
@@ -215,8 +215,8 @@ def _variable(
     _, kind, method = REDUCTIONS[word]
     truth = result.kind is bool
     if (kind is bool and not truth) or (truth and word in ("min", "max")):
-        allowed = "all, any, mean or count is" if truth else "min, max or mean is"
-        raise ValueError(f"reduce: {word!r} of {result.name} is not allowed; {allowed}")
+        allowed = "all, any, mean or count" if truth else "min, max or mean"
+        raise ValueError(f"reduce: {word!r} of {result.name} is not allowed; give {allowed}")
     if word == "mean":
         dtype = np.dtype(float)
     elif word == "count":
@@ -234,7 +234,7 @@ def _chunks(
     numbers = chunks.values() if isinstance(chunks, Mapping) else [] if chunks is None else [chunks]
     for number in numbers:
         if not isinstance(number, int) or isinstance(number, bool) or number < 1:
-            raise ValueError(f"chunks: {shown(number)} is not allowed; whole numbers > 0 are")
+            raise ValueError(f"chunks: {shown(number)} is not allowed; give whole numbers > 0")
     for dim in chunks if isinstance(chunks, Mapping) else ():
         if dim not in stay:
             raise ValueError(f"chunks: {dim!r} is not allowed; {suggested(dim, stay)}")

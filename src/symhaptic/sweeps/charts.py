@@ -247,14 +247,14 @@ def _line(name: str, ends: Range, points: int) -> NDArray[Any]:
     with suppress(TypeError):
         rising = pair and bool(ends[0] <= ends[1])
     if not rising:
-        raise ValueError(f"{name}: {shown(ends)} is not allowed; (lowest, highest) is")
+        raise ValueError(f"{name}: {shown(ends)} is not allowed; give (lowest, highest)")
     return np.linspace(*ends, points)
 
 
 def _enough(points: int) -> int:
     """So many that there is an area between them."""
     if not isinstance(points, Integral) or points < 2:
-        raise ValueError(f"points: {shown(points)} is not allowed; whole numbers >= 2 are")
+        raise ValueError(f"points: {shown(points)} is not allowed; give whole numbers >= 2")
     return points
 
 

@@ -291,7 +291,7 @@ def _own(quantity: Any, words: Mapping[str, Any], in_si: bool) -> Work:
         raise ValueError(f"quantity: {shown(quantity)} is not allowed; {allowed}")
     if in_si:
         raise ValueError(
-            f"scene: is not allowed with {shown(quantity)}; one of {', '.join(QUANTITIES)} is"
+            f"scene: is not allowed with {shown(quantity)}; give one of {', '.join(QUANTITIES)}"
         )
     names = [n for n in inspect.signature(quantity).parameters if n not in words]
     name = getattr(quantity, "__name__", "quantity")

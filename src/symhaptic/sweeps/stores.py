@@ -71,7 +71,7 @@ def store(to: str | Path) -> Store:
         needed("symhaptic.sweep to Parquet files", "pyarrow", extra="sweep")
         return Parquet(place)
     raise ValueError(
-        f"to: {place!r} is not allowed; a name that ends in .zarr is, or one of a folder that "
+        f"to: {place!r} is not allowed; give a name that ends in .zarr, or a folder's that "
         "ends in .parquet"
     )
 
@@ -97,7 +97,7 @@ def _begun(place: str, said: str | bytes | None, plan: Plan, where: str) -> None
 def _damaged(place: str, where: str) -> ValueError:
     return ValueError(
         f"to: {place!r} is not allowed; its file {where}, which says what it holds, is damaged; "
-        "another place is, or this one when it is removed"
+        "give another place, or remove this one"
     )
 
 
@@ -152,8 +152,8 @@ def _beside(place: Path) -> Iterator[Path]:
     except (OSError, ValueError) as wrong:
         reason = wrong.strerror if isinstance(wrong, OSError) else wrong
         raise ValueError(
-            f"to: {str(place)!r} is not allowed; it cannot be made there ({reason}); a name in a "
-            "folder that can be written is"
+            f"to: {str(place)!r} is not allowed; it cannot be made there ({reason}); "
+            "give a name in a folder that can be written"
         ) from None
     with stack:
         yield draft / "new"
@@ -237,7 +237,7 @@ class Zarr:
         if name in _TAKEN or name not in found or not found[name].equals(coord):
             raise ValueError(
                 f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
-                "numbers, text and dates are, with a plain name and plain attributes"
+                "give numbers, text or dates, with a plain name and plain attributes"
             )
 
     def _labelled(self, empty: xarray.Dataset) -> None:

@@ -83,7 +83,7 @@ def sweep(
     like = dataset.empty(plan, coords)
     if to is not None:
         if lazy:
-            raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; one of them is")
+            raise ValueError(f"lazy: {lazy!r} beside to={shown(to)} is not allowed; give one")
         place = store(to)
         place.begin(plan, like)
         if next(place.missing(plan), None) is not None:

@@ -36,7 +36,7 @@ _KILLED = (
 def executor(on: Any, workers: int | None) -> Iterator[Executor]:
     """Threads, processes, a client of Dask's, or the user's own executor, which stays open."""
     if workers is not None and (not isinstance(workers, int) or workers < 1):
-        raise ValueError(f"workers: {shown(workers)} is not allowed; whole numbers > 0 are")
+        raise ValueError(f"workers: {shown(workers)} is not allowed; give whole numbers > 0")
     if on in ("threads", "processes"):
         if workers is None:
             from dask.system import CPU_COUNT
@@ -70,8 +70,8 @@ def executor(on: Any, workers: int | None) -> Iterator[Executor]:
         yield on
     else:
         raise ValueError(
-            f"on: {shown(on)} is not allowed; 'threads', 'processes', a client of "
-            "dask.distributed or an executor of concurrent.futures is"
+            f"on: {shown(on)} is not allowed; give 'threads', 'processes', a client of "
+            "dask.distributed or an executor of concurrent.futures"
         )
 
 

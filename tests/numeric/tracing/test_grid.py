@@ -57,11 +57,11 @@ def test_a_threshold_below_rounding_ends():
 @pytest.mark.parametrize(
     ("delay", "says"),
     [
-        (0.1, r"delay: 0\.1 is not allowed; rational numbers r/q >= 0 with r \+ 3 q <= 2000 are"),
+        (0.1, r"delay: 0\.1 is not allowed; give rational numbers r/q >= 0 with r \+ 3 q <= 2000"),
         (np.nan, "delay: nan is not allowed"),
         (Fraction(-1, 2), r"delay: -0\.5 is not allowed"),
-        ("1/2", "delay: '1/2' is not allowed; real numbers are"),
-        ([1, 2], "delay: .* is not allowed; one number is"),
+        ("1/2", "delay: '1/2' is not allowed; give real numbers"),
+        ([1, 2], "delay: .* is not allowed; give one number"),
     ],
 )
 def test_delays_without_a_polynomial_are_refused(delay, says):
@@ -73,5 +73,5 @@ def test_nan_spoils_its_own_wall_only():
     found = spectral_radius([0.1, np.nan], 0.1, 0.0, 0.0, 0)
     assert np.isfinite(found[0])
     assert np.isnan(found[1])
-    with pytest.raises(ValueError, match="alphas: nan is not allowed; finite numbers are"):
+    with pytest.raises(ValueError, match="alphas: nan is not allowed; give finite numbers"):
         grid_boundary(0.0, 0.0, 0, [0.1, np.nan], [0.1])

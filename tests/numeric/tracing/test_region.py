@@ -202,11 +202,11 @@ def test_regions_are_compared_by_what_they_are_of():
 @pytest.mark.parametrize(
     ("direction", "said"),
     [
-        (("1", 0.0), "alpha: '1' is not allowed; real numbers are"),
-        ((0.0, np.nan), "beta: nan is not allowed; finite numbers are"),
-        ((np.inf, 0.0), "alpha: inf is not allowed; finite numbers are"),
-        (([1.0, 2.0], 0.0), "alpha: .* is not allowed; one number is"),
-        ((0.0, 0.0), "alpha: 0.0 beside beta=0.0 is not allowed; a direction is"),
+        (("1", 0.0), "alpha: '1' is not allowed; give real numbers"),
+        ((0.0, np.nan), "beta: nan is not allowed; give finite numbers"),
+        ((np.inf, 0.0), "alpha: inf is not allowed; give finite numbers"),
+        (([1.0, 2.0], 0.0), "alpha: .* is not allowed; give one number"),
+        ((0.0, 0.0), "alpha: 0.0 beside beta=0.0 is not allowed; give a direction"),
     ],
 )
 def test_what_is_no_direction_is_named(direction, said):
@@ -216,7 +216,7 @@ def test_what_is_no_direction_is_named(direction, said):
 
 @pytest.mark.parametrize("bad", [0.0, 1.0, -1e-3, 1e-13, np.nan])
 def test_tolerance_is_checked(bad):
-    with pytest.raises(ValueError, match=r"^tolerance: .* is not allowed; 1e-12 <= tolerance < 1"):
+    with pytest.raises(ValueError, match=r"^tolerance: .* .*; give 1e-12 <= tolerance < 1"):
         stable_region(0.001, 0.02, 1, tolerance=bad)
 
 

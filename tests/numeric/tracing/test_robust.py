@@ -139,7 +139,7 @@ def test_the_longest_delay_ends_and_a_longer_one_is_refused_at_once():
     _, low, _, high = region(0.02, 100).polygon.bounds
     assert low == pytest.approx(-0.02, rel=1e-4)
     assert high == pytest.approx(0.02 * (top / 2) ** 2 / np.sin(top / 2) ** 2, rel=1e-3)
-    with pytest.raises(ValueError, match=r"delay: 100\.5 is not allowed; at most 100 periods"):
+    with pytest.raises(ValueError, match=r"delay: 100\.5 is not allowed; give at most 100 periods"):
         robust_region(0.02, 100.5)
 
 

@@ -156,11 +156,11 @@ def _interval(name: str, value: Range) -> Interval:
     """A range as an argument gives it."""
     ends = value if isinstance(value, tuple) else (value, value)
     if len(ends) != 2:
-        raise ValueError(f"{name}: {value!r} is not allowed; a number or (lowest, highest) is")
+        raise ValueError(f"{name}: {value!r} is not allowed; give a number or (lowest, highest)")
     least = {"mass": "> 0", "B": ""}.get(name, ">= 0")
     low, high = (_real(name, end, least) for end in ends)
     if low > high:
-        raise ValueError(f"{name}: {value!r} is not allowed; (lowest, highest) is")
+        raise ValueError(f"{name}: {value!r} is not allowed; give (lowest, highest)")
     return Interval(low, high)
 
 

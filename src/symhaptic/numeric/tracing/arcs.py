@@ -59,7 +59,7 @@ class Loop:
     def __post_init__(self) -> None:
         if self.delay > _LONGEST:
             raise ValueError(
-                f"delay: {self.delay!r} is not allowed; at most {_LONGEST:g} periods are, since "
+                f"delay: {self.delay!r} is not allowed; give at most {_LONGEST:g} periods, since "
                 "the boundary has a piece for every one of them"
             )
 

@@ -62,13 +62,13 @@ def spectral_radius(
 
 def _rational(delay: float | Fraction) -> Fraction:
     """The delay as a fraction that leaves a polynomial of reasonable degree."""
-    allowed = f"rational numbers r/q >= 0 with r + 3 q <= {_DEGREE} are"
+    allowed = f"rational numbers r/q >= 0 with r + 3 q <= {_DEGREE}"
     number = arguments.periods("delay", delay)
     arguments.refuse("delay", number, np.isnan(number), allowed)
     one = arguments.single("delay", number)
     late = Fraction(delay) if isinstance(delay, int | Fraction) else Fraction(one)
     if late.numerator + 3 * late.denominator > _DEGREE:
-        raise ValueError(f"delay: {delay} is not allowed; {allowed}")
+        raise ValueError(f"delay: {delay} is not allowed; give {allowed}")
     return late
 
 
@@ -92,10 +92,10 @@ def grid_boundary(
     """
     al, be = arguments.finite("alphas", alphas), arguments.finite("betas", betas)
     for name, values in (("alphas", al), ("betas", be)):
-        arguments.refuse(name, values, np.isnan(values), "finite numbers are")
+        arguments.refuse(name, values, np.isnan(values), "finite numbers")
     threshold = arguments.one("threshold", threshold)
     if not threshold > 0:
-        raise ValueError(f"threshold: {threshold!r} is not allowed; numbers > 0 are")
+        raise ValueError(f"threshold: {threshold!r} is not allowed; give numbers > 0")
 
     def stable(points: Array) -> NDArray[np.bool_]:
         radius = spectral_radius(points[..., 0], points[..., 1], gamma, delta, delay)

@@ -71,10 +71,10 @@ class Region(Shape):
         """
         for name, value in (("alpha", alpha), ("beta", beta)):
             array = arguments.finite(name, value)
-            arguments.refuse(name, array, np.isnan(array), "finite numbers are")
+            arguments.refuse(name, array, np.isnan(array), "finite numbers")
             arguments.single(name, array)
         if alpha == beta == 0:
-            raise ValueError(f"alpha: {alpha} beside beta={beta} is not allowed; a direction is")
+            raise ValueError(f"alpha: {alpha} beside beta={beta} is not allowed; give a direction")
         found = farthest(self.loop, np.array([alpha, beta]))
         for corner in self.corners:
             if corner @ (alpha, beta) > np.dot((alpha, beta), found[:2]) or np.isnan(found[0]):
@@ -121,11 +121,11 @@ def stable_region(
     numbers = {}
     for name, value in (("gamma", gamma), ("delta", delta), ("delay", delay)):
         array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
+        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
         numbers[name] = arguments.single(name, array)
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-12 <= tolerance < 1:
-        raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-12 <= tolerance < 1 is")
+        raise ValueError(f"tolerance: {tolerance!r} is not allowed; give 1e-12 <= tolerance < 1")
     loop = Loop(**numbers, sheet=sheet)
     pieces, error = curves(loop, tolerance)
     ends = np.array([p.points[i] for p in pieces for i in (0, -1)]).reshape(-1, 2)

@@ -77,17 +77,17 @@ def robust_region(
     numbers = {}
     for name, value in (("delta", delta), ("delay", delay)):
         array = (arguments.periods if name == "delay" else arguments.nonnegative)(name, value)
-        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0 are")
+        arguments.refuse(name, array, np.isnan(array), f"finite numbers {name} >= 0")
         numbers[name] = arguments.single(name, array)
     delta, delay = numbers["delta"], numbers["delay"]
     if delay > _LONGEST:
         raise ValueError(
-            f"delay: {delay!r} is not allowed; at most {_LONGEST} periods are, since every half "
+            f"delay: {delay!r} is not allowed; give at most {_LONGEST} periods, since every half "
             "turn of z^(delay + 1) takes springs of its own"
         )
     tolerance = arguments.one("tolerance", tolerance)
     if not 1e-6 <= tolerance < 1:
-        raise ValueError(f"tolerance: {tolerance!r} is not allowed; 1e-6 <= tolerance < 1 is")
+        raise ValueError(f"tolerance: {tolerance!r} is not allowed; give 1e-6 <= tolerance < 1")
     if delta == 0:
         nothing = np.array([0.0, np.pi**2])
         return RobustRegion(0.0, float(delay), sheet, shapely.Polygon(), nothing, 0.0)
