@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symhaptic.book.lemmas.chords import HALF, not_zero
-from symhaptic.book.lemmas.corners import on_envelope, waves, wide
+from symhaptic.book.lemmas.corners import on_envelope, single, wide
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.prelude import *
@@ -67,7 +67,7 @@ def _least(there: Theorem, stiffness: Theorem, damping: Theorem) -> Theorem:
 
 def _sine() -> Theorem:
     """0 < sin(omega T/2)."""
-    wave = inst(waves(phi)[1], TWICE)
+    wave = inst(single(phi), TWICE)
     return closed(wave, *_place())
 
 

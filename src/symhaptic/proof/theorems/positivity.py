@@ -1,0 +1,354 @@
+"""Tactics that find proofs of relations: ``nlinarith``, ``positivity`` and what is made of both.
+
+A certificate is a sum of products of known signs (Handelman), found by a linear program at random
+points.  Nothing here has to be believed: a kernel rule decides about whatever was found or read.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from copy import copy
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+from sympy import Expr, S, Symbol
+
+from symhaptic.notation.proposition import And, Predicate, Proposition, Relation, proposition
+from symhaptic.proof.theorems.definedness import conditions
+from symhaptic.proof.theorems.familiar import divided, not_negative, sign_of, square
+from symhaptic.proof.theorems.kernel import (
+    NotShown,
+    Theorem,
+    assume,
+    conj,
+    inst,
+    prove_hyp,
+    relation,
+)
+from symhaptic.proof.theorems.leaves import combined, is_whole, number
+
+Lemma: TypeAlias = Callable[[], Theorem]
+
+CERTIFICATES: dict[str, str | None] = {}
+"""What was found before, by the hash of a claim and facts: a share and the numbers of the facts of
+each product; None where no sum was found."""
+USED: dict[str, str | None] = {}
+"""Those of them that were asked for in this process."""
+
+
+def read(file: Path) -> None:
+    """Take certificates from a file; it is only written by :mod:`symhaptic.book.certificates`."""
+    if file.is_file():
+        CERTIFICATES.update(json.loads(file.read_text(encoding="utf-8")))
+
+
+def difference(theorem: Theorem) -> Expr:
+    """Return b - a of a < b, a <= b or a = b."""
+    claim = relation(theorem)
+    return claim.right - claim.left
+
+
+written = cache(str)
+"""How a proposition is written."""
+
+
+def nlinarith(claim: Any, *known: Any, degree: int = 2) -> Theorem:
+    """Show a relation as a sum of products of up to ``degree`` of the known ones.
+
+    An equation may come with a multiplier, as a pair; it is used with any rational factor.
+
+    >>> x, y = sp.symbols("x y")
+    >>> nlinarith(y * x > x, x > 0, y > 1).conclusion == proposition(y * x > x)
+    True
+    """
+    claim = proposition(claim)
+    if not isinstance(claim, Relation):
+        raise NotShown(f"{claim} is no relation")
+    pairs = [k if isinstance(k, tuple) else (k, S.One) for k in known]
+    facts = {_theorem(k).conclusion: (_theorem(k), sp.sympify(m)) for k, m in pairs}
+    text = [str(degree), written(claim), *(f"{written(p)}, {m}" for p, (_, m) in facts.items())]
+    key = hashlib.sha256("\n".join(text).encode()).hexdigest()[:16]
+    some = list(facts.values())
+    if key in CERTIFICATES:
+        USED[key] = CERTIFICATES[key]
+        try:
+            return combined(claim, *_products(CERTIFICATES[key], some))
+        except (NotShown, ValueError, LookupError, TypeError, AttributeError, ZeroDivisionError):
+            if CERTIFICATES[key] is None:
+                raise
+    CERTIFICATES[key] = USED[key] = None
+    found = _search(claim, some, degree)
+    theorem = combined(claim, *_products(found, some))
+    CERTIFICATES[key] = USED[key] = found
+    return theorem
+
+
+def _theorem(fact: Any) -> Theorem:
+    return fact if isinstance(fact, Theorem) else assume(fact)
+
+
+def _products(certificate: str | None, facts: Sequence[tuple[Theorem, Expr]]) -> list[list[Any]]:
+    """The products that a certificate names."""
+    if certificate is None:
+        raise NotShown("it is no sum of products of what is known")
+    rows: list[list[Any]] = []
+    for product in filter(None, certificate.split("+")):
+        share, *places = product.split()
+        some = [facts[int(place)] for place in places]
+        rows.append([sp.Rational(share) * sp.Mul(*(m for _, m in some)), *(t for t, _ in some)])
+    return rows
+
+
+def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> str:
+    """A certificate, by a linear program."""
+    from scipy.optimize import linprog
+
+    signs = [i for i, (t, _) in enumerate(facts) if relation(t).sign in ("<", "<=")]
+    equal = [i for i, (t, _) in enumerate(facts) if relation(t).sign == "="]
+    places: list[tuple[int, ...]] = [(i,) for i in equal for _ in (1, -1)]
+    if claim.sign != "=":
+        more = (itertools.combinations_with_replacement(signs, n) for n in range(degree + 1))
+        places += itertools.chain(*more)
+    if not places:
+        raise NotShown("an equation follows from equations only")
+    exprs = [difference(t) * m for t, m in facts]
+    table = _values([claim.right - claim.left, *exprs], 2 * len(places) + 8)
+    goal = table[0]
+    rows = np.array([table[1:][list(p)].prod(axis=0) for p in places])
+    rows[1 : 2 * len(equal) : 2] *= -1
+    rows = np.concatenate([rows.real, rows.imag], axis=1)
+    goal = np.concatenate([goal.real, goal.imag])
+    sizes = np.abs(rows).mean(axis=1) + 1e-12
+    scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
+    table = (rows / sizes[:, None] / scale).T
+    strict = [p[:1] not in [(i,) for i in equal] and _strict(facts, p) for p in places]
+    low = 1e-3 * np.abs(goal).mean()
+    extra = (-np.array([strict], dtype=float), [-low]) if claim.sign == "<" else (None, None)
+    cost = [1 + len(p) for p in places]  # few and short products
+    answer = linprog(cost, *extra, table, goal / scale)
+    if answer.status != 0:
+        raise NotShown(f"{claim} is no sum of products of what is known")
+    used = np.flatnonzero(answer.x > 1e-9)
+    shares = np.linalg.lstsq(table[:, used], goal / scale, rcond=None)[0]
+    shares = (shares if (shares > 0).all() else answer.x[used]) / sizes[used]
+    return " + ".join(
+        " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
+        for i, s in zip(used, map(_rational, shares), strict=True)
+    )
+
+
+def _strict(facts: Sequence[tuple[Theorem, Expr]], places: Sequence[int]) -> bool:
+    return all(relation(facts[i][0]).sign == "<" for i in places)
+
+
+def _rational(value: float) -> Fraction:
+    """The simplest fraction nearby."""
+    for limit in (12, 720, 10_000):
+        found = Fraction(value).limit_denominator(limit)
+        if abs(found - value) < 1e-7 * max(1, abs(value)):
+            break
+    return found
+
+
+def _values(exprs: Sequence[Expr], points: int) -> NDArray[Any]:
+    """Expressions at random points, a row each; pi is one more unknown outside of functions."""
+    exprs = [_loose(e) for e in exprs]
+    symbols = sorted(set().union(*(e.free_symbols for e in exprs)), key=str)
+    dice = np.random.default_rng(0)
+    at = [dice.uniform(0.3, 2.5, points) + 0j for _ in symbols]
+    found = sp.lambdify(symbols, exprs, "numpy", cse=True)(*at)
+    return np.array([np.broadcast_to(row, points) for row in found], dtype=complex)
+
+
+_PI = Symbol("pi_")
+
+
+def _loose(expr: Expr) -> Expr:
+    if expr is sp.pi:
+        return _PI
+    if expr.is_Atom or expr.is_Function:
+        return expr
+    return expr.func(*map(_loose, expr.args))
+
+
+class Given:
+    """What is known in some place, by what is assumed there; with it claims are shown.
+
+    A claim is shown from its parts (``positivity``), from what is known of a sine, a cosine or an
+    exponential, as a sum of products (:func:`nlinarith`), or as a quotient.
+    """
+
+    def __init__(self, *assumed: Any) -> None:
+        self.allowed: frozenset[Proposition] = frozenset()
+        self.known: dict[Proposition, Theorem] = {}
+        self._signs: list[tuple[Theorem, Any]] = []
+        self._failed: set[Proposition] = set()
+        self._degree, self._closes = 2, bool(assumed)
+        for claim in assumed:
+            self._know(assume(claim))
+
+    def _know(self, theorem: Theorem, multiplier: Any = S.One) -> Theorem:
+        theorem = self._closed(theorem) if self._closes else theorem
+        self.allowed |= theorem.hypotheses
+        self.known[theorem.conclusion] = theorem
+        sign = not_negative(theorem) if _is_whole(theorem.conclusion) else theorem
+        if isinstance(sign.conclusion, Relation) and sign.conclusion.sign != "!=":
+            self._signs.append((sign, multiplier))
+        return theorem
+
+    def and_(self, *more: Any) -> Given:
+        """With more known: assumptions, theorems, and equations with multipliers."""
+        there = copy(self)
+        there.known, there._signs, there._failed = dict(self.known), list(self._signs), set()
+        for fact in more:
+            of, multiplier = fact if isinstance(fact, tuple) else (fact, S.One)
+            there._know(_theorem(of), multiplier)
+        return there
+
+    def have(self, claim: Any, *also: Any, degree: int = 2) -> Theorem:
+        """Show a claim, and know it from here on."""
+        self._failed.clear()
+        return self._know(self.show(claim, *also, degree=degree))
+
+    def show(self, claim: Any, *also: Any, degree: int = 2) -> Theorem:
+        """Show a claim from what is known here, and also."""
+        there = self.and_(*also)
+        there._degree = degree
+        return there._show(proposition(claim))
+
+    def closed(self, theorem: Theorem, *also: Any, degree: int = 2) -> Theorem:
+        """Return a theorem without the hypotheses that can be shown; those assumed here stay."""
+        there = self.and_(*also)
+        there._degree = degree
+        return there._closed(theorem)
+
+    def defined(self, expr: Expr, *also: Any) -> list[Theorem]:
+        """Show that no divisor of an expression vanishes."""
+        return [self.show(c, *also) for c in sorted(conditions(expr), key=written)]
+
+    def lemma(self, claim: Any, *uses: Callable[[], Theorem], degree: int = 2) -> Lemma:
+        """Return a theorem that is shown, from what it uses, when it is asked for first."""
+        return cache(lambda: self.show(claim, *(use() for use in uses), degree=degree))
+
+    def about(self, symbol: Symbol) -> Callable[..., Callable[..., Theorem]]:
+        """Return the same for theorems about a symbol, which can be had at any term."""
+
+        def lemma(claim: Any, *uses: Callable[[], Theorem], degree: int = 2) -> Any:
+            made = self.lemma(claim, *uses, degree=degree)
+            return cache(lambda at=symbol: made() if at == symbol else inst(made(), {symbol: at}))
+
+        return lemma
+
+    def _closed(self, theorem: Theorem) -> Theorem:
+        for claim in sorted(theorem.hypotheses - self.allowed, key=written):
+            with suppress(NotShown):
+                theorem = prove_hyp(theorem, self._show(claim))
+        return theorem
+
+    def _show(self, claim: Proposition) -> Theorem:
+        if claim not in self.known and claim not in self._failed:
+            self._failed.add(claim)  # while it is looked for: no circles
+            ways = self._simple, self._parts, self._function, self._sum, self._quotient
+            for way in ways:
+                with suppress(NotShown):
+                    found = self._closed(way(claim))
+                    if all(_about_divisor(h) for h in found.hypotheses - self.allowed):
+                        self.known[claim] = found
+                        break
+        if claim not in self.known:
+            raise NotShown(f"{claim} is not shown by what is known")
+        return self.known[claim]
+
+    def _any(self, *claims: tuple[str, Expr]) -> Theorem:
+        """The first of some signs that is shown."""
+        for sign, of in claims[:-1]:
+            with suppress(NotShown):
+                return self._show(Relation(S.Zero, sign, of))
+        sign, of = claims[-1]
+        return self._show(Relation(S.Zero, sign, of))
+
+    def _simple(self, claim: Proposition) -> Theorem:
+        """Conjunctions, whole numbers, relations between numbers, and what is not zero."""
+        if isinstance(claim, And):
+            return conj(*map(self._show, claim.parts))
+        if _is_whole(claim):
+            return is_whole(claim.terms[0], *(t for p, t in self.known.items() if _is_whole(p)))
+        if isinstance(claim, Relation) and not claim.free:
+            return number(claim)
+        if not _about_divisor(claim):
+            raise NotShown(f"{claim} is not simple")
+        of = claim.terms[0] - claim.terms[1]
+        return combined(claim, [self._any(("<", of), ("<", -of))])
+
+    def _parts(self, claim: Proposition) -> Theorem:
+        """A sum of positive terms, a product of positive factors, an even power."""
+        of, sign = _gap(claim)
+        weak = ("<", "<=")[: 1 + (sign == "<=")]
+        if of.is_Add and all(term.as_coeff_Mul()[0] > 0 for term in of.args):
+            return combined(claim, *([self._any(("<", t), ("<=", t))] for t in of.args))
+        if of.is_Pow and of.exp.is_Integer and of.exp > 1:
+            if of.exp % 2 == 0 and sign == "<=":
+                return combined(claim, [square(of.base ** (of.exp / 2))])
+            return combined(claim, [self._any((sign, of.base), (sign, -of.base))] * int(of.exp))
+        if not of.is_Mul or sp.fraction(of)[1].free_symbols:
+            raise NotShown(f"{claim} has no parts")
+        share, rest = of.as_coeff_Mul()
+        ways = [[(s, e) for e in (f, -f) for s in weak] for f in sp.Mul.make_args(rest)]
+        return combined(claim, [abs(share), *(self._any(*way) for way in ways)])
+
+    def _function(self, claim: Proposition) -> Theorem:
+        """That of a sine, a cosine or an exponential."""
+        of, _ = _gap(claim)
+        if of.func not in (sp.sin, sp.cos, sp.exp):
+            raise NotShown(f"{of} is no such function")
+        return combined(claim, [sign_of(of.func, of.args[0])])
+
+    def _sum(self, claim: Proposition) -> Theorem:
+        """A sum of products of what is known."""
+        size = [number(Relation(S.Zero, "<", sp.pi))] if any(map(_has_pi, claim.terms)) else []
+        return nlinarith(claim, *self._signs, *size, degree=self._degree)
+
+    def _quotient(self, claim: Proposition) -> Theorem:
+        """That of a quotient, from those of both its parts; of a sum, by its factors."""
+        of, sign = _gap(claim)
+        other = sp.factor(of) if of.is_rational_function(*of.free_symbols) else sp.together(of)
+        top, bottom = sp.fraction(other)
+        if bottom.free_symbols:
+            below = self._any(("<", bottom), ("<", -bottom))
+            way = 1 if below.conclusion == Relation(S.Zero, "<", bottom) else -1
+            return divided(claim, self._show(Relation(S.Zero, sign, way * top)), below)
+        if not top.is_Mul or other == of:
+            raise NotShown(f"{of} is no quotient")
+        return combined(claim, [self._show(Relation(S.Zero, sign, other))])
+
+
+def show(claim: Any, *known: Any, degree: int = 2) -> Theorem:
+    """Show a claim from theorems and assumptions alone."""
+    return Given().show(claim, *known, degree=degree)
+
+
+def _has_pi(expr: Expr) -> bool:
+    return bool(expr.has(sp.pi))
+
+
+def _about_divisor(claim: Proposition) -> bool:
+    return isinstance(claim, Relation) and claim.sign == "!="
+
+
+def _is_whole(claim: Proposition) -> bool:
+    return isinstance(claim, Predicate) and claim.name == "whole"
+
+
+def _gap(claim: Proposition) -> tuple[Expr, str]:
+    if not (isinstance(claim, Relation) and claim.sign in ("<", "<=")):
+        raise NotShown(f"{claim} has no sign")
+    return claim.right - claim.left, claim.sign
