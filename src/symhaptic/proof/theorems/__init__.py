@@ -9,5 +9,6 @@ to be believed beside the deciders of :mod:`symhaptic.proof`.
 
 ``familiar`` puts axioms to use, ``tactics`` puts rules together, ``positivity`` finds proofs of
 relations, ``derivation`` tells what a theorem rests on and ``judge`` makes verdicts of theorems:
-none of them can make a theorem that the others do not allow.  Nothing here knows the paper or a page.
+none of them can make a theorem that the others do not allow.  Nothing here knows the paper or a
+page.
 """

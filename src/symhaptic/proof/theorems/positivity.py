@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from copy import copy
 from fractions import Fraction
@@ -192,23 +192,29 @@ class Given:
         self.known: dict[Proposition, Theorem] = {}
         self._signs: list[tuple[Theorem, Any]] = []
         self._failed: set[Proposition] = set()
+        self._equations: list[Theorem] = []
+        self._bare: list[tuple[list[Theorem], Given]] | None = None
         self._degree, self._closes = 2, bool(assumed)
         for claim in assumed:
-            self._know(assume(claim))
+            self._know(_theorem(claim))
 
     def _know(self, theorem: Theorem, multiplier: Any = S.One) -> Theorem:
         theorem = self._closed(theorem) if self._closes else theorem
         self.allowed |= theorem.hypotheses
         self.known[theorem.conclusion] = theorem
-        sign = not_negative(theorem) if _is_whole(theorem.conclusion) else theorem
+        sign = not_negative(theorem) if _whole(theorem.conclusion) else theorem
         if isinstance(sign.conclusion, Relation) and sign.conclusion.sign != "!=":
             self._signs.append((sign, multiplier))
+            if sign.conclusion.sign == "=" and multiplier == 1:
+                self._equations.append(sign)
+        self._bare = None
         return theorem
 
     def and_(self, *more: Any) -> Given:
         """With more known: assumptions, theorems, and equations with multipliers."""
         there = copy(self)
-        there.known, there._signs, there._failed = dict(self.known), list(self._signs), set()
+        there.known, there._failed = dict(self.known), set()
+        there._signs, there._equations = list(self._signs), list(self._equations)
         for fact in more:
             of, multiplier = fact if isinstance(fact, tuple) else (fact, S.One)
             there._know(_theorem(of), multiplier)
@@ -223,7 +229,10 @@ class Given:
         """Show a claim from what is known here, and also."""
         there = self.and_(*also)
         there._degree = degree
-        return there._show(proposition(claim))
+        found = there._find(proposition(claim))
+        if found is None:
+            raise NotShown(f"{claim} is not shown by what is known")
+        return found
 
     def closed(self, theorem: Theorem, *also: Any, degree: int = 2) -> Theorem:
         """Return a theorem without the hypotheses that can be shown; those assumed here stay."""
@@ -249,86 +258,128 @@ class Given:
         return lemma
 
     def _closed(self, theorem: Theorem) -> Theorem:
-        for claim in sorted(theorem.hypotheses - self.allowed, key=written):
-            with suppress(NotShown):
-                theorem = prove_hyp(theorem, self._show(claim))
-        return theorem
+        left = sorted(theorem.hypotheses - self.allowed, key=written)
+        shown = [t for t in map(self._find, left) if t is not None]
+        return prove_hyp(theorem, *shown) if shown else theorem
 
-    def _show(self, claim: Proposition) -> Theorem:
+    def _find(self, claim: Proposition) -> Theorem | None:
         if claim not in self.known and claim not in self._failed:
             self._failed.add(claim)  # while it is looked for: no circles
-            ways = self._simple, self._parts, self._function, self._sum, self._quotient
-            for way in ways:
+            for way in self._ways(claim):
                 with suppress(NotShown):
-                    found = self._closed(way(claim))
-                    if all(_about_divisor(h) for h in found.hypotheses - self.allowed):
-                        self.known[claim] = found
-                        break
-        if claim not in self.known:
-            raise NotShown(f"{claim} is not shown by what is known")
-        return self.known[claim]
+                    found = way(claim)
+                    if found is not None:
+                        found = self._closed(found)
+                        if all(map(_apart, found.hypotheses - self.allowed)):
+                            self.known[claim] = found
+                            break
+        return self.known.get(claim)
 
-    def _any(self, *claims: tuple[str, Expr]) -> Theorem:
-        """The first of some signs that is shown."""
-        for sign, of in claims[:-1]:
-            with suppress(NotShown):
-                return self._show(Relation(S.Zero, sign, of))
-        sign, of = claims[-1]
-        return self._show(Relation(S.Zero, sign, of))
-
-    def _simple(self, claim: Proposition) -> Theorem:
-        """Conjunctions, whole numbers, relations between numbers, and what is not zero."""
+    def _ways(self, claim: Proposition) -> Sequence[Callable[[Any], Theorem | None]]:
         if isinstance(claim, And):
-            return conj(*map(self._show, claim.parts))
-        if _is_whole(claim):
-            return is_whole(claim.terms[0], *(t for p, t in self.known.items() if _is_whole(p)))
-        if isinstance(claim, Relation) and not claim.free:
-            return number(claim)
-        if not _about_divisor(claim):
-            raise NotShown(f"{claim} is not simple")
-        of = claim.terms[0] - claim.terms[1]
-        return combined(claim, [self._any(("<", of), ("<", -of))])
+            return [lambda claim: _all(conj, map(self._find, claim.parts))]
+        if _whole(claim):
+            return [lambda claim: is_whole(claim.of[0], *filter(_says_whole, self.known.values()))]
+        if not isinstance(claim, Relation):
+            return []
+        if not claim.free:
+            return [number]
+        if claim.sign == "!=":
+            return [self._other, self._differs]
+        if claim.sign == "=":
+            return [self._rewritten, self._sum]
+        return [self._rewritten, self._parts, self._function, self._sum, self._quotient]
 
-    def _parts(self, claim: Proposition) -> Theorem:
-        """A sum of positive terms, a product of positive factors, an even power."""
-        of, sign = _gap(claim)
-        weak = ("<", "<=")[: 1 + (sign == "<=")]
+    def _sign(self, of: Expr, *signs: str) -> Theorem | None:
+        """The first of some signs of an expression, or of what it is the negative of."""
+        claims = (Relation(S.Zero, sign, e) for e in (of, -of) for sign in signs)
+        return next(filter(None, map(self._find, claims)), None)
+
+    def _differs(self, claim: Relation) -> Theorem | None:
+        return _all(lambda t: combined(claim, [t]), [self._sign(claim.left - claim.right, "<")])
+
+    def _other(self, claim: Relation) -> Theorem | None:
+        """The same of a known multiple."""
+        of = claim.left - claim.right
+        same = (
+            t for p, t in self.known.items() if _apart(p) and of in (difference(t), -difference(t))
+        )
+        return _all(lambda t: combined(claim, [t]), [next(same, None)])
+
+    def _rewritten(self, claim: Relation) -> Theorem | None:
+        """By equations, the right side for the left one, or for a symbol on the right."""
+        for use, there in self._plain:
+            goal, rows = _reduced(claim.right - claim.left, use)
+            with suppress(NotShown):
+                if claim.sign == "=":
+                    return combined(claim, *rows)
+                known = there._find(Relation(S.Zero, claim.sign, goal))
+                if known is not None:
+                    return combined(claim, [known], *rows)
+        return None
+
+    @property
+    def _plain(self) -> list[tuple[list[Theorem], Given]]:
+        """Without equations: by all of them, and by those of symbols alone."""
+        if self._bare is None and self._equations:
+            self._bare = []
+            for use in (self._equations, list(filter(_names, self._equations))):
+                there = self.and_()
+                there._equations, there._signs, there._closes = [], [], False
+                for theorem, _ in self._signs:
+                    sign = relation(theorem).sign
+                    of, rows = _reduced(difference(theorem), use)
+                    if sign != "=":
+                        back = [[t, -share] for t, share in rows]
+                        there._know(combined(Relation(S.Zero, sign, of), [theorem], *back))
+                self._bare.append((use, there))
+        return self._bare or []
+
+    def _parts(self, claim: Relation) -> Theorem | None:
+        """A sum of positive terms, a product of factors with a sign, a power."""
+        of, sign = claim.right - claim.left, claim.sign
         if of.is_Add and all(term.as_coeff_Mul()[0] > 0 for term in of.args):
-            return combined(claim, *([self._any(("<", t), ("<=", t))] for t in of.args))
+            rows = (self._sign(term, "<", "<=") for term in of.args)
+            return _all(lambda *known: combined(claim, *([t] for t in known)), rows)
         if of.is_Pow and of.exp.is_Integer and of.exp > 1:
             if of.exp % 2 == 0 and sign == "<=":
                 return combined(claim, [square(of.base ** (of.exp / 2))])
-            return combined(claim, [self._any((sign, of.base), (sign, -of.base))] * int(of.exp))
+            known = self._sign(of.base, sign)
+            return _all(lambda t: combined(claim, [t] * int(of.exp)), [known])
         if not of.is_Mul or sp.fraction(of)[1].free_symbols:
-            raise NotShown(f"{claim} has no parts")
+            return None
         share, rest = of.as_coeff_Mul()
-        ways = [[(s, e) for e in (f, -f) for s in weak] for f in sp.Mul.make_args(rest)]
-        return combined(claim, [abs(share), *(self._any(*way) for way in ways)])
+        signs = ("<", "<=") if sign == "<=" else ("<",)
+        factors = (self._sign(factor, *signs) for factor in sp.Mul.make_args(rest))
+        return _all(lambda *known: combined(claim, [abs(share), *known]), factors)
 
-    def _function(self, claim: Proposition) -> Theorem:
+    def _function(self, claim: Relation) -> Theorem | None:
         """That of a sine, a cosine or an exponential."""
-        of, _ = _gap(claim)
+        of = claim.right - claim.left
         if of.func not in (sp.sin, sp.cos, sp.exp):
-            raise NotShown(f"{of} is no such function")
+            return None
         return combined(claim, [sign_of(of.func, of.args[0])])
 
-    def _sum(self, claim: Proposition) -> Theorem:
-        """A sum of products of what is known."""
-        size = [number(Relation(S.Zero, "<", sp.pi))] if any(map(_has_pi, claim.terms)) else []
+    def _sum(self, claim: Relation) -> Theorem | None:
+        """A sum of products of what is known, which is about some of its symbols."""
+        about = frozenset[Symbol]().union(*(t.conclusion.free for t, _ in self._signs))
+        if self._signs and claim.free.isdisjoint(about):
+            return None
+        size = [number(Relation(S.Zero, "<", sp.pi))] if _has_pi(*claim.terms) else []
         return nlinarith(claim, *self._signs, *size, degree=self._degree)
 
-    def _quotient(self, claim: Proposition) -> Theorem:
+    def _quotient(self, claim: Relation) -> Theorem | None:
         """That of a quotient, from those of both its parts; of a sum, by its factors."""
-        of, sign = _gap(claim)
-        other = sp.factor(of) if of.is_rational_function(*of.free_symbols) else sp.together(of)
-        top, bottom = sp.fraction(other)
-        if bottom.free_symbols:
-            below = self._any(("<", bottom), ("<", -bottom))
-            way = 1 if below.conclusion == Relation(S.Zero, "<", bottom) else -1
-            return divided(claim, self._show(Relation(S.Zero, sign, way * top)), below)
-        if not top.is_Mul or other == of:
-            raise NotShown(f"{of} is no quotient")
-        return combined(claim, [self._show(Relation(S.Zero, sign, other))])
+        top, bottom = _fraction(claim.right - claim.left)
+        if bottom is None:
+            known = self._find(Relation(S.Zero, claim.sign, top)) if top.is_Mul else None
+            return _all(lambda t: combined(claim, [t]), [known])
+        below = self._sign(bottom, "<")
+        if below is None:
+            return None
+        way = 1 if difference(below) == bottom else -1
+        above = self._find(Relation(S.Zero, claim.sign, way * top))
+        return _all(lambda t: divided(claim, t, below), [above])
 
 
 def show(claim: Any, *known: Any, degree: int = 2) -> Theorem:
@@ -336,19 +387,57 @@ def show(claim: Any, *known: Any, degree: int = 2) -> Theorem:
     return Given().show(claim, *known, degree=degree)
 
 
-def _has_pi(expr: Expr) -> bool:
-    return bool(expr.has(sp.pi))
+def _names(equation: Theorem) -> bool:
+    return any(side.is_Symbol for side in relation(equation).terms)
 
 
-def _about_divisor(claim: Proposition) -> bool:
+def _reduced(of: Expr, equations: Sequence[Theorem]) -> tuple[Expr, list[list[Any]]]:
+    """An expression after all equations, and their multiples that are the difference."""
+    rows: list[list[Any]] = []
+    for theorem in (*equations, *equations):  # one may bring in another
+        left, right = relation(theorem).terms
+        way = -1 if left.is_Symbol or not right.is_Symbol else 1
+        old, new = (left, right) if way < 0 else (right, left)
+        place = sp.Dummy()
+        there = of.xreplace({old: place})
+        if place in there.free_symbols:
+            share = sp.diff(there, place)
+            if place in share.free_symbols:
+                share = sp.cancel((there - there.xreplace({place: new})) / (place - new))
+            rows.append([theorem, way * share.xreplace({place: old})])
+            of = there.xreplace({place: new})
+    return of, rows
+
+
+@cache
+def _fraction(of: Expr) -> tuple[Expr, Expr | None]:
+    """Numerator and denominator, if it has one, as products."""
+    other = sp.factor(of) if of.is_rational_function(*of.free_symbols) else sp.together(of)
+    top, bottom = sp.fraction(other)
+    return (top, bottom) if bottom.free_symbols else (of if other == of else other, None)
+
+
+def _all(made: Callable[..., Theorem], parts: Iterable[Theorem | None]) -> Theorem | None:
+    """What is made of theorems, if none is missing."""
+    found: list[Theorem] = []
+    for part in parts:
+        if part is None:
+            return None
+        found.append(part)
+    return made(*found)
+
+
+def _has_pi(*terms: Expr) -> bool:
+    return any(term.has(sp.pi) for term in terms)
+
+
+def _apart(claim: Proposition) -> bool:
     return isinstance(claim, Relation) and claim.sign == "!="
 
 
-def _is_whole(claim: Proposition) -> bool:
+def _whole(claim: Proposition) -> bool:
     return isinstance(claim, Predicate) and claim.name == "whole"
 
 
-def _gap(claim: Proposition) -> tuple[Expr, str]:
-    if not (isinstance(claim, Relation) and claim.sign in ("<", "<=")):
-        raise NotShown(f"{claim} has no sign")
-    return claim.right - claim.left, claim.sign
+def _says_whole(theorem: Theorem) -> bool:
+    return _whole(theorem.conclusion)
