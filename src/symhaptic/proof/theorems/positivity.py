@@ -108,6 +108,10 @@ def _products(certificate: str | None, facts: Sequence[tuple[Theorem, Expr]]) ->
     return rows
 
 
+MOST = 1500
+"""Products among which a linear program may choose, within seconds."""
+
+
 def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int) -> str:
     """A certificate, by a linear program."""
     from scipy.optimize import linprog
@@ -118,8 +122,8 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     if claim.sign != "=":
         more = (itertools.combinations_with_replacement(signs, n) for n in range(degree + 1))
         places += itertools.chain(*more)
-    if not places:
-        raise NotShown("an equation follows from equations only")
+    if not 0 < len(places) <= MOST:
+        raise NotShown(f"{len(places)} products to choose from")
     exprs = [difference(t) * m for t, m in facts]
     table = _values([claim.right - claim.left, *exprs], 2 * len(places) + 8)
     goal = table[0]
@@ -127,6 +131,8 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     rows[1 : 2 * len(equal) : 2] *= -1
     rows = np.concatenate([rows.real, rows.imag], axis=1)
     goal = np.concatenate([goal.real, goal.imag])
+    some_ = np.abs(np.vstack([rows, goal])).max(axis=0) > 1e-9  # else it is round-off
+    rows, goal = rows[:, some_], goal[some_]
     sizes = np.abs(rows).mean(axis=1) + 1e-12
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
