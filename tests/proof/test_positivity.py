@@ -45,6 +45,11 @@ def no_search(*_, **__):
         (x + 1 > 0, [whole(x)]),
         (Eq(x, y + z), [(Eq(2 * x * z, 2 * y * z + 2 * z**2), 1 / (2 * z))]),
         (x * z <= y * z + z, [(Eq(x, y), z), z > 0]),
+        (x * y > 0, [Eq(x, z**2 / y), z > 0, y > 0]),
+        (z > 0, [Eq(x, 3 * z), x > 0]),
+        (Eq(x, z + 2), [Eq(x, y + z), Eq(y, 2)]),
+        (sp.exp(sp.I * x) * sp.exp(-sp.I * x) * y > 0, [y > 0]),
+        (x**3 - x > 0, [x > 1]),
     ],
 )
 def test_what_follows_is_shown(claim, known):

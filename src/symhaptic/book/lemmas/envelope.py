@@ -6,7 +6,7 @@ theta/2 and N = 2(d+1).  The envelope is (u, w) = (stiffness(phi), damping(phi))
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import bend, lemma, not_zero, sine, size, width
+from symhaptic.book.lemmas.chords import bend, lemma, sine, size, width
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
 
@@ -92,10 +92,3 @@ def same_side(side: int, after: bool) -> Theorem:
     found = grows(curve, x, low, high, slope, *here.defined(curve, *known))
     signs = [t for v in (phi, psi) for t in (turned(side, v), sine(v), width(v))]
     return ends.show(line(stiff, damping(phi)) > 0, *signs, ends.closed(found, *signs))
-
-
-@cache
-def divisors_at(angle: Expr, side: int) -> tuple[Theorem, ...]:
-    """What the margin and the envelope divide by is not zero on one side of N psi = pi/2."""
-    cosine = show(Ne(cos(N * angle), 0), turned(side, angle))
-    return not_zero(sine(angle)), cosine, apart(angle)

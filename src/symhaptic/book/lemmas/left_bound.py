@@ -72,8 +72,8 @@ def near_the_line(delay: Expr) -> Theorem:
         room += [S.Half / 2, below, back], [S.Half / 2, above, front]
     bare = combined(there, *room)
     equal = show(Relation(delay, "=", d), late)
-    there = Given(*INSIDE).closed(subst(pattern, place, bare, equal), sine_of_half(theta))
-    margins = for_all([theta], INSIDE, there)
+    margin = Given(*INSIDE).closed(subst(pattern, place, bare, equal), sine_of_half(theta))
+    margins = for_all([theta], INSIDE, margin)
     counted = subst(whole(place), place, is_whole(delay), equal)
     stable = closed(conjunct(passive_is_stable(), STABLE), margins, counted)
     return _placed(stable, reach)

@@ -67,7 +67,6 @@ def without_damping() -> Theorem:
 def of_the_walls(walls: Proposition) -> Theorem:
     """(24) and -k < K <=> stable, for b = 0."""
     kept = without_damping().conclusion.of[0]  # type: ignore[attr-defined]
-    pulled, linear = walls.of  # type: ignore[attr-defined]
     known = [conjunct(assume(walls), p) for p in walls.of]  # type: ignore[attr-defined]
     back = [conjunct(assume(kept), p) for p in kept.of]
     same = either_way(SLOW.show(kept, *known), SLOW.show(walls, *back), walls, kept)

@@ -136,7 +136,7 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
     sizes = np.abs(rows).mean(axis=1) + 1e-12
     scale = np.abs(np.vstack([rows / sizes[:, None], goal])).max(axis=0) + 1e-9
     table = (rows / sizes[:, None] / scale).T
-    strict = [p[:1] not in [(i,) for i in equal] and _strict(facts, p) for p in places]
+    strict = [all(relation(facts[i][0]).sign == "<" for i in p) for p in places]
     low = 1e-3 * np.abs(goal).mean()
     extra = (-np.array([strict], dtype=float), [-low]) if claim.sign == "<" else (None, None)
     cost = [1 + len(p) for p in places]  # few and short products
@@ -150,10 +150,6 @@ def _search(claim: Relation, facts: Sequence[tuple[Theorem, Expr]], degree: int)
         " ".join(map(str, (-s if i < 2 * len(equal) and i % 2 else s, *places[i])))
         for i, s in zip(used, map(_rational, shares), strict=True)
     )
-
-
-def _strict(facts: Sequence[tuple[Theorem, Expr]], places: Sequence[int]) -> bool:
-    return all(relation(facts[i][0]).sign == "<" for i in places)
 
 
 def _rational(value: float) -> Fraction:
@@ -285,7 +281,8 @@ class Given:
         if isinstance(claim, And):
             return [lambda claim: _all(conj, map(self._find, claim.parts))]
         if _whole(claim):
-            return [lambda claim: is_whole(claim.of[0], *filter(_says_whole, self.known.values()))]
+            known = (t for p, t in self.known.items() if _whole(p))
+            return [lambda claim: is_whole(claim.of[0], *known)]
         if not isinstance(claim, Relation):
             return []
         if not claim.free:
@@ -329,7 +326,8 @@ class Given:
         """Without equations: by all of them, and by those of symbols alone."""
         if self._bare is None and self._equations:
             self._bare = []
-            for use in (self._equations, list(filter(_names, self._equations))):
+            named = [t for t in self._equations if any(s.is_Symbol for s in relation(t).terms)]
+            for use in (self._equations, named):
                 there = self.and_()
                 there._equations, there._signs, there._closes = [], [], False
                 for theorem, _ in self._signs:
@@ -371,7 +369,8 @@ class Given:
         about = frozenset[Symbol]().union(*(t.conclusion.free for t, _ in self._signs))
         if self._signs and claim.free.isdisjoint(about):
             return None
-        size = [number(Relation(S.Zero, "<", sp.pi))] if _has_pi(*claim.terms) else []
+        round_ = any(term.has(sp.pi) for term in claim.terms)
+        size = [number(Relation(S.Zero, "<", sp.pi))] if round_ else []
         return nlinarith(claim, *self._signs, *size, degree=self._degree)
 
     def _quotient(self, claim: Relation) -> Theorem | None:
@@ -391,10 +390,6 @@ class Given:
 def show(claim: Any, *known: Any, degree: int = 2) -> Theorem:
     """Show a claim from theorems and assumptions alone."""
     return Given().show(claim, *known, degree=degree)
-
-
-def _names(equation: Theorem) -> bool:
-    return any(side.is_Symbol for side in relation(equation).terms)
 
 
 def _reduced(of: Expr, equations: Sequence[Theorem]) -> tuple[Expr, list[list[Any]]]:
@@ -433,17 +428,9 @@ def _all(made: Callable[..., Theorem], parts: Iterable[Theorem | None]) -> Theor
     return made(*found)
 
 
-def _has_pi(*terms: Expr) -> bool:
-    return any(term.has(sp.pi) for term in terms)
-
-
 def _apart(claim: Proposition) -> bool:
     return isinstance(claim, Relation) and claim.sign == "!="
 
 
 def _whole(claim: Proposition) -> bool:
     return isinstance(claim, Predicate) and claim.name == "whole"
-
-
-def _says_whole(theorem: Theorem) -> bool:
-    return _whole(theorem.conclusion)
