@@ -4,10 +4,14 @@ BIN := .venv/bin
 # what Python has compiled is kept: a test that starts processes would compile the package in each
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: report test ci check conditions mutants rocq bench clean
+.PHONY: report certificates test ci check conditions mutants rocq bench clean
 
 report: .venv/ready
 	$(BIN)/symhaptic report
+
+# the sums of products that lemmas rest on, searched for where none is kept
+certificates: .venv/ready
+	$(BIN)/python -m symhaptic.book.certificates
 
 test: .venv/ready
 	$(BIN)/ruff check

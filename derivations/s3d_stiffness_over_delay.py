@@ -9,7 +9,7 @@ from sympy import Rational, S, pi, tan
 from symhaptic.book.figures.passivity import largest_stiffness
 from symhaptic.book.lemmas.half_late_passive import passive_with
 from symhaptic.book.lemmas.motions import half_late, not_passive
-from symhaptic.book.lemmas.stiffest_passive import divisors, stiffest_wall
+from symhaptic.book.lemmas.stiffest_passive import stiffest_wall, waves
 from symhaptic.model import passivity
 from symhaptic.notation import B, K, T, b, d, theta
 from symhaptic.notation.proposition import whole
@@ -18,7 +18,7 @@ from symhaptic.paper.propositions import CLAIMED
 from symhaptic.proof.theorems.judge import taken_apart
 from symhaptic.proof.theorems.kernel import add_assum, assume, conj
 from symhaptic.proof.theorems.leaves import combined
-from symhaptic.proof.theorems.tactics import closed, counterexample, example, for_all
+from symhaptic.proof.theorems.tactics import counterexample, example, for_all
 
 HALF = {d: S.Half, T: S.One, b: S.One}
 TIP = HALF | {line.lhs: line.rhs.subs(HALF) for line in STATEMENTS["eq11"].printed}
@@ -54,7 +54,7 @@ def _tips(page):
     symbols, given, then = taken_apart(claim)
     stiffness, damping = map(assume, given[-2:])
     height = combined(then.of[0], [stiffness, T])
-    found = conj(closed(height, *divisors()), stiffest_wall(stiffness, damping))
+    found = conj(waves().closed(height), stiffest_wall(stiffness, damping))
     more = [*given, whole(d)]
     page.settle(
         "fig5",

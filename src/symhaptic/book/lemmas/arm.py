@@ -14,18 +14,13 @@ SPRING, DAMPER = T**2 * k_H / (m_D + m_H), T * (b_D + b_H) / (m_D + m_H)
 """gamma and delta of (19)."""
 
 
-def total() -> tuple[Theorem, ...]:
-    """0 < m_D + m_H, and the masses are not zero."""
-    mass = positive(m_D + m_H > 0, m_D > 0, m_H > 0)
-    apart = positive(Ne(m_D, 0), m_D > 0), positive(Ne(m_H, 0), m_H > 0)
-    return mass, positive(Ne(m_D + m_H, 0), [mass]), *apart
+MASSES = Given(m_D > 0, m_H > 0)
 
 
 def numbers(claim: Proposition) -> Theorem:
     """gamma and delta of (19), from Table I for the m, b and k of (2)."""
     _, given, then = taken_apart(claim)
     mass, damper, spring, stiff, slow = (assume(p) for p in given[-5:])
-    total = positive(m_D + m_H > 0, m_D > 0, m_H >= 0)
     share = {gamma: T**2 * k_H, delta: T * (b_D + b_H)}
     found = [
         combined(wanted, [rule, S.One], [part, power / m], [mass, -share[name] / (m * (m_D + m_H))])
@@ -33,8 +28,8 @@ def numbers(claim: Proposition) -> Theorem:
             then.parts, (gamma, delta), (stiff, slow), (spring, damper), (T**2, T), strict=True
         )
     ]
-    together = positive(Ne(m, 0), [positive(m > 0, [total], [mass, -S.One])])
-    return closed(conj(*found), together, positive(Ne(m_D + m_H, 0), [total]))
+    here = Given(m_D > 0, m_H >= 0, mass)
+    return here.closed(conj(*found))
 
 
 p = Symbol("p")
@@ -46,11 +41,7 @@ def weighted(claim: Proposition) -> Theorem:
     _, given, then = taken_apart(claim)
     plain, mean, above, below = then.parts
     rules = {r.left: assume(r) for r in given if isinstance(r, Relation) and r.sign == "="}
-    mass, *apart = total()
-    shares = (
-        over(m_D / (m_D + m_H) > 0, m_D > 0, mass),
-        over(1 - m_D / (m_D + m_H) > 0, m_H > 0, mass),
-    )
+    here = MASSES.and_(T > 0)
     own = m_D / (m_D + m_H)
     made = combined(
         mean,
@@ -59,13 +50,8 @@ def weighted(claim: Proposition) -> Theorem:
         [rules[x], -T * own],
         [rules[y], -T * (1 - own)],
     )
-    found = conj(
-        combined(plain, [rules[delta], 1 / T]),
-        made,
-        positive(above, [shares[0]], [rules[p], -S.One]),
-        positive(below, [shares[1]], [rules[p], S.One]),
-    )
-    return closed(found, mass, *apart, positive(Ne(T, 0), T > 0))
+    found = combined(plain, [rules[delta], 1 / T]), made
+    return here.closed(conj(*found, *(here.show(part, rules[p]) for part in (above, below))))
 
 
 def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
@@ -74,25 +60,16 @@ def _named(claim: Proposition, above: list[Theorem]) -> list[Theorem]:
     rules = {p.left: p for p in given if isinstance(p, Relation) and p.sign == "="}
     found = []
     for part, known in zip(then.parts, above, strict=True):
-        wanted = part.parts[1] if isinstance(part, Implies) else part
-        rule = rules[wanted.left]  # type: ignore[attr-defined]
-        found.append(closed(positive(wanted, [known], [assume(rule), S.One]), *total()))
+        wanted: Any = part.parts[1] if isinstance(part, Implies) else part
+        found.append(MASSES.closed(show(wanted, known, rules[wanted.left])))
     return found
 
 
 def bounds(claim: Proposition) -> list[Theorem]:
     """gamma < T^2 k_H/m_H and delta < T (b_D/m_D + b_H/m_H), if k_H, b_D and b_H > 0."""
-    mass, *_ = total()
-    pulled = positive(T**2 * k_H * m_D > 0, [T > 0, T > 0, k_H > 0, m_D > 0])
-    softer = over(
-        T**2 * k_H / m_H - SPRING > 0, pulled, positive(m_H * (m_D + m_H) > 0, [m_H > 0, mass])
-    )
-    loss = T * (b_D * m_H**2 + b_H * m_D**2)
-    brakes = positive(
-        loss > 0, [T > 0, b_D > 0, m_H > 0, m_H > 0], [T > 0, b_H > 0, m_D > 0, m_D > 0]
-    )
-    below = positive(m_D * m_H * (m_D + m_H) > 0, [m_D > 0, m_H > 0, mass])
-    calmer = over(T * (b_D / m_D + b_H / m_H) - DAMPER > 0, brakes, below)
+    here = MASSES.and_(T > 0)
+    softer = here.show(T**2 * k_H / m_H - SPRING > 0, k_H > 0)
+    calmer = here.show(T * (b_D / m_D + b_H / m_H) - DAMPER > 0, b_D > 0, b_H > 0)
     return _named(claim, [softer, calmer])
 
 
@@ -101,42 +78,14 @@ def limits(claim: Proposition) -> list[Theorem]:
 
     And delta <= T y from y_D, y_H <= y.
     """
-    mass, *_ = total()
-    soft = k_H / m_H <= x
-    ratio = over(k_H / m_H >= 0, k_H >= 0, m_H > 0)
-    reach = positive(x >= 0, soft, [ratio])
-    room = positive(
-        T**2 * (x * (m_D + m_H) - k_H) >= 0,
-        [T > 0, T > 0, soft, m_H > 0],
-        [T > 0, T > 0, reach, m_D > 0],
-    )
-    spring = over(T**2 * x - SPRING >= 0, room, mass)
-    each = [T > 0, b_D / m_D <= y_D, m_D > 0], [T > 0, b_H / m_H <= y_H, m_H > 0]
-    ratios = over(b_D / m_D >= 0, b_D >= 0, m_D > 0), over(b_H / m_H >= 0, b_H >= 0, m_H > 0)
-    own = (
-        positive(y_D >= 0, b_D / m_D <= y_D, [ratios[0]]),
-        positive(y_H >= 0, b_H / m_H <= y_H, [ratios[1]]),
-    )
-    calm = positive(
-        T * ((y_D + y_H) * (m_D + m_H) - b_D - b_H) >= 0,
-        *each,
-        [T > 0, own[0], m_H > 0],
-        [T > 0, own[1], m_D > 0],
-    )
-    shared = positive(
-        T * (y * (m_D + m_H) - b_D - b_H) >= 0,
-        *each,
-        [T > 0, y_D <= y, m_D > 0],
-        [T > 0, y_H <= y, m_H > 0],
-    )
-    *sums, mean = _named(
-        claim,
-        [
-            spring,
-            over(T * (y_D + y_H) - DAMPER >= 0, calm, mass),
-            over(T * y - DAMPER >= 0, shared, mass),
-        ],
-    )
+    spring = MASSES.and_(T > 0, k_H >= 0, k_H / m_H <= x)
+    spring.have(k_H / m_H >= 0)
+    damper = MASSES.and_(T > 0, b_D >= 0, b_H >= 0, b_D / m_D <= y_D, b_H / m_H <= y_H)
+    damper.have(b_D / m_D >= 0)
+    damper.have(b_H / m_H >= 0)
+    calm = damper.show(T * (y_D + y_H) - DAMPER >= 0)
+    shared = damper.show(T * y - DAMPER >= 0, y_D <= y, y_H <= y)
+    *sums, mean = _named(claim, [spring.show(T**2 * x - SPRING >= 0), calm, shared])
     return [*sums, disch(mean, y_D <= y, y_H <= y)]
 
 
@@ -145,10 +94,7 @@ def in_seconds(claim: Proposition) -> Theorem:
     if isinstance(claim, Or):
         case = next(p for p in claim.of if _difference(p)[0] > 0)
         return disj(in_seconds(case), claim)
-    share, power = _difference(claim)
-    rate = over(1 / second > 0, one(), second > 0)
-    steps = [[share, *[rate] * power]] if share else []
-    return closed(positive(claim, *steps), positive(Ne(second, 0), second > 0))
+    return show(claim, second > 0)
 
 
 def _difference(claim: Proposition) -> tuple[Expr, int]:
@@ -177,8 +123,8 @@ def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
     From limits in units of a second: of the arm's stiffness and damping per mass, and of the
     device's damping per mass.
     """
-    mass, *apart = total()
-    rate = over(1 / second > 0, one(), second > 0)
+    here = MASSES.and_(T > 0, second > 0, T**2 > 0)
+    rate = here.have(1 / second > 0)
     stiff, both = spring / second**2, (damper + device) / second
     soft, calm, light = (
         k_H / m_H <= stiff,
@@ -197,15 +143,10 @@ def within(spring: Expr, damper: Expr, device: Expr) -> list[Theorem]:
         [damper, T > 0, rate, m_D > 0],
         [device, T > 0, rate, m_H > 0],
     )
-    parts = [
-        over(SPRING >= 0, positive(T**2 * k_H >= 0, [T > 0, T > 0, k_H >= 0]), mass),
-        positive(T**2 * stiff > SPRING, over(T**2 * stiff - SPRING > 0, above, mass)),
-        over(
-            DAMPER >= 0,
-            positive(T * (b_D + b_H) >= 0, [T > 0, b_D >= 0], [T > 0, b_H >= 0]),
-            mass,
-        ),
-        positive(T * both > DAMPER, over(T * both - DAMPER > 0, slower, mass)),
+    mass = MASSES.show(m_D + m_H > 0)
+    return [
+        here.show(SPRING >= 0, k_H >= 0),
+        here.closed(show(T**2 * stiff > SPRING, over(T**2 * stiff - SPRING > 0, above, mass))),
+        here.show(DAMPER >= 0, b_D >= 0, b_H >= 0),
+        here.closed(show(T * both > DAMPER, over(T * both - DAMPER > 0, slower, mass))),
     ]
-    clock = positive(Ne(second, 0), second > 0)
-    return [closed(found, mass, *apart, clock) for found in parts]

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.linear_part import on_line, shares
+from symhaptic.book.lemmas.linear_part import on_line
 from symhaptic.book.lemmas.lower_boundary import nothing_else
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
@@ -32,12 +31,12 @@ def _no_others(implication: Any) -> Theorem:
     """A wall of the boundary is on the arc, on the line or, without delay, on the upper part."""
     border, cover = implication.of
     arc, line, _ = cover.of
-    late = strictly(assume(d >= 0), combined(Ne(S.Zero, d), [assume(Ne(d, 0))]))
+    late = strictly(assume(d >= 0), show(Ne(S.Zero, d), Ne(d, 0)))
     above = disj(closed(upper_boundary(arc), late), cover)
-    damped = positive(B >= 0, [d * b / (2 * d + 3) < B], [loss()])
+    damped = show(B >= 0, d * b / (2 * d + 3) < B, loss())
     at_once = disj(closed(its_damping(), damped), cover)
     high = disj_cases(decided(d, 0), at_once, above)
     low = disj(nothing_else(line.body.of[2:]), cover)
     found = disj_cases(ordered(d * b / (2 * d + 3), B), high, low)
-    found = closed(found, not_zero(shares()[2]))
-    return disch(closed(found, conjunct(assume(border), BORDER)), border)
+    found = closed(Given(d >= 0).closed(found), conjunct(assume(border), BORDER))
+    return disch(found, border)

@@ -6,7 +6,7 @@ theta/2 and N = 2(d+1).  The envelope is (u, w) = (stiffness(phi), damping(phi))
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, PI, anywhere, bend, not_zero, sine, size, width
+from symhaptic.book.lemmas.chords import bend, lemma, sine, size, width
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.proof.theorems.analysis import grows
 
@@ -44,44 +44,25 @@ def beside(side: int, angle: Expr) -> Any:
 @cache
 def turned(side: int, angle: Expr = psi) -> Theorem:
     """0 < cos N psi below pi/2, and 0 < -cos N psi above."""
-    known = assume(beside(side, angle))
-    if side == LOWER:
-        low = positive(N * angle > -pi / 2, [size(), angle > 0], [HALF, PI])
-        return closed(sign_of(cos, N * angle), low, known)
-    low = positive(N * angle - pi > -pi / 2, [known])
-    high = positive(N * angle - pi < pi / 2, N * angle < pi, [HALF, PI])
-    return closed(sign_of(cos, N * angle - pi), low, high)
+    here = Given(N > 2, angle > 0, N * angle < pi, beside(side, angle))
+    wave = sign_of(cos, N * angle if side == LOWER else N * angle - pi)
+    return here.show(side * cos(N * angle) > 0, wave)
 
 
-@anywhere
-def apart() -> Theorem:
-    """The divisor of (7) is not zero."""
-    return not_zero(width())
+apart = lemma(Ne(divisor(), 0), width)
 
 
 @cache
 def rises(side: int) -> Theorem:
     """U(phi) < U(psi) for phi < psi up to pi/2, and U(psi) < U(phi) beyond."""
-    slope = 2 * N**2 * sin(x) ** 2 * side * cos(N * x) * bend(x).conclusion.right  # type: ignore[attr-defined]
-    top = positive(slope > 0, [2, size(), size(), sine(x), sine(x), turned(side, x), bend(x)])
-    bottom = positive(divisor(x) ** 2 > 0, [width(x), width(x)])
-    curve = side * stiffness(x)
-    found = over(derivative(curve, x) > 0, top, bottom)
-    found = closed(found, not_zero(bottom), apart(x), not_zero(size()), not_zero(sine(x)))
-    first = side == LOWER
-    inside = [
-        positive(x > 0, phi > 0, x > phi),
-        positive(N * x < pi, N * psi < pi, [size(), x < psi]),
-        positive(N * x < pi / 2, N * psi <= pi / 2, [size(), x < psi])
-        if first
-        else positive(N * x > pi / 2, N * phi >= pi / 2, [size(), x > phi]),
-    ]
-    found = grows(curve, x, phi, psi, closed(found, *inside), closed(apart(x), *inside))
-    ends = [
-        positive(N * phi < pi, N * psi < pi, [size(), phi < psi]),
-        positive(psi > 0, phi > 0, psi > phi),
-    ]
-    return closed(found, apart(phi), apart(psi), *ends)
+    reach = N * psi <= pi / 2 if side == LOWER else N * phi >= pi / 2
+    here = Given(N > 2, phi > 0, N * psi < pi, reach, x > phi, x < psi)
+    slope = 2 * N**2 * sin(x) ** 2 * side * cos(N * x) * difference(bend(x))
+    curve, known = side * stiffness(x), (size(), sine(x), width(x), bend(x), turned(side, x))
+    found = over(derivative(curve, x) > 0, slope > 0, divisor(x) ** 2 > 0)
+    inside = here.closed(found, *known), *here.defined(curve, *known)
+    ends = Given(N > 2, phi > 0, psi > phi, N * psi < pi, reach)
+    return ends.closed(grows(curve, x, phi, psi, *inside), width(phi), width(psi))
 
 
 def border(stiff: Expr, angle: Expr = psi) -> Expr:
@@ -95,38 +76,19 @@ def same_side(side: int, after: bool) -> Theorem:
     stiff = stiffness(phi)
     low, high = (phi, psi) if after else (psi, phi)
     way = side if after else -side
+    ends = Given(
+        N > 2, low > 0, N * high < pi, low < high, beside(side, (low, high)[side == LOWER])
+    )
+    here = ends.and_(x > low, x < high)
     moved = inst(rises(side), {psi: x} if after else {phi: x, psi: phi})
-    top = positive(divisor(x) * way * (stiffness(x) - stiff) > 0, [width(x), moved])
-    squared = 2 * sin(x) ** 2 * cos(N * x) ** 2
-    bottom = positive(squared > 0, [2, sine(x), sine(x), turned(side, x), turned(side, x)])
+    known = [f(x) for f in (sine, width)] + [turned(side, x), width(phi), sine(phi), moved]
     curve = way * border(stiff, x)
-    slope = over(derivative(curve, x) > 0, top, bottom)
-    inside = [
-        positive(x > 0, low > 0, x > low),
-        positive(N * x < pi, N * high < pi, [size(), x < high]),
-        positive(N * x < pi / 2, beside(side, high), [size(), x < high])
-        if side == LOWER
-        else positive(N * x > pi / 2, beside(side, low), [size(), x > low]),
-        positive(beside(side, x).lts <= beside(side, x).gts, beside(side, x)),
-        positive(beside(side, phi).lts <= beside(side, phi).gts, beside(side, phi)),
-    ]
-    known = [*divisors_at(x, side), apart(phi)]
-    slope = closed(slope, *known, *inside)
-    shown = [closed(t, *inside) for t in divisors_at(x, side)]
-    found = grows(curve, x, low, high, slope, *shown, apart(phi))
-    goal = line(stiff, damping(phi)) > 0
-    found = positive(goal, [turned(side), found])
-    ends = [
-        positive(N * low < pi, N * high < pi, [size(), low < high]),
-        positive(high > 0, low > 0, high > low),
-        positive(N * low < pi / 2, beside(LOWER, high), [size(), low < high]),
-        positive(N * high > pi / 2, beside(UPPER, low), [size(), low < high]),
-    ]
-    return closed(found, *divisors_at(phi, side), *divisors_at(psi, side), *known, *ends)
-
-
-@cache
-def divisors_at(angle: Expr, side: int) -> tuple[Theorem, ...]:
-    """What the margin and the envelope divide by is not zero on one side of N psi = pi/2."""
-    cosine = positive(Ne(cos(N * angle), 0), [turned(side, angle)])
-    return not_zero(sine(angle)), cosine, apart(angle)
+    slope = over(
+        derivative(curve, x) > 0,
+        divisor(x) * way * (stiffness(x) - stiff) > 0,
+        2 * sin(x) ** 2 * cos(N * x) ** 2 > 0,
+    )
+    slope = here.closed(slope, *known)
+    found = grows(curve, x, low, high, slope, *here.defined(curve, *known))
+    signs = [t for v in (phi, psi) for t in (turned(side, v), sine(v), width(v))]
+    return ends.show(line(stiff, damping(phi)) > 0, *signs, ends.closed(found, *signs))

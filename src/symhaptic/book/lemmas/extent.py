@@ -6,12 +6,15 @@ w cos N psi, for psi = theta/2 and N = 2(d+1) >= 2; all numbers are real.
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, PI, anywhere, lowest_coefficients, not_zero
+from symhaptic.book.lemmas.chords import lowest_coefficients
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.notation import b, u, w
 from symhaptic.proof.theorems.familiar import bounded
 
-SIZE = positive(N > 0, N >= 2, [2])
+HERE = Given(N >= 2)
+QUARTER = Given(psi > 0, psi < pi / 2)
+sine = QUARTER.about(psi)(sin(psi) > 0)
+cotangent = QUARTER.lemma(cos(psi) / sin(psi) > 0)
 
 
 def margin(angle: Expr = psi) -> Expr:
@@ -24,40 +27,17 @@ def first_half_turn() -> Proposition:
     return ForAll((phi,), implied([phi > 0, N * phi < pi], margin(phi) >= 0))
 
 
-@anywhere
-def sine() -> Theorem:
-    """0 < sin psi for 0 < psi < pi/2."""
-    return closed(sign_of(sin, psi), positive(psi < pi, psi < pi / 2, [HALF, PI]))
-
-
-@anywhere
-def cotangent() -> Theorem:
-    """0 < cot psi for 0 < psi < pi/2."""
-    top = closed(sign_of(cos, psi), positive(psi > -pi / 2, psi > 0, [HALF, PI]))
-    return closed(over(cos(psi) / sin(psi) > 0, top, sine()), not_zero(sine()))
-
-
 @cache
 def ends() -> tuple[Theorem, Theorem]:
     """0 <= b - w and 0 <= b + w - N u, from the ends of the first half turn."""
-    angle, wave = pi / N, _sine_at_end()
-    back = positive(N * phi < pi, [SIZE, assume(phi < angle)])
+    angle, wave = pi / N, HERE.show(sin(pi / N) > 0)
     given = assume(phi > 0), assume(N * phi < pi)
-    inside = closed(at(assume(first_half_turn()), {phi: phi}, *given), back)
-    interval = over(angle > 0, PI, SIZE)
+    inside = HERE.closed(at(assume(first_half_turn()), {phi: phi}, *given), phi < angle)
     found = []
     for end, value in ((angle, b - w), (S.Zero, b - u * N + w)):
         known = in_the_limit(inside, phi, S.Zero, angle, tends(margin(phi), phi, end, value))
-        divisors = lowest_coefficients(known, wave, angle)
-        found.append(closed(known, *divisors, interval, not_zero(SIZE)))
+        found.append(HERE.closed(closed(known, *lowest_coefficients(known, wave, angle)), wave))
     return found[0], found[1]
-
-
-def _sine_at_end() -> Theorem:
-    """0 < sin(pi/N)."""
-    low = over(pi / N > 0, PI, SIZE)
-    high = over(pi / N < pi, positive(pi * (N - 1) > 0, [PI, N >= 2], [PI]), SIZE)
-    return closed(sign_of(sin, pi / N), low, high, not_zero(SIZE))
 
 
 @cache
@@ -91,80 +71,57 @@ def same_turn() -> tuple[Theorem, Theorem]:
 def repeated() -> Theorem:
     """The margin where N psi is less than pi beyond l full turns, 0 < l: above that at phi."""
     low = REST / N
-    positive_low, positive_l = over(low > 0, assume(REST > 0), SIZE), assume(l > 0)
-    given = positive_low, positive(N * low < pi, pi > REST)
-    known = at(assume(first_half_turn()), {phi: low}, *given)
-    gap = over(psi - low > 0, positive(2 * pi * l > 0, [2, PI, positive_l]), SIZE)
-    below = positive(low < pi / 2, [gap], psi < pi / 2)
-    wave = closed(
-        sign_of(sin, psi - low),
-        gap,
-        positive(psi - low < pi, psi < pi / 2, [positive_low], [HALF, PI]),
-    )
-    inside = sine(low)
+    here = Given(N >= 2, u >= 0, l > 0, REST > 0, pi > REST, psi < pi / 2)
+    for claim in low > 0, psi - low > 0, sin(low) > 0, sin(psi) > 0:
+        here.have(claim)
+    first = first_half_turn()
+    known = at(assume(first), {phi: low}, here.show(low > 0), here.show(N * low < pi))
     falls = over(
         cos(low) / sin(low) - cos(psi) / sin(psi) > 0,
-        positive(sin(psi - low) > 0, [wave]),
-        positive(sin(low) * sin(psi) > 0, [inside, sine()]),
+        sin(psi - low) > 0,
+        sin(low) * sin(psi) > 0,
     )
-    up = closed(sign_of(sin, REST))
     by_sine, by_cosine = same_turn()
     found = combined(
         margin() >= 0,
         [known],
-        [assume(u >= 0), falls, up],
+        [assume(u >= 0), falls, sign_of(sin, REST)],
         [by_sine, u * cos(psi) / sin(psi)],
         [by_cosine, -w],
     )
-    product = positive(sin(low) * sin(psi) > 0, [inside, sine()])
-    divisors = map(not_zero, (inside, sine(), SIZE, product))
-    return closed(found, *divisors, positive_low, below)
+    return here.closed(found)
 
 
 @cache
 def within_a_turn() -> Theorem:
     """The margin where 0 < N psi - 2 pi l < pi."""
-    goal = margin() >= 0
-    less = positive(N * psi < pi, pi > REST, [2, PI, positive(-l >= 0, l <= 0)])
+    less = show(N * psi < pi, pi > REST, l <= 0)
     first = closed(at(assume(first_half_turn()), {phi: psi}, assume(psi > 0), less))
-    return disj_cases(ordered(S.Zero, l), positive(goal, [repeated()]), positive(goal, [first]))
+    goal = margin() >= 0
+    return disj_cases(ordered(S.Zero, l), show(goal, repeated()), show(goal, first))
 
 
 @cache
 def beyond() -> Theorem:
     """The margin where sin N psi <= 0: at least b - |w|."""
-    high, low = ends()
-    wave, size = cos(N * psi), bounded(cos, N * psi)
-    up, down = (
-        combined(1 + s * wave >= 0, [HALF, square(1 + s * wave)], [HALF, size]) for s in (1, -1)
-    )
-    low = positive(b + w >= 0, [low], [SIZE, u >= 0])
-    return positive(
-        margin() >= 0,
-        [HALF, low, up],
-        [HALF, high, down],
-        [u >= 0, cotangent(), -sin(N * psi) >= 0],
-    )
+    wave = cos(N * psi)
+    squares = square(1 + wave), square(1 - wave), bounded(cos, N * psi)
+    up, down = (show(1 + s * wave >= 0, *squares) for s in (1, -1))
+    known = *ends(), up, down, cotangent(), -sin(N * psi) >= 0
+    return Given(N >= 2, u >= 0, psi > 0, psi < pi / 2).show(margin() >= 0, *known, degree=3)
 
 
 @cache
 def extent() -> Theorem:
     """The margin at every 0 < psi < pi/2, from that for 0 < N psi < pi; N >= 2 and u >= 0."""
-    by_sine = same_turn()[0]
-    falling = positive(-sin(N * psi) >= 0, -sin(REST) >= 0, [by_sine, S.One])
+    falling = show(-sin(N * psi) >= 0, -sin(REST) >= 0, same_turn()[0])
     outside = closed(beyond(), falling)
     zero = number(Relation(S.Zero, "<=", S.Zero))
-    start = combined(
-        Eq(S.Zero, REST), [both_ways(assume(REST <= 0), assume(REST >= 0)), S.NegativeOne]
-    )
-    at_start = closed(outside, subst(-sin(x) >= 0, x, zero, start))
-    late = positive(REST - pi <= pi, N * psi < (l + 1) * (2 * pi))
-    after = closed(outside, weak_sine(REST - pi), positive(REST - pi >= 0, pi <= REST), late)
+    start = both_ways(assume(REST <= 0), assume(REST >= 0))
+    at_start = closed(outside, subst(-sin(x) >= 0, x, zero, show(Eq(S.Zero, REST), start)))
+    here = Given(pi <= REST, N * psi < (l + 1) * (2 * pi))
+    after = here.closed(outside, here.closed(weak_sine(REST - pi)))
     above = disj_cases(ordered(REST, pi), within_a_turn(), after)
     found = disj_cases(ordered(S.Zero, REST), above, at_start)
-    found = closed(found, positive(REST >= 0, l * 2 * pi <= N * psi))
-    turns = with_rest(N * psi, 2 * pi, l)
-    found = choose(turns, found)
-    return closed(
-        found, positive(N * psi >= 0, [SIZE, psi > 0]), number(Relation(S.Zero, "<", 2 * pi))
-    )
+    found = closed(found, show(REST >= 0, l * 2 * pi <= N * psi))
+    return Given(N >= 2, psi > 0).closed(choose(with_rest(N * psi, 2 * pi, l), found))

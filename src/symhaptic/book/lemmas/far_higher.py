@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symhaptic.book.lemmas.near_tip import FINE, none_above, wall_below
-from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip, softer_than_the_tip
+from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip, softer_than_the_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import LIMIT, SPRUNG, least
 from symhaptic.book.lemmas.region import limits, pushes
@@ -29,7 +29,7 @@ def at_least() -> Theorem:
     """Behind every whole delay some stable wall is as stiff as all passive ones: that of (11)."""
     symbols, given, some = taken_apart(stiffer_than_passive())
     stable, tip = passive_tip()
-    found = closed(beside(some, stable, tip, lambda wanted: softer_than_the_tip()), *known())
+    found = at_unit().closed(beside(some, stable, tip, lambda wanted: softer_than_the_tip()))
     return for_all(symbols, given, add_assum(found, *given))
 
 
@@ -43,7 +43,7 @@ def beside_the_tip() -> Theorem:
     softer = at(bounded, {s: s for s in WALL}, assume(stable(d)))
     room = assume(RATE * tip[0] >= LIMIT)
     found = beside(claim, is_passive(), tip, lambda wanted: positive(wanted, [softer], [room]))
-    return closed(found, *known())
+    return at_unit().closed(found)
 
 
 @cache

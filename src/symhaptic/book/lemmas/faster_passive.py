@@ -5,8 +5,7 @@ By (11) that stiffness is 2 b/T tan(pi/(4 (d+1))), and the tangent over its angl
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, PI, not_zero
-from symhaptic.book.lemmas.passive_tip import known, passive_wall
+from symhaptic.book.lemmas.passive_tip import passive_wall
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.stiffest_passive import TURN, bound, waves
 from symhaptic.notation import b
@@ -21,45 +20,24 @@ u, v, w = symbols("u v w")
 def above_the_sine() -> Theorem:
     """sin v cos v < v for 0 < v < pi/2."""
     rest = w - sin(w) * cos(w)
-    # the derivative is 2 sin(w)^2
-    sine = closed(
-        sign_of(sin, w),
-        positive(w < pi, w < v, v < pi / 2, [HALF, PI]),
+    here = Given(w > 0, w < v, v < pi / 2)
+    sine = here.show(sin(w) > 0)
+    return show(
+        v - sin(v) * cos(v) > 0,
+        grows(rest, w, S.Zero, v, here.closed(positive(derivative(rest, w) > 0, [2, sine, sine]))),
     )
-    rise = grows(rest, w, S.Zero, v, positive(derivative(rest, w) > 0, [2, sine, sine]))
-    return positive(v - sin(v) * cos(v) > 0, [rise])
 
 
 @cache
 def tangent_over_angle() -> Theorem:
     """0 < w sin w'/cos w' - w' sin w/cos w for the angles 0 < w < w' < pi/2, w' being u."""
     quotient = sin(v) / (v * cos(v))
-
-    def waves(angle: Expr, low: Theorem, high: Theorem) -> Theorem:
-        """0 < cos of an angle in the first quarter."""
-        return closed(sign_of(cos, angle), positive(-pi / 2 < angle, [low], [HALF, PI]), high)
-
-    cosine = waves(v, assume(v > 0), assume(v < pi / 2))
-    size = positive(v * cos(v) > 0, [v > 0, cosine])
-    slope_ = over(
-        derivative(quotient, v) > 0,
-        above_the_sine(),
-        positive(v**2 * cos(v) ** 2 > 0, [size, size]),
-    )
-    inner = positive(v > 0, w < v, w > 0), positive(v < pi / 2, v < u, u < pi / 2)
-    apart = not_zero(size), not_zero(assume(v > 0)), not_zero(cosine)
-    slope_ = closed(slope_, *apart, *inner)
-    rise = grows(quotient, v, w, u, slope_, *(closed(t, *inner) for t in apart))
-    larger = positive(u > 0, w < u, w > 0)
-    ends = [
-        (w, waves(w, assume(w > 0), positive(w < pi / 2, w < u, u < pi / 2)), assume(w > 0)),
-        (u, waves(u, larger, assume(u < pi / 2)), larger),
-    ]
-    rest = [not_zero(t) for _, *some in ends for t in some]
-    rest += [not_zero(positive(a * cos(a) > 0, [t, c])) for a, c, t in ends]
-    goal = w * sin(u) / cos(u) - u * sin(w) / cos(w)
-    found = positive(goal > 0, [larger, assume(w > 0), rise])
-    return closed(found, *rest, larger)
+    here = Given(w > 0, w < u, u < pi / 2)
+    between = Given(w > 0, w < v, v < u, u < pi / 2)
+    slope_ = over(derivative(quotient, v) > 0, above_the_sine(), v**2 * cos(v) ** 2 > 0)
+    inside = between.closed(slope_), *between.defined(quotient)
+    rise = here.closed(grows(quotient, v, w, u, *inside))
+    return here.show(w * sin(u) / cos(u) - u * sin(w) / cos(w) > 0, rise, degree=3)
 
 
 LATER = FASTER * d
@@ -81,19 +59,12 @@ def claim() -> Proposition:
 def weakly() -> Theorem:
     """0 <= w tan u - u tan w for 0 < w <= u < pi/2."""
     goal = w * sin(u) / cos(u) - u * sin(w) / cos(w)
-    strict = positive(goal >= 0, [tangent_over_angle()])
     equal = both_ways(assume(w <= u), assume(u <= w))
     place = Symbol("t")
-    there = goal.xreplace({w: place})
-    low = positive(u > 0, w <= u, w > 0)
-    cosine = closed(sign_of(cos, u), positive(-pi / 2 < u, [low], [HALF, PI]))
     same = number(Relation(S.Zero, "<=", S.Zero))
-    back = combined(Eq(u, w), [equal, -S.One])
-    turned = subst(there >= 0, place, same, back)
-    other = closed(sign_of(cos, w), positive(-pi / 2 < w, w > 0, [HALF, PI]))
-    other = closed(other, positive(w < pi / 2, w <= u, u < pi / 2))
-    found = disj_cases(ordered(w, u), strict, turned)
-    return closed(found, not_zero(cosine), not_zero(other))
+    turned = subst(goal.xreplace({w: place}) >= 0, place, same, show(Eq(u, w), equal))
+    found = disj_cases(ordered(w, u), show(goal >= 0, tangent_over_angle()), turned)
+    return Given(w > 0, w <= u, u < pi / 2).closed(found)
 
 
 @cache
@@ -104,55 +75,30 @@ def gains_little() -> Theorem:
     stiffness, damping = best.conclusion.of[:2]  # type: ignore[attr-defined]
     later = {T: T / FASTER, d: LATER}
     small, large = TURN.xreplace({d: LATER}), TURN
-    late = positive(d > 0, d >= 1, [1])
-    rate = positive(FASTER > 0, FASTER >= 1, [1])
-    more, many = positive(d + 1 > 0, [late], [1]), positive(LATER + 1 > 0, [late, rate], [1])
-    order = positive(
-        large - small >= 0,
-        [
-            over(
-                (FASTER - 1) * d * pi / (4 * (d + 1) * (LATER + 1)) >= 0,
-                positive(
-                    (FASTER - 1) * d * pi >= 0, [positive(FASTER - 1 >= 0, FASTER >= 1), late, PI]
-                ),
-                positive(4 * (d + 1) * (LATER + 1) > 0, [4, more, many]),
-            )
-        ],
-    )
-    turn = over(small > 0, number(Relation(S.Zero, "<", pi / 4)), many)
-    below = waves()["below"]
-    ratio = closed(
-        inst(weakly(), {w: small, u: large}), turn, positive(small <= large, [order]), below
+    here = waves(T > 0, d >= 1, FASTER >= 1, whole(d), whole(FASTER), b >= 0)
+    here.have(FASTER > 0)
+    here.have(LATER + 1 > 0)
+    ratio = here.closed(
+        inst(weakly(), {w: small, u: large}), here.show(large - small >= 0), degree=3
     )
     softer = inst(bound(), later)
-    period = over(1 / T > 0, one(), T > 0)
-    share = over((d + 1) / (d * (LATER + 1)) > 0, more, positive(d * (LATER + 1) > 0, [late, many]))
-    factor_ = over(
-        4 * (d + 1) * FASTER / pi > 0, positive(4 * (d + 1) * FASTER > 0, [4, more, rate]), PI
+    period, share, factor_, tangent = map(
+        here.show,
+        (
+            1 / T > 0,
+            (d + 1) / (d * (LATER + 1)) > 0,
+            4 * (d + 1) * FASTER / pi > 0,
+            sin(large) / cos(large) > 0,
+        ),
     )
-    tangent = positive(
-        sin(large) / cos(large) > 0,
-        [over(sin(large) / cos(large) > 0, waves()["sine"], waves()["cosine"])],
-    )
-    wanted = (1 + 1 / d) * stiffness >= K
     room = positive(
-        wanted,
+        (1 + 1 / d) * stiffness >= K,
         [2, assume(b >= 0), period, share, tangent],
         [2, assume(b >= 0), period, factor_, ratio],
         [softer],
     )
-    quick = over(T / FASTER > 0, assume(T > 0), rate)
-    rest = [
-        *(not_zero(t) for t in (rate, quick, late, more, many)),
-        *(not_zero(positive(4 * t.conclusion.right > 0, [4, t])) for t in (more, many)),  # type: ignore[attr-defined]
-        quick,
-        is_whole(LATER, assume(whole(d)), assume(whole(FASTER))),
-        positive(LATER >= 0, [late, rate]),
-        positive(d >= 0, [late]),
-        *known(),
-    ]
     others = some.body.of[1]  # type: ignore[attr-defined]
     values = {x: stiffness, y: damping}
-    bare = for_all([K, B], [others.at(values).body.of[0]], closed(room, *rest))
-    found = closed(exists(conj(best, bare), some, values), *rest, *rest)
+    bare = for_all([K, B], [others.at(values).body.of[0]], here.closed(room))
+    found = here.closed(exists(conj(best, bare), some, values))
     return for_all(symbols, given, add_assum(found, *given))

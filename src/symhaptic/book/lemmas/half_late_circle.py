@@ -7,7 +7,6 @@ inside says (l + 2) (1 + KAPPA/MU)/2 < w, and w is the rise of the phase of W wi
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.principal import FREE, true_loop
 from symhaptic.model.passivity import mirror
@@ -72,14 +71,7 @@ def late() -> Theorem:
 
 def counted(theorem: Theorem) -> Theorem:
     """A theorem whose exponents are whole as l is."""
-    return closed(
-        theorem,
-        *(
-            is_whole(claim.of[0], assume(whole(l)))
-            for claim in theorem.hypotheses
-            if isinstance(claim, Predicate) and claim.name == "whole" and claim != whole(l)
-        ),
-    )
+    return Given(whole(l)).closed(theorem)
 
 
 @cache
@@ -94,59 +86,47 @@ def leads() -> Theorem:
     beside = (mirror(speed) + q * TERM * mirror(TURN * W) * rate) * TURN
     zero = assume(ZERO)
     found = combined(q * TERM * LEAD > 0, [room], [zero, beside], [mirrored(zero), mirror(beside)])
-    return counted(closed(found, not_zero(sine())))
+    return counted(CORNER.closed(found, sine()))
 
 
 # -- angles: 0 < psi <= pi/2 -----------------------------------------------------------
 
 
-@cache
-def sine() -> Theorem:
-    """0 < sin psi."""
-    half = number(Relation(S.Zero, "<", pi / 2))
-    return closed(sign_of(sin, psi), positive(psi < pi, psi <= pi / 2, [half]))
+CORNER = Given(psi > 0, psi <= pi / 2)
+sine = CORNER.lemma(sin(psi) > 0)
+falls = CORNER.lemma(C < 1, lambda: rising(cos, S.Zero, psi))
 
 
 @cache
 def cosine() -> Theorem:
     """0 <= cos psi."""
     wanted, half, place = Relation(S.Zero, "<=", C), pi / 2, Symbol("u")
-    low = positive(psi > -half, psi > 0, [number(Relation(S.Zero, "<", half))])
-    less = positive(wanted, [closed(sign_of(cos, psi), low)])
+    less = show(wanted, CORNER.closed(sign_of(cos, psi)))
     end = both_ways(assume(psi <= half), assume(Relation(half, "<=", psi)))
-    back = combined(Relation(half, "=", psi), [end, -S.One])
+    back = show(Relation(half, "=", psi), end)
     pattern = Relation(S.Zero, "<=", cos(place))
     there = subst(pattern, place, number(pattern.at({place: half})), back)
     return disj_cases(ordered(psi, half), less, there)
 
 
 @cache
-def falls() -> Theorem:
-    """cos psi < 1."""
-    half = number(Relation(S.Zero, "<", pi / 2))
-    low = number(Relation(S.Zero, "<=", S.Zero))
-    return closed(rising(cos, S.Zero, psi), low, positive(psi <= pi, psi <= pi / 2, [half]))
-
-
-@cache
 def middle() -> Theorem:
     """0 < MU."""
-    return positive(MU > 0, [HALF, S.One], [HALF, square(C)])
+    return show(MU > 0)
 
 
 @cache
 def shares() -> tuple[Theorem, Theorem]:
     """0 < q TERM and q <= 1."""
-    term = positive(TERM > 0, [HALF, falls(), falls()])
-    return positive(q * TERM > 0, [q > 0, term]), positive(1 - q >= 0, q <= 1)
+    return show(q * TERM > 0, q > 0, falls()), show(1 - q >= 0, q <= 1)
 
 
 @cache
 def before() -> tuple[Theorem, Theorem]:
     """0 < cos psi and 0 < sin 2 psi, for 0 < cos 2 psi."""
-    size = positive(C * C > 0, [HALF, cos(2 * psi) > 0], [HALF])
+    size = show(C * C > 0, cos(2 * psi) > 0)
     above = strictly(cosine(), combined(Ne(0, C), [factor(C, size, C), -S.One]))
-    return above, positive(sin(2 * psi) > 0, [2, sine(), above])
+    return above, show(sin(2 * psi) > 0, sine(), above)
 
 
 @cache
@@ -157,7 +137,7 @@ def chord_of_whole() -> Theorem:
     known, some = assume(claim), assume(sin(u) >= 0)
     below, above = (conjunct(known, c) for c in claim.parts)
     more, less, up, down = (
-        positive(1 + c >= 0, *([HALF, x] for x in (square(1 + c), bounded(cos, angle))))
+        show(1 + c >= 0, square(1 + c), bounded(cos, angle))
         for angle in (u, n * u)
         for c in (cos(angle), -cos(angle))
     )
@@ -179,9 +159,8 @@ def behind_beyond() -> Theorem:
     """q TERM LEAD <= 0 for cos 2 psi <= 0: there w <= 1, and 2 <= l + 2."""
     spring, brake, stiff = pushes()
     back, (share, less) = assume(cos(2 * psi) <= 0), shares()
-    size = positive(SIZE >= 0, [spring, spring], [4, brake, stiff, square(sin(psi))])
-    more = positive(q >= 0, q > 0)
-    weak = positive(KAPPA >= 0, [HALF, less], [HALF, less, square(C)], [more, cosine()])
+    size = show(SIZE >= 0, spring, brake, stiff, square(sin(psi)), degree=3)
+    weak = show(KAPPA >= 0, less, square(C), q > 0, cosine())
     return combined(
         Relation(q * TERM * LEAD, "<=", S.Zero),
         [share, 2, middle(), brake, brake],
@@ -217,7 +196,7 @@ def on_the_ray() -> tuple[Theorem, Theorem]:
 def spare() -> Theorem:
     """(l + 2) q TERM <= 2 (l + 1) MU sin^2 2 psi for 0 < cos 2 psi."""
     ahead, some, (_, less) = assume(cos(2 * psi) > 0), before()[0], shares()
-    count = positive(l + 1 > 0, [late()], [S.One])
+    count = show(l + 1 > 0, late())
     rest = positive(
         4 * C**2 * (1 + C**2) * (1 + C) - (1 - C) > 0,
         *([2, ahead, *([some] * k)] for k in range(4)),
@@ -239,10 +218,9 @@ def behind_before() -> Theorem:
     count, turn = l + 1, 2 * (l + 1) * psi
     size, rise = on_the_ray()
     flat = inst(chord_of_whole(), {n: count, u: 4 * psi})
-    double = positive(sin(4 * psi) >= 0, [2, some, ahead])
-    flat = closed(flat, double, is_whole(count, assume(whole(l))))
+    flat = counted(closed(flat, show(sin(4 * psi) >= 0, some, ahead)))
     above = conjunct(flat, flat.conclusion.parts[1])
-    small = positive(1 - cos(turn) ** 2 >= 0, [bounded(cos, turn)])
+    small = show(1 - cos(turn) ** 2 >= 0, bounded(cos, turn))
     return combined(
         Relation(KAPPA**2 * sin(2 * psi) * q * TERM * LEAD, "<=", S.Zero),
         [size, -q * TERM * (l + 2) * (MU + KAPPA) * sin(2 * psi)],
@@ -257,8 +235,8 @@ def behind_before() -> Theorem:
 def no_crossing() -> Theorem:
     """f != 0 at exp(j psi), 0 < psi <= pi/2."""
     ahead, (above, some), (_, less) = leads(), before(), shares()
-    weak = positive(KAPPA > 0, [less, positive(TERM > 0, [HALF, falls(), falls()])], [above])
-    size = positive(KAPPA**2 * sin(2 * psi) > 0, [weak, weak, some])
+    weak = show(KAPPA > 0, less, show(TERM > 0, falls()), above)
+    size = show(KAPPA**2 * sin(2 * psi) > 0, weak, some)
     more = combined(KAPPA**2 * sin(2 * psi) * q * TERM * LEAD > 0, [size, ahead])
     cases = not_intro(more, behind_before()), not_intro(ahead, behind_beyond())
     wrong = disj_cases(ordered(0, cos(2 * psi)), *cases)

@@ -7,7 +7,7 @@ sin^2(theta/2) the margin is b^2 + b B c - B^2 v, and by Lagrange's identity 1 +
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, PI, not_zero
+from symhaptic.book.lemmas.chords import HALF
 from symhaptic.book.lemmas.extent import weak_sine
 from symhaptic.book.lemmas.late_passivity import EVERY_MARGIN, GIVEN, MARGIN, passive_late
 from symhaptic.book.lemmas.passivity import INSIDE
@@ -27,6 +27,9 @@ ONE, TWO = (l + 1) * theta / 2, (l + 2) * theta / 2
 PAIR = epsilon * (1 - epsilon)
 LOSS = PAIR * sin(theta / 2) ** 2
 RANGE = (-b <= B, B <= END)
+HERE = Given(*GIVEN)
+REST, SHARES = HERE.lemma(1 - epsilon >= 0), HERE.lemma(PAIR >= 0)
+_lowest_sine = HERE.lemma(LOW > 0)
 
 
 def limit_points() -> Proposition:
@@ -55,82 +58,46 @@ def damping_late() -> Theorem:
 
 
 @cache
-def _places() -> tuple[Theorem, ...]:
-    """0 < l + 2, and what is not negative: 1 - epsilon and epsilon (1 - epsilon)."""
-    later = positive(l + 2 > 0, [not_negative(assume(GIVEN[2]))], [2])
-    rest = positive(1 - epsilon >= 0, epsilon <= 1)
-    return later, rest, positive(PAIR >= 0, [rest, epsilon >= 0])
-
-
-@cache
-def divisors() -> tuple[Theorem, ...]:
-    """l + 2 and its multiples are not zero, l being whole."""
-    later, *_ = _places()
-    found = [later, *(positive(n * (l + 2) > 0, [n, later]) for n in (2, 4))]
-    return *map(not_zero, found), not_negative(assume(GIVEN[2]))
-
-
-@cache
 def margin() -> Theorem:
     """0 <= the margin at an angle, of a passive damper."""
     found = passive_late()
     always = conjunct(mp(found, assume(found.conclusion.parts[0])), EVERY_MARGIN)
     found = at(always, {theta: theta}, *map(assume, INSIDE))
-    return closed(inst(found, {K: S.Zero}), not_zero(sine_of_half(theta)))
+    return Given(*INSIDE).closed(inst(found, {K: S.Zero}), sine_of_half(theta))
 
 
 @cache
 def begins() -> Theorem:
     """-b <= B, from the limit b (b + B) of the margin."""
     limit = tends(FALLS, theta, S.Zero, b * (b + B))
-    start = closed(in_the_limit(margin(), theta, S.Zero, pi, limit), PI)
-    share = over(b * (b + B) / b >= 0, positive(b * (b + B) >= 0, [start]), b > 0)
-    return closed(positive(-b <= B, [share]), not_zero(assume(b > 0)))
+    start = in_the_limit(margin(), theta, S.Zero, pi, limit)
+    return HERE.closed(show(-b <= B, over(b * (b + B) / b >= 0, start, b > 0)))
 
 
 @cache
 def ends() -> Theorem:
     """epsilon B <= b, by the margin at theta = pi/(l+2)."""
-    later, rest, pair = _places()
     angle = pi / (l + 2)
-    above = over(angle > 0, PI, later)
-    half = over(pi / 2 - angle >= 0, positive(pi * l / 2 >= 0, [HALF, PI, l >= 0]), later)
-    below = positive(angle < pi, [half], [HALF, PI])
-    known = closed(inst(margin(), {theta: angle}), above, below)
-    near = weak_sine(pi / 2 - angle)
-    near = closed(near, half, positive(pi / 2 - angle <= pi, [above], [HALF, PI]))
+    known = HERE.closed(inst(margin(), {theta: angle}))
+    near = HERE.closed(weak_sine(pi / 2 - angle))
     room = combined(
         Relation(S.Zero, "<=", b * (b - epsilon * B)),
         [known],
-        [assume(B >= 0), assume(b > 0), rest, near],
-        [pair, square(B * sin(angle / 2))],
+        [assume(B >= 0), assume(b > 0), REST(), near],
+        [SHARES(), square(B * sin(angle / 2))],
     )
-    share = over(b * (b - epsilon * B) / b >= 0, room, b > 0)
     wanted = epsilon * B <= b
-    damps = positive(wanted, [share])
-    pushes = positive(wanted, [epsilon >= 0, B < 0], b > 0)
-    found = disj_cases(ordered(B, S.Zero), pushes, damps)
-    return closed(found, *divisors(), not_zero(assume(b > 0)))
-
-
-@cache
-def _lowest_sine() -> Theorem:
-    """0 < sin(pi/(4 (l+2)))."""
-    later, *_ = _places()
-    angle = EARLY / 2
-    above = over(angle > 0, PI, positive(4 * (l + 2) > 0, [4, later]))
-    rest = positive(pi * (l + Rational(7, 4)) > 0, [PI, l >= 0], [Rational(7, 4), PI])
-    below = positive(angle < pi, [over(pi * (l + Rational(7, 4)) / (l + 2) > 0, rest, later)])
-    return closed(sign_of(sin, angle), above, below, *divisors())
+    damps = show(wanted, over(b * (b - epsilon * B) / b >= 0, room, b > 0))
+    pushes = show(wanted, epsilon >= 0, B < 0, b > 0)
+    return HERE.closed(disj_cases(ordered(B, S.Zero), pushes, damps))
 
 
 @cache
 def above_the_damper() -> Theorem:
     """b < END for 0 < epsilon < 1."""
-    given = assume(epsilon > 0), assume(epsilon < 1)
-    sine = _lowest_sine()
-    more = positive(b < END, [HALF, assume(b > 0), *given, sine, sine])
-    return disch(closed(more, *divisors()), epsilon > 0, epsilon < 1)
+    inside = HERE.and_(epsilon > 0, epsilon < 1)
+    more = inside.show(b < END, inside.show(b * PAIR * LOW**2 / 2 > 0))
+    return disch(more, epsilon > 0, epsilon < 1)
 
 
 @cache
@@ -141,7 +108,7 @@ def _squares() -> tuple[Theorem, Theorem]:
     mixed = rest * sin(ONE) * cos(ONE) + epsilon * sin(TWO) * cos(TWO)
     along, across = (rest * f(ONE) ** 2 + epsilon * f(TWO) ** 2 for f in (cos, sin))
     return tuple(  # type: ignore[return-value]
-        combined(1 + sign * turn - 2 * LOSS >= 0, [2, square(part_)], [2, square(mixed)])
+        show(1 + sign * turn - 2 * LOSS >= 0, square(part_), square(mixed))
         for sign, part_ in ((1, along), (-1, across))
     )
 
@@ -154,70 +121,37 @@ def all_between() -> Theorem:
     soft = assume(Eq(K, 0))
     share = sum(part_ / K for part_ in expand(FALLS - MARGIN).args)
     margin_ = combined(MARGIN >= 0, [falls], [soft, share])
-    apart = not_zero(sine_of_half(theta))
-    always = for_all([theta], INSIDE, closed(margin_, apart))
-    found = mp(passive_late(), conj(combined(K >= 0, [soft, -S.One]), always))
-    return closed(inst(found, {K: S.Zero}), fact(Relation(S.Zero, "=", S.Zero)), *divisors())
+    margin_ = Given(*INSIDE).closed(margin_, sine_of_half(theta))
+    found = mp(passive_late(), conj(show(K >= 0, soft), for_all([theta], INSIDE, margin_)))
+    return HERE.closed(inst(found, {K: S.Zero}))
 
 
 def _weak() -> Theorem:
     """0 <= the margin for -b <= B <= b: it is concave."""
-    plus, minus = _squares()
-    _, _, pair = _places()
-    low, high = positive(b + B >= 0, -b <= B), positive(b - B >= 0, b >= B)
-    loss = positive(LOSS >= 0, [pair, square(sin(theta / 2))])
-    return combined(
-        FALLS >= 0,
-        [HALF, assume(b > 0), low, plus],
-        [HALF, assume(b > 0), high, minus],
-        [loss, low, high],
-        [loss, assume(b > 0), assume(b > 0)],
-    )
+    loss = HERE.show(LOSS >= 0)
+    return show(FALLS >= 0, b > 0, -b <= B, b >= B, *_squares(), loss, degree=3)
 
 
 @cache
 def _excess() -> tuple[Theorem, Theorem]:
     """B - b is b epsilon (1 - epsilon) LOW^2/2 at most, and less than b/2."""
-    _, _, pair = _places()
-    room = positive(END - B >= 0, B <= END)
-    half, low = square(epsilon - HALF), positive(1 - LOW**2 >= 0, [bounded(sin, EARLY / 2)])
-    size = assume(b > 0)
-    less = positive(
-        3 * b / 2 - B > 0,
-        [room],
-        [HALF, size, half],
-        [Rational(3, 8), size],
-        [HALF, size, pair, low],
-    )
-    return room, less
+    room = show(END - B >= 0, B <= END)
+    half, low = square(epsilon - HALF), show(1 - LOW**2 >= 0, bounded(sin, EARLY / 2))
+    return room, show(3 * b / 2 - B > 0, room, half, low, SHARES(), b > 0, degree=3)
 
 
 def _late() -> Theorem:
     """0 <= the margin for b < B and pi/(2 (l+2)) <= theta: v is large."""
     plus, _ = _squares()
-    later, _, pair = _places()
-    room, less = _excess()
-    size, more, high = assume(b > 0), positive(B - b > 0, b < B), assume(theta < pi)
-    apart, middle = (theta - EARLY) / 4, (theta + EARLY) / 4
-    start = over(EARLY > 0, PI, positive(2 * (l + 2) > 0, [2, later]))
-    end = over(pi * (l + Rational(3, 2)) / (l + 2) > 0, _further(), later)
-    ends_ = (
-        positive(apart >= 0, [Rational(1, 4), assume(theta >= EARLY)]),
-        positive(
-            apart <= pi, [Rational(1, 4), high], [Rational(1, 4), start], [Rational(3, 4), PI]
-        ),
-        positive(pi / 2 - middle >= 0, [Rational(1, 4), high], [Rational(1, 4), end]),
-        positive(
-            pi / 2 - middle <= pi,
-            [HALF, PI],
-            [Rational(1, 4), start],
-            [Rational(1, 4), assume(theta > 0)],
-        ),
-    )
-    sines = [closed(weak_sine(x), *ends_) for x in (apart, pi / 2 - middle)]
+    pair, (room, less) = SHARES(), _excess()
+    size, more = assume(b > 0), show(B - b > 0, b < B)
+    here = HERE.and_(theta < pi, theta > 0, theta >= EARLY)
+    here.have(EARLY > 0)
+    here.have(pi - EARLY > 0)
+    sines = (here.closed(weak_sine(x)) for x in ((theta - EARLY) / 4, (2 * pi - theta - EARLY) / 4))
     half, low = sine_of_half(theta), _lowest_sine()
-    rises = positive(sin(theta / 2) - LOW >= 0, [2, *sines])
-    loss = positive(LOSS >= 0, [pair, square(sin(theta / 2))])
+    rises = show(sin(theta / 2) - LOW >= 0, *sines)
+    loss = here.show(LOSS >= 0)
     found = combined(
         FALLS >= 0,
         [size, assume(b < B), plus],
@@ -229,31 +163,16 @@ def _late() -> Theorem:
         [loss, less, more],
         [Rational(1, 4), loss, size, size],
     )
-    return closed(found, *divisors())
-
-
-def _further() -> Theorem:
-    """0 < pi (l + 3/2)."""
-    share = Rational(3, 2)
-    return positive(pi * (l + share) > 0, [PI, l >= 0], [share, PI])
+    return here.closed(found)
 
 
 def _early() -> Theorem:
     """0 <= the margin for b < B and theta < pi/(2 (l+2)): both cosines are positive."""
-    later, rest, pair = _places()
-    _, less = _excess()
-    size, low, high = assume(b > 0), assume(theta > 0), assume(theta < EARLY)
-    large = positive(B > 0, b < B, b > 0)
-    above = positive((l + 2) * theta > 0, [later, low])
-    below = positive((l + 2) * theta < pi / 2, [later, high])
-    one, two = (l + 1) * theta, (l + 2) * theta
-    inside = (
-        below,
-        positive(one < pi / 2, [below], [low]),
-        positive(one > -pi / 2, [l >= 0, low], [low], [HALF, PI]),
-        positive(two > -pi / 2, [above], [HALF, PI]),
-    )
-    first, second = (closed(sign_of(cos, x), *inside) for x in (one, two))
+    rest, pair, (_, less) = REST(), SHARES(), _excess()
+    here = HERE.and_(theta > 0, theta < EARLY)
+    here.have((l + 2) * theta < pi / 2)
+    size, large = assume(b > 0), show(B > 0, b < B, b > 0)
+    first, second = (here.show(cos((l + n) * theta) > 0) for n in (1, 2))
     found = combined(
         FALLS >= 0,
         [size, large, rest, first],
@@ -265,4 +184,4 @@ def _early() -> Theorem:
         [Rational(1, 4), size, size],
         [Rational(1, 8), size, large],
     )
-    return closed(found, *divisors())
+    return here.closed(found)

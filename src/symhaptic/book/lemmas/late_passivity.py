@@ -25,31 +25,23 @@ def passive_late() -> Theorem:
     wanted = And((proposition(K >= 0), EVERY_MARGIN))
     static, always = form.conclusion.parts[1].parts
     raw = always.body.of[1]  # type: ignore[attr-defined]
-    half = sine_of_half(theta)
-    apart = [
-        positive(Ne(sp.sin(theta / 2), 0), [half]),
-        positive(Ne(2 - 2 * sp.cos(theta), 0), [4, half, half]),
-        positive(Ne(T, 0), T > 0),
-        positive(Ne(b, 0), b > 0),
-    ]
+    here = Given(T > 0, b > 0, *INSIDE).and_(sine_of_half(theta))
+    here.have(1 / T > 0)
+    here.have(1 / b > 0)
     known = And((static, always))
     inside = [assume(p) for p in INSIDE]
-    here = at(conjunct(assume(known), always), {theta: theta}, *inside)
-    there = closed(positive(MARGIN >= 0, [here, T > 0, b > 0]), *apart)
-    period, damper = over(1 / T > 0, one(), T > 0), over(1 / b > 0, one(), b > 0)
+    at_angle = at(conjunct(assume(known), always), {theta: theta}, *inside)
+    there = here.show(MARGIN >= 0, at_angle, degree=3)
     margin = at(conjunct(assume(wanted), EVERY_MARGIN), {theta: theta}, *inside)
-    back = closed(positive(raw, [margin, period, damper]), *apart)
+    back = here.show(raw, margin, degree=3)
     spring, sums = conjunct(assume(wanted), K >= 0), conjunct(assume(known), static)
     same = either_way(
-        conj(positive(K >= 0, [sums]), for_all([theta], INSIDE, there)),
-        conj(positive(static, [spring]), for_all([theta], INSIDE, back)),
+        conj(show(K >= 0, sums), for_all([theta], INSIDE, there)),
+        conj(show(static, spring), for_all([theta], INSIDE, back)),
         known,
         wanted,
     )
-    found = chained(energy, chained(form, same))
-    steps = [is_whole(l + n, assume(whole(l))) for n in (1, 2)]
-    steps += [is_whole(sp.Integer(n)) for n in (0, 1)]
-    return closed(found, *apart, *steps)
+    return Given(T > 0, b > 0, whole(l)).closed(chained(energy, chained(form, same)))
 
 
 # -- as it is printed ------------------------------------------------------------------
@@ -81,12 +73,10 @@ def condition_at_every_angle() -> Proposition:
 def passive_at_every_angle() -> Theorem:
     """That."""
     found, spring = passive_late(), assume(K >= 0)
-    apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
-    inside = [assume(p) for p in INSIDE]
+    here, inside = Given(*INSIDE).and_(sine_of_half(theta)), [assume(p) for p in INSIDE]
 
     def always(known: Theorem, margin: Any) -> Theorem:
-        there = closed(positive(margin, [at(known, {theta: theta}, *inside)]), apart)
-        return for_all([theta], INSIDE, there)
+        return for_all([theta], INSIDE, here.show(margin, at(known, {theta: theta}, *inside)))
 
     wanted = at_every_angle(CONDITION)
     there = always(conjunct(mp(found, assume(LATE)), EVERY_MARGIN), CONDITION)
@@ -106,20 +96,14 @@ def needed_at_low_frequencies() -> Theorem:
     """That: the margin over b tends to the difference of both sides."""
     always = conjunct(mp(passive_late(), assume(LATE)), EVERY_MARGIN)
     margin = at(always, {theta: theta}, *(assume(p) for p in INSIDE))
-    size = positive(Ne(b, 0), b > 0)
+    here = Given(b > 0, T > 0)
     end = b * (LOW.lhs - LOW.rhs)
     limit = tends(MARGIN, theta, sp.S.Zero, end)
     start = in_the_limit(margin, theta, sp.S.Zero, sp.pi, limit)
-    start = closed(start, number(Relation(sp.S.Zero, "<", sp.pi)), size)
-    needed = closed(positive(LOW, [over(end / b >= 0, start, b > 0)]), size)
-    stiff, rest = assume(K > 0), positive(1 - epsilon > 0, epsilon < 1)
-    share = over(1 / b > 0, one(), b > 0)
-    more = [sp.S.One / 4, assume(epsilon > 0), rest, stiff, stiff, T > 0, T > 0, share]
-    lost = combined(
-        Relation(LOW.lhs, "<", LOW.rhs),
-        [t if isinstance(t, (Theorem, sp.Rational)) else assume(t) for t in more],
-        [assume(LINE), sp.S.One],
-    )
-    beyond = disch(closed(denied(lost, LOW), size), epsilon > 0, epsilon < 1, K > 0, LINE)
+    needed = here.closed(show(LOW, over(end / b >= 0, start, b > 0)))
+    inside = here.and_(epsilon > 0, epsilon < 1, K > 0)
+    more = inside.show(epsilon * _REST * K**2 * T**2 / (4 * b) > 0)
+    lost = inside.show(Relation(LOW.lhs, "<", LOW.rhs), more, LINE)
+    beyond = disch(denied(lost, LOW), epsilon > 0, epsilon < 1, K > 0, LINE)
     found = conj(disch(needed, LATE), beyond)
     return for_all(WALL, GIVEN, add_assum(found, *GIVEN))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from symhaptic.book.lemmas import figure9
 from symhaptic.book.lemmas.boundary import at_rest
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.lower_boundary import is_some
 from symhaptic.book.lemmas.passive_is_stable import MARGIN, NUMBERS, passive_is_stable
 from symhaptic.book.lemmas.passivity import INSIDE
@@ -40,7 +39,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
     readings = loop_of_device(NUMBERS, (OTHER, beta, gamma, delta, delay))
     loop = conjunct(readings, readings.conclusion.parts[1])
     zeros = loop.conclusion.parts[1].terms[0]
-    left = positive(-gamma - OTHER >= 0, -gamma >= OTHER)
+    left = show(-gamma - OTHER >= 0, -gamma >= OTHER)
     value = combined(zeros.subs(z, 1) <= 0, [pushed, left], [static, 1])
     never = choose(
         device_exists(gamma, delta, NUMBERS),
@@ -50,7 +49,7 @@ def right_of_the_line(delay: Expr) -> Theorem:
     stable = STABLE.at({alpha: OTHER})
     here = subst(STABLE.at({alpha: OTHER, d: place}), place, assume(stable), assume(late))
     wanted = Relation(alpha, "<", OTHER)
-    inside = combined(wanted, [assume(-gamma < OTHER)], [assume(LINE), 1])
+    inside = show(wanted, -gamma < OTHER, LINE)
     found = disj_cases(ordered(-gamma, OTHER), inside, contr(not_intro(here, never), wanted))
     return for_all((OTHER, beta), [stable], found)
 
@@ -72,9 +71,9 @@ def near_the_line(delay: Expr) -> Theorem:
         below, above = _turns(theta)
         room += [S.Half / 2, below, back], [S.Half / 2, above, front]
     bare = combined(there, *room)
-    equal = combined(Relation(delay, "=", d), [assume(late), -S.One])
-    apart = positive(Ne(sp.sin(theta / 2), 0), [sine_of_half(theta)])
-    margins = for_all([theta], INSIDE, closed(subst(pattern, place, bare, equal), apart))
+    equal = show(Relation(delay, "=", d), late)
+    margin = Given(*INSIDE).closed(subst(pattern, place, bare, equal), sine_of_half(theta))
+    margins = for_all([theta], INSIDE, margin)
     counted = subst(whole(place), place, is_whole(delay), equal)
     stable = closed(conjunct(passive_is_stable(), STABLE), margins, counted)
     return _placed(stable, reach)
@@ -87,45 +86,24 @@ def _between(reach: Expr) -> tuple[Proposition, ...]:
 
 def _turns(angle: Expr) -> tuple[Theorem, ...]:
     """0 <= 1 - cos and 0 <= 1 + cos."""
-    below = [S.Half, bounded(cos, angle)]
     sides = 1 - cos(angle), 1 + cos(angle)
-    return tuple(combined(side >= 0, [S.Half, square(side)], below) for side in sides)
+    return tuple(show(side >= 0, square(side), bounded(cos, angle)) for side in sides)
 
 
 def _placed(stable: Theorem, reach: Expr) -> Theorem:
     """With alpha = -gamma + STEP, for every x and every beta up to the reach."""
-    under = positive(delta + 2 * x > 0, delta > 0, [2, proposition(x > 0)])
-    step = over(STEP > 0, positive(delta * x > 0, [delta > 0, x > 0]), under)
-    small = over(
-        delta / 2 - STEP > 0, positive(delta**2 / 2 > 0, [S.Half, delta > 0, delta > 0]), under
-    )
-    near = over(x - STEP > 0, positive(2 * x**2 > 0, [2, x > 0, x > 0]), under)
-    apart = positive(Ne(delta + 2 * x, 0), [under])
-    soft, quarter = proposition(gamma < 2 * delta), S.Half / 2
-    rooms = (
-        positive(gamma + delta - STEP >= 0, [small], [S.Half, delta > 0], gamma >= 0),
-        positive(3 * delta / 2 - 3 * gamma / 4 + STEP >= 0, [3 * quarter, soft], [step]),
-        positive(
-            3 * delta / 2 + 13 * gamma / 4 - 3 * STEP >= 0,
-            [3, small],
-            [13 * quarter, gamma >= 0],
-        ),
-    )
+    here = Given(x > 0, delta > 0, gamma >= 0)
     values = {OTHER: -gamma + STEP}
-    where = closed(inst(stable, {alpha: values[OTHER]}), step, *rooms, apart)
-    beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
-    both_ = conj(closed(beside, apart), where)
+    for claim in STEP > 0, delta / 2 - STEP > 0, x - STEP > 0:
+        here.have(claim)
+    where = here.closed(inst(stable, {alpha: values[OTHER]}), gamma < 2 * delta)
+    beside = here.show(Relation(values[OTHER], "<", alpha + x), LINE)
     claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER})))
-    some = closed(exists(both_, Exists((OTHER,), claim), values), apart)
+    some = here.closed(exists(conj(beside, where), Exists((OTHER,), claim), values))
     given, ends = [proposition(x > 0), *_between(y)], assume(Eq(y, reach))
-    low, high = _between(reach)
-    inside = [
-        combined(low, [assume(given[1])], [ends, S.One]),
-        combined(high, [assume(given[2])], [ends, S.One]),
-    ]
+    inside = (show(p, *given[1:], ends) for p in _between(reach))
     walls = for_all([x, beta], given, closed(some, *inside))
-    row = [quarter / 2, soft] if gamma in reach.free_symbols else [S.Half, delta > 0]
-    long = combined(y > 0, [positive(reach > 0, row)], [ends, -S.One])
+    long = show(y > 0, ends, delta > 0, *([gamma < 2 * delta] if reach.has(gamma) else []))
     piece = Exists((y,), And((proposition(y > 0), walls.conclusion)))
     return choose(is_some(y, reach), exists(conj(long, walls), piece, {y: y}))
 
@@ -150,7 +128,7 @@ def bound_of_arms() -> Theorem:
     """What the claim s4d-left-bound says, under its hypotheses."""
     place = sp.Symbol("q")
     found = inst(figure9.right_of_the_line(), {alpha: place})
-    right = combined(alpha < place, [found], [assume(LINE), 1])
+    right = show(alpha < place, found, LINE)
     right = inst(right, {place: OTHER})
     stable = STABLE.at({alpha: OTHER})
     right = for_all((OTHER, beta, d), [whole(d), stable], right)
@@ -161,33 +139,22 @@ def _reached() -> Theorem:
     """The wall SHORT to the right of the line is stable, for 1/4 <= beta <= 1/2."""
     low, high = PIECE
     given = [*map(proposition, (x > 0, beta >= low, beta <= high))]
-    under = positive(NEAR + 2 * x > 0, [NEAR], [2, x > 0])
-    apart = positive(Ne(NEAR + 2 * x, 0), [under])
-    step = over(SHORT > 0, positive(NEAR * x > 0, [NEAR, x > 0]), under)
-    small = over(
-        NEAR - SHORT >= 0, positive(NEAR**2 + NEAR * x >= 0, [NEAR**2], [NEAR, x > 0]), under
-    )
-    near = over(x - SHORT > 0, positive(2 * x**2 > 0, [2, x > 0, x > 0]), under)
+    here = Given(x > 0)
+    for claim in SHORT > 0, NEAR - SHORT > 0, x - SHORT > 0:
+        here.have(claim)
     wall = -gamma + y
     ranges = {**RANGES, beta: PIECE, y: (0, NEAR)}
     known = plants()
     top = on_box(sp.expand(sp.fraction(CURVE)[0] - wall * WEIGHT), ranges)
     below = over(CURVE - wall > 0, top, known["weight"])
-    between_ = conj(
-        positive(beta > -1, beta >= low, [low + 1]),
-        combined(-gamma < wall, [assume(y > 0)]),
-        combined(wall < CURVE, [below]),
-    )
+    right = beta > -1, -gamma < wall, wall < CURVE
+    between_ = conj(*(show(p, beta >= low, y > 0, below) for p in right))
     stable = mp(inst(between(), {alpha: wall}), between_)
-    stable = of_every_plant(
-        closed(stable, *(not_zero(known[n]) for n in ("weight", "late", "toward")))
-    )
-    stable = inst(stable, {y: SHORT})
-    ends = step, small, positive(SHORT >= 0, [step]), positive(SHORT <= NEAR, [small])
-    stable = closed(stable, *ends, apart, positive(beta > -1, beta >= low, [low + 1]))
+    nonzero = (known[n] for n in ("weight", "late", "toward"))
+    stable = of_every_plant(Given(beta >= low).closed(stable, *nonzero))
+    stable = here.closed(inst(stable, {y: SHORT}), beta >= low)
     values = {OTHER: -gamma + SHORT}
-    beside = combined(Relation(values[OTHER], "<", alpha + x), [near], [assume(LINE), -S.One])
+    beside = here.show(Relation(values[OTHER], "<", alpha + x), LINE)
     claim = And((Relation(OTHER, "<", alpha + x), STABLE.at({alpha: OTHER, d: S.Zero})))
-    there = conj(closed(beside, apart), stable)
-    some = closed(exists(there, Exists((OTHER,), claim), values), apart)
+    some = here.closed(exists(conj(beside, stable), Exists((OTHER,), claim), values))
     return for_all((x, beta), given, some)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from symhaptic.book.lemmas.chords import HALF, PI
 from symhaptic.book.lemmas.passive_is_stable import DEVICE, NUMBERS
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.walls import HALF, PI, met
+from symhaptic.book.lemmas.walls import met
 from symhaptic.paper.propositions.comparison import passive
 from symhaptic.proof.theorems.familiar import bounded
 from symhaptic.proof.theorems.roots import opposite

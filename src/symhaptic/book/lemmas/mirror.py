@@ -32,19 +32,10 @@ def mirrored_pole(damping: Expr) -> Theorem:
     zero = identity(loop.xreplace(values), S.Zero)
     parts = {"damping": damped}
     found = pole_at((alpha, beta, spring, damping, LATE), z, q, turn, zero, **parts)
-    numbers = [assume(whole(n)) for n in (l, q)]
-    sums = [
-        is_whole(claim.of[0], *numbers)
-        for claim in found.hypotheses
-        if isinstance(claim, Predicate) and claim.of[0] not in (l, q)
-    ]
-    stiff = combined(
-        Relation(S.Zero, "<", spring),
-        [number(Relation(S.Zero, "<", pi**2))],
-        [S.One / 4, square(damping)],
-    )
-    apart = combined(Relation(spring, "!=", S.Zero), [stiff])
-    stiffer = closed(found, *sums, apart, positive(Ne(q, 0), q > 0))
+    here = Given(whole(l), whole(q), q > 0)
+    full = number(Relation(S.Zero, "<", pi**2))
+    stiff = show(Relation(S.Zero, "<", spring), square(damping), full)
+    stiffer = here.closed(found, stiff)
     if not damped:
         return stiffer
     other = -damping / 2 - I * pi
@@ -54,9 +45,8 @@ def mirrored_pole(damping: Expr) -> Theorem:
 @cache
 def inside() -> tuple[Theorem, Theorem]:
     """-1 < -exp(-delta/2) and -exp(-delta/2) < 1, for delta > 0."""
-    low = closed(rising(exp, -delta / 2, S.Zero), positive(-delta / 2 < 0, [S.Half, delta > 0]))
-    high = positive(MIRROR < 1, [sign_of(exp, -delta / 2)], [S.One])
-    return positive(MIRROR > -1, [low]), high
+    low, high = rising(exp, -delta / 2, S.Zero), sign_of(exp, -delta / 2)
+    return Given(delta > 0).show(MIRROR > -1, low), show(MIRROR < 1, high)
 
 
 @cache

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import not_zero
-from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passive_boundary import on_boundary
 from symhaptic.book.lemmas.prelude import *
+from symhaptic.book.lemmas.region import DELAY
 from symhaptic.book.lemmas.upper_boundary import upper_boundary
 from symhaptic.notation import b, omega_hat
 from symhaptic.paper.propositions.device import normalised
@@ -26,13 +25,8 @@ def in_units() -> Theorem:
         combined(stiffness, [stiff, -m / T**2], [_damped(spring, lossy), m / T**2]),
         combined(damping, [damped, -m / T], [_damped(damper, lossy), m / T]),
     ]
-    period, more = assume(T > 0), shares()[0]
-    angle = [
-        over(omega_hat / T > 0, omega_hat > 0, period),
-        over(omega_hat / T < pi / T, omega_hat < pi, period),
-        over(omega_hat / T <= pi / (T * (d + 1)), assume(omega_hat <= pi / (d + 1)), period),
-    ]
-    return closed(known, *wall, *angle, *map(not_zero, (period, assume(m > 0), more)))
+    here = DELAY.and_(m > 0, omega_hat > 0, omega_hat < pi, omega_hat <= pi / (d + 1))
+    return here.closed(closed(known, *wall), degree=3)
 
 
 def _damped(line: Theorem, lossy: Theorem) -> Theorem:
@@ -49,16 +43,17 @@ def above_in_units(wanted: Any) -> Theorem:
     found = upper_boundary(Exists((omega,), both([*inside, *printed_of("eq7")])))
     low, high, *lines = map(assume, found.conclusion.body.of)  # type: ignore[attr-defined]
     *table, lossy = map(assume, TABLE)
-    period, damper = assume(T > 0), combined(Eq(b, delta * m / T), [lossy, -m / T])
+    here = Given(T > 0, m > 0, low, high)
+    damper = combined(Eq(b, delta * m / T), [lossy, -m / T])
     there = [p.at({omega_hat: omega * T}) for p in wanted.body.of]
-    scales = (T**2 / m, T / m)
     shown = [
-        positive(there[0], [low, period]),
-        closed(positive(there[1], [high, period]), not_zero(period)),
+        *map(here.show, there[:2]),
         *(
             combined(goal, [of, 1], [_damped(line, damper), scale])
-            for goal, of, line, scale in zip(there[2:], table, lines, scales, strict=True)
+            for goal, of, line, scale in zip(
+                there[2:], table, lines, (T**2 / m, T / m), strict=True
+            )
         ),
     ]
     at = exists(conj(*shown), wanted, {omega_hat: omega * T})
-    return closed(choose(found, at), *map(not_zero, (period, assume(m > 0))))
+    return here.closed(choose(found, at))

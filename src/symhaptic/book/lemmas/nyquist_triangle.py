@@ -6,7 +6,6 @@ z^2 + (f + nu (alpha + beta)) z - nu beta, where nu = (1 + f)/gamma.
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.springs_alike import line_and_curve
 from symhaptic.book.lemmas.stiffest_stable import no_stiffer
@@ -32,20 +31,14 @@ SIDES = 1 + f + NU * alpha, 1 + NU * beta, 1 - f - NU * (alpha + 2 * beta)
 
 
 @cache
-def shares() -> dict[str, Theorem]:
+def damped() -> Given:
     """0 < f < 1 and 0 < nu, for a damper."""
-    left = sign_of(exp, -delta / 2)
-    below = closed(rising(exp, -delta / 2, S.Zero), positive(-delta / 2 < 0, [S.Half, delta > 0]))
-    nyquist = positive(
-        NYQUIST > 0, [Rational(1, 4), square(delta)], [number(Relation(S.Zero, "<", pi**2))]
-    )
-    return {
-        "left": left,
-        "lost": positive(1 - f > 0, [below]),
-        "nyquist": nyquist,
-        "nu": over(NU > 0, positive(1 + f > 0, [left], [S.One]), nyquist),
-        "more": positive(1 + f > 0, [left], [S.One]),
-    }
+    here = Given(delta > 0)
+    here.have(f > 0)
+    here.have(1 - f > 0, rising(exp, -delta / 2, S.Zero))
+    for claim in NYQUIST > 0, NU > 0, 1 + f > 0:
+        here.have(claim)
+    return here
 
 
 @cache
@@ -60,7 +53,7 @@ def inequalities() -> Theorem:
 def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
     """What the polynomial divides by: a multiple of -delta/2 + j pi or of its conjugate, the square
     of one, or the product of both."""
-    nyquist, turn = shares()["nyquist"], number(Relation(S.Zero, "<", pi))
+    nyquist, turn = damped().show(NYQUIST > 0), number(Relation(S.Zero, "<", pi))
     found = []
     for claim in claims:
         if isinstance(claim, Relation) and claim.sign == "!=":
@@ -74,7 +67,8 @@ def _divisors(claims: Iterable[Proposition]) -> list[Theorem]:
                 product = combined(Relation(S.Zero, "<", sp.expand(left * other)), size)
                 found.append(factor(left, product, other))
             else:
-                found.append(not_zero(combined(left > 0, [*grown, nyquist, *size])))
+                positive_ = combined(left > 0, [*grown, nyquist, *size])
+                found.append(show(Ne(left, 0), positive_))
     return found
 
 
@@ -82,47 +76,38 @@ def needed() -> Theorem:
     """The wall of a stable loop is inside the triangle."""
     found = mp(inequalities(), assume(undelayed(spring=NYQUIST)))
     known = [conjunct(found, p) for p in conjuncts(found.conclusion)]
-    s = shares()
-    one, three, two = SIDES
-    right = over(one > 0, combined((1 + f) * one > 0, [known[0]]), s["more"])
-    top = over(two > 0, combined((1 - f) * two > 0, [known[2]]), s["lost"])
+    here, (one, three, two) = damped().and_(), SIDES
+    right = here.have(one > 0, over(one > 0, show((1 + f) * one > 0, known[0]), 1 + f > 0))
+    top = here.have(two > 0, over(two > 0, show((1 - f) * two > 0, known[2]), 1 - f > 0))
     rest = f * two + (1 - f) * (1 - f + f * three)
-    quarter = Rational(1, 4)
-    room = combined(
-        rest > 0,
-        [s["left"], top],
-        [quarter, s["lost"], s["lost"], top],
-        [quarter, s["lost"], known[1]],
-    )
-    low = over(three > 0, combined(three * rest > 0, [known[3]]), room)
+    room = here.have(rest > 0, known[1], degree=3)
+    low = here.have(three > 0, over(three > 0, show(three * rest > 0, known[3]), room))
     sides = [
-        over(p, combined(NU * (p.gts - p.lts) > 0, [t]), s["nu"])
+        over(p, show(NU * (p.gts - p.lts) > 0, t), NU > 0)
         for p, t in zip(triangle(), (right, low, top), strict=True)
     ]
-    return closed(conj(*sides), *(not_zero(t) for t in (*s.values(), top, room)))
+    return here.closed(conj(*sides))
 
 
 def enough() -> Theorem:
     """A wall inside the triangle makes a stable loop."""
-    loop, s = inequalities(), shares()
-    right, low, top = (
-        positive(side > 0, [s["nu"], p])
-        for side, p in zip((SIDES[0], SIDES[1], SIDES[2]), triangle(), strict=True)
-    )
+    loop, here = inequalities(), damped()
+    right, low, top = (here.show(side > 0, p) for side, p in zip(SIDES, triangle(), strict=True))
+    more, lost, left = (here.show(e > 0) for e in (1 + f, 1 - f, f))
     wanted = conjuncts(loop.conclusion.of[1])  # type: ignore[attr-defined]
     known = [
-        combined(wanted[0], [s["more"], right]),
-        combined(wanted[1], [2, s["more"], low], [s["lost"], right]),
-        combined(wanted[2], [s["lost"], top]),
+        show(wanted[0], more, right),
+        show(wanted[1], more, low, lost, right),
+        show(wanted[2], lost, top),
         combined(
             wanted[3],
-            [low, s["left"], top],
-            [low, s["lost"], s["lost"]],
-            [low, s["lost"], s["left"], low],
+            [low, left, top],
+            [low, lost, lost],
+            [low, lost, left, low],
         ),
     ]
-    found = closed(mp(loop, conj(*known)), *(not_zero(t) for t in s.values()))
-    return closed(found, *_divisors(found.hypotheses))
+    found = mp(loop, conj(*known))
+    return here.closed(closed(found, *_divisors(found.hypotheses)))
 
 
 @cache
@@ -137,20 +122,12 @@ WALL = Rational(95, 10), -Rational(49, 10)
 
 def reached() -> Theorem:
     """This wall is stable."""
-    s = shares()
-    wall = dict(zip((alpha, beta), WALL, strict=True))
-    left, low, top = (proposition(p).at(wall) for p in triangle())
+    here, wall = damped().and_(), dict(zip((alpha, beta), WALL, strict=True))
     far = number(Relation(S.Zero, "<", pi**2 - 2 * -WALL[1]))
-    rise = [Rational(1, 4), square(delta)]
-    down = combined(NYQUIST + WALL[1] * (1 + f) > 0, rise, [far], [-WALL[1], s["lost"]])
-    room = over(NYQUIST / (1 + f) > 0, s["nyquist"], s["more"])
-    known = (
-        combined(left, [s["nyquist"]], [WALL[0]]),
-        combined(low, [over(NYQUIST / (1 + f) + WALL[1] > 0, down, s["more"])]),
-        combined(top, [room, s["lost"]], [-WALL[0] - 2 * WALL[1]]),
-    )
-    found = mp(inst(is_triangle(), wall), conj(*known))
-    return closed(found, not_zero(s["more"]))
+    low = here.show(NYQUIST + WALL[1] * (1 + f) > 0, far, square(delta))
+    low = over(NYQUIST / (1 + f) + WALL[1] > 0, low, 1 + f > 0)
+    known = low, here.show(NYQUIST / (1 + f) > 0)
+    return here.closed(mp(inst(is_triangle(), wall), here.show(both(triangle()).at(wall), *known)))
 
 
 def stiffer() -> Theorem:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
-from symhaptic.book.lemmas.passive_tip import known, passive_tip
+from symhaptic.book.lemmas.passive_tip import at_unit, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.rates import moved
 from symhaptic.book.lemmas.ratio_peak import least, passive_wall
@@ -142,9 +142,9 @@ def outdone_by_the_arm() -> Theorem:
     passive_, wanted = others.body.of
     share = over(T**2 / MASS > 0, _square(), units["mass"])
     softer = positive(wanted, [share, together, inst(bound(), {b: b_D})])
-    bare = for_all([K, B], [passive_], closed(softer, *known()))
+    bare = for_all([K, B], [passive_], at_unit().closed(softer))
     held = closed(inst(stable, loop), damper, spring)
-    found = closed(exists(conj(held, bare), some, values), *known(), *_apart())
+    found = at_unit().closed(closed(exists(conj(held, bare), some, values), *_apart()))
     return for_all(symbols, given, add_assum(found, *given))
 
 

@@ -32,18 +32,11 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
     form = toeplitz(*(sampled.of[0], z), sampled.of[1], theta)
     static, always = form.conclusion.of[1].of  # type: ignore[attr-defined]
     raw = always.body.of[1]
-    # both margins have the divisor 2 - 2 cos(theta) = 4 sin(theta/2)^2
-    half = sine_of_half(theta)
-    apart = [
-        positive(sp.Ne(sp.sin(theta / 2), 0), [half]),
-        positive(sp.Ne(2 - 2 * sp.cos(theta), 0), [4, half, half]),
-        positive(sp.Ne(T, 0), T > 0),
-    ]
-    period = over(1 / T > 0, one(), T > 0)
+    here = Given(T > 0, *INSIDE).and_(sine_of_half(theta))
+    here.have(1 / T > 0)
     inside = [assume(p) for p in INSIDE]
-    there = positive(wanted.body.of[1], [at(assume(always), {theta: theta}, *inside), T > 0])  # type: ignore[attr-defined]
-    back = positive(raw, [at(assume(wanted), {theta: theta}, *inside), period])
-    there, back = closed(there, *apart), closed(back, *apart)
+    there = here.show(wanted.body.of[1], at(assume(always), {theta: theta}, *inside))  # type: ignore[attr-defined]
+    back = here.show(raw, at(assume(wanted), {theta: theta}, *inside))
     condition = And((static, wanted))
     known = And((static, always))
     same = either_way(
@@ -53,12 +46,7 @@ def passive_by_angle(delay: Expr = d) -> Theorem:
         condition,
     )
     found = chained(energy, chained(form, same))
-    steps = (
-        [is_whole(delay), is_whole(delay + 1)]
-        if delay.is_Integer
-        else [is_whole(delay + 1, assume(whole(delay)))]
-    )
-    return closed(found, *steps, apart[2])
+    return Given(T > 0, *([] if delay.is_Integer else [whole(delay)])).closed(found)
 
 
 def _under(theorem: Theorem, claim: Proposition, whole_claim: Proposition) -> Theorem:

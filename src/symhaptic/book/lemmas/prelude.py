@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache, partial
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -148,6 +149,7 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
+from symhaptic.proof.theorems.positivity import Given, difference, nlinarith, read, show
 from symhaptic.proof.theorems.roots import (
     all_inside,
     first_minors,
@@ -179,3 +181,5 @@ from symhaptic.proof.theorems.tactics import (
     sine_of_half,
     zero_beyond,
 )
+
+read(Path(__file__).with_name("certificates.json"))

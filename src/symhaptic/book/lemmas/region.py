@@ -5,14 +5,17 @@ A wall is measured by u = KT/2 and w = B + KT/2, its delay by N = 2(d+1).
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, not_zero
-from symhaptic.book.lemmas.extent import ends, extent, first_half_turn, sine
+from symhaptic.book.lemmas.chords import HALF
+from symhaptic.book.lemmas.extent import ends, extent, first_half_turn
 from symhaptic.book.lemmas.passivity import INSIDE, PASSIVE, every_margin, passive_by_angle
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.model import passivity
 from symhaptic.notation import b, u, w
 
 WHOLE_WALL = {u: K * T / 2, w: B + K * T / 2, N: 2 * (d + 1)}
+DELAY = Given(d >= 0, T > 0)
+TURN = DELAY.and_(phi > 0, phi * (2 * d + 2) < pi)
+"""The first half turn."""
 
 
 def first_half(wall: Any = WHOLE_WALL) -> Proposition:
@@ -23,17 +26,9 @@ def first_half(wall: Any = WHOLE_WALL) -> Proposition:
 @cache
 def at_every_angle() -> Theorem:
     """The margin at every angle, from that on the first half turn; for every real d >= 0."""
-    found = inst(extent(), {**WHOLE_WALL, psi: theta / 2})
-    half = sine_of_half(theta)
-    margin = positive(passivity.margin() >= 0, [found])
-    inside = [
-        positive(theta / 2 > 0, [HALF, theta > 0]),
-        positive(theta / 2 < pi / 2, [HALF, theta < pi]),
-        positive(2 * (d + 1) >= 2, [2, d >= 0]),
-        positive(K * T / 2 >= 0, [HALF, K >= 0, T > 0]),
-        not_zero(half),
-    ]
-    return for_all([theta], INSIDE, closed(margin, *inside))
+    found = show(passivity.margin() >= 0, inst(extent(), {**WHOLE_WALL, psi: theta / 2}))
+    here = DELAY.and_(K >= 0, *INSIDE)
+    return for_all([theta], INSIDE, here.closed(found, sine_of_half(theta)))
 
 
 @cache
@@ -45,13 +40,10 @@ def sufficient() -> Theorem:
 @cache
 def needed() -> Theorem:
     """A passive wall has a margin on the first half turn; d whole."""
-    inside = positive(2 * phi < pi, phi * (2 * d + 2) < pi, [2, d >= 0, phi > 0])
-    low = positive(2 * phi > 0, [2, phi > 0])
     always = conjunct(mp(passive_by_angle(), assume(PASSIVE)), every_margin())
-    there = positive(first_half().body.of[1], [at(always, {theta: 2 * phi}, low, inside)])  # type: ignore[attr-defined]
-    below = positive(phi < pi / 2, [HALF, inside])
-    found = closed(there, not_zero(sine(phi)), below)
-    return for_all([phi], first_half().body.of[0].of, found)  # type: ignore[attr-defined]
+    inside = TURN.show(2 * phi > 0), TURN.show(2 * phi < pi)
+    there = at(always, {theta: 2 * phi}, *inside)
+    return on_first_half(show(first_half().body.of[1], there))  # type: ignore[attr-defined]
 
 
 @cache
@@ -64,11 +56,8 @@ def pushes() -> Theorem:
 def limits() -> tuple[Theorem, Theorem]:
     """B <= b - KT/2 and KT (d + 1/2) <= b + B for a passive wall; d whole."""
     claims = b - K * T / 2 >= B, K * T * (d + HALF) <= b + B
-    found = [
-        closed(positive(claim, [inst(end, WHOLE_WALL)]), positive(2 * d + 2 >= 2, [2, d >= 0]))
-        for claim, end in zip(claims, ends(), strict=True)
-    ]
-    return closed(found[0], needed()), closed(found[1], needed())
+    found = (show(claim, inst(end, WHOLE_WALL)) for claim, end in zip(claims, ends(), strict=True))
+    return tuple(DELAY.closed(t, needed()) for t in found)  # type: ignore[return-value]
 
 
 def bordering(passive: Theorem, least: Theorem) -> Theorem:
@@ -82,8 +71,7 @@ def bordering(passive: Theorem, least: Theorem) -> Theorem:
 
 def on_first_half(margin: Theorem) -> Theorem:
     """The margin for all angles of the first half turn, from that at one."""
-    below = positive(phi < pi / 2, [HALF, assume(phi * (2 * d + 2) < pi)], [d >= 0, phi > 0])
-    found = closed(margin, not_zero(sine(phi)), below)
+    found = TURN.closed(margin, TURN.show(sin(phi) > 0))
     return for_all([phi], first_half().body.of[0].of, found)  # type: ignore[attr-defined]
 
 

@@ -16,7 +16,7 @@ from symhaptic.book.lemmas.near_tip import none_above
 from symhaptic.book.lemmas.nyquist_triangle import needed
 from symhaptic.book.lemmas.outpaced import at_point
 from symhaptic.book.lemmas.passive_is_stable import NUMBERS
-from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import least
 from symhaptic.book.lemmas.stiffest_stable import inequalities, numbers_known, of_every_plant
@@ -189,7 +189,7 @@ def outdone(kind: Proposition, held: Theorem, here: Loop, other: Loop, share: Ex
     claim = outdoes(kind, others, alpha < share * x)
     room = assume(Relation(limit, "<", share * tip[0]))
     found = beside(claim, held, tip, lambda wanted: combined(wanted, [softer], [room]))
-    found = inst(closed(found, *known()), dict(zip((d, delta), (S(here[0]), here[1]), strict=True)))
+    found = inst(at_unit().closed(found), dict(zip((d, delta), (S(here[0]), here[1]), strict=True)))
     numbers = [p for p in found.hypotheses if isinstance(p, (Relation, Predicate)) and not p.free]
     return closed(found, *map(fact, numbers))
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from symhaptic.book.lemmas.chords import PI
 from symhaptic.book.lemmas.passive_is_stable import EVERY_MARGIN, MARGIN, margin_to_the_end
 from symhaptic.book.lemmas.passivity import INSIDE
 from symhaptic.book.lemmas.prelude import *
-from symhaptic.book.lemmas.walls import PI
 from symhaptic.proof.theorems.familiar import bounded
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, PI, not_zero
 from symhaptic.book.lemmas.corners import stiffest
-from symhaptic.book.lemmas.linear_part import shares
 from symhaptic.book.lemmas.passivity import PASSIVE
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.region import (
+    DELAY,
     measured,
     needed,
     on_first_half,
@@ -20,45 +19,20 @@ TURN = pi / (4 * (d + 1))
 
 
 @cache
-def waves() -> dict[str, Theorem]:
-    """0 < sine and cosine of TURN and of twice it; d >= 0."""
-    more = shares()[0]
-    quarter = over(TURN > 0, number(Relation(S.Zero, "<", pi / 4)), more)
-    rest = positive(pi * d / 2 + pi / 4 > 0, [HALF, PI, d >= 0], [HALF / 2, PI])
-    below = positive(pi / 2 > TURN, [over(pi / 2 - TURN > 0, rest, more)])
-    less = positive(pi > TURN, [below], [HALF, PI])
-    found = {
-        "sine": closed(sign_of(sin, TURN), quarter, less),
-        "cosine": closed(
-            sign_of(cos, TURN), positive(-pi / 2 < TURN, [quarter], [HALF, PI]), below
-        ),
-        "turn": quarter,
-        "below": below,
-    }
-    found["double"] = positive(sin(2 * TURN) > 0, [2, found["sine"], found["cosine"]])
-    return {name: closed(t, not_zero(more)) for name, t in found.items()}
-
-
-@cache
-def divisors() -> tuple[Theorem, ...]:
-    """What (11) and the tip divide by is not zero."""
-    known = waves()
-    co = positive(cos(pi * d / (2 * (d + 1))) > 0, [known["double"]])
-    found = [known[n] for n in ("sine", "cosine", "double")]
-    more = shares()[0]
-    product = positive((d + 1) * sin(2 * TURN) > 0, [more, known["double"]])
-    found += [co, *shares(), assume(T > 0), product]
-    found += [positive(4 * d + 4 > 0, [4, more]), positive(2 * d + 2 > 0, [2, more])]
-    return tuple(map(not_zero, found))
+def waves(*given: Any) -> Given:
+    """Where sine and cosine of TURN and of twice it are positive: 0 < T and 0 <= d, or as given."""
+    here = Given(*given) if given else DELAY.and_()
+    for claim in TURN > 0, pi / 2 > TURN, sin(TURN) > 0, cos(TURN) > 0, sin(2 * TURN) > 0:
+        here.have(claim)
+    return here
 
 
 def stiffest_wall(stiffness: Theorem, damping: Theorem) -> Theorem:
     """The wall of (11) is passive, and no passive one is stiffer; d is whole."""
-    found = inst(stiffest(), {psi: phi, N: 2 * d + 2})
-    found = closed(found, positive(2 * d + 2 >= 2, [2, d >= 0]))
+    found = DELAY.closed(inst(stiffest(), {psi: phi, N: 2 * d + 2}))
     always = on_first_half(measured(stiffness, damping, [assume(b >= 0), found]))
     pushes = combined(K >= 0, [assume(b >= 0), slope()], [stiffness, -S.One])
-    passive = closed(sufficient(), always, pushes, *divisors())
+    passive = waves().closed(closed(sufficient(), always, pushes))
     return conj(passive, largest(stiffness))
 
 
@@ -70,27 +44,21 @@ def per_damping() -> Expr:
 @cache
 def slope() -> Theorem:
     """0 < 2/T tan(pi/(4 (d+1)))."""
-    known = waves()
-    top = positive(2 * (1 - cos(2 * TURN)) > 0, [4, known["sine"], known["sine"]])
-    bottom = positive(T * sin(2 * TURN) > 0, [T > 0, known["double"]])
-    return closed(over(per_damping() > 0, top, bottom), not_zero(bottom))
+    return waves().show(per_damping() > 0, show(1 - cos(2 * TURN) > 0, waves().show(sin(TURN) > 0)))
 
 
 @cache
 def bound() -> Theorem:
     """K <= 2b/T tan(pi/(4 (d+1))) for every passive wall; d is whole."""
-    more = shares()[0]
-    half = over((2 * d + 2) * TURN < pi, positive(pi * (d + 1) / 2 > 0, [HALF, PI, more]), more)
-    there = at(needed(), {phi: TURN}, waves()["turn"], half)
-    found = positive(b * per_damping() >= K, [slope(), there])
-    return closed(found, *divisors())
+    inside = waves().show(TURN > 0), waves().show((2 * d + 2) * TURN < pi)
+    there = at(needed(), {phi: TURN}, *inside)
+    return waves().closed(show(b * per_damping() >= K, slope(), there))
 
 
 def largest(stiffness: Theorem) -> Theorem:
     """No passive wall is stiffer than that of (11)."""
-    other = inst(bound(), {K: x, B: y})
-    found = combined(x <= K, [other], [stiffness, -S.One])
-    return for_all([x, y], [PASSIVE.at({K: x, B: y})], closed(found, *divisors()))
+    found = show(x <= K, inst(bound(), {K: x, B: y}), stiffness)
+    return for_all([x, y], [PASSIVE.at({K: x, B: y})], waves().closed(found))
 
 
 def largest_of(printed: Any, delay: int) -> tuple[Theorem, Theorem, Expr]:
@@ -100,11 +68,6 @@ def largest_of(printed: Any, delay: int) -> tuple[Theorem, Theorem, Expr]:
     values = {line.lhs: line.rhs.xreplace(at_delay) for line in printed}
     there = inst(wall, at_delay | values)
     known = [identity(value, value) for value in values.values()]
-    passive = conjunct(closed(there, *known, *_at(delay)), PASSIVE.at(at_delay | values))
-    least = closed(inst(bound(), at_delay), *_at(delay))
-    return passive, least, values[K]
-
-
-def _at(delay: int) -> list[Theorem]:
-    """A delay that is a number is whole, and not negative."""
-    return [is_whole(S(delay)), number(Relation(S.Zero, "<=", S(delay)))]
+    passive = conjunct(closed(there, *known), PASSIVE.at(at_delay | values))
+    bare = Given(b >= 0, T > 0)
+    return bare.closed(passive), bare.closed(inst(bound(), at_delay)), values[K]

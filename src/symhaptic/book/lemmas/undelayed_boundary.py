@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import HALF, not_zero
 from symhaptic.book.lemmas.extent import sine
 from symhaptic.book.lemmas.linear_part import known
 from symhaptic.book.lemmas.lower_boundary import border_needs, of_border
@@ -24,20 +23,18 @@ def enough() -> Theorem:
     always = first_half().at(there)
     given, goal = always.body.of  # type: ignore[attr-defined]
     margin = combined(goal, [assume(DAMPED), inst(known()[2], {d: S.Zero})])
-    below = positive(phi < pi / 2, [HALF, phi * 2 < pi])
-    margin = for_all([phi], given.of, closed(margin, not_zero(sine(phi)), below))
-    found = inst(sufficient(), there)
-    found = closed(found, margin, *map(fact, (p for p in found.hypotheses if not p.free)))
+    margin = for_all([phi], given.of, Given(phi * 2 < pi, phi > 0).closed(margin, sine(phi)))
+    found = Given(K >= 0, T > 0).closed(closed(inst(sufficient(), there), margin))
     pattern = PASSIVE.at({b: LEAST, d: x})
-    return subst(pattern, x, found, combined(Eq(S.Zero, d), [assume(NONE), -S.One]))
+    return subst(pattern, x, found, show(Eq(S.Zero, d), NONE))
 
 
 @cache
 def on_it() -> Theorem:
     """Such a wall with b = KT/2 + B is on the boundary."""
     full = assume(FULL)
-    passive = subst(PASSIVE.at({b: x}), x, enough(), combined(Eq(LEAST, b), [full, -S.One]))
-    least = combined(b <= x, [inst(limits()[0], {b: x})], [full, S.One])
+    passive = subst(PASSIVE.at({b: x}), x, enough(), show(Eq(LEAST, b), full))
+    least = show(b <= x, inst(limits()[0], {b: x}), full)
     return bordering(passive, least)
 
 
@@ -45,7 +42,7 @@ def on_it() -> Theorem:
 def its_damping() -> Theorem:
     """A wall of the boundary with B >= 0 is one of them."""
     stiff = of_border(pushes())
-    force = positive(LEAST >= 0, [HALF, stiff, T > 0], DAMPED)
+    force = show(LEAST >= 0, stiff, T > 0, DAMPED)
     need = border_needs(LEAST, closed(enough(), stiff), force)
-    full = both_ways(need, positive(b >= LEAST, [of_border(limits()[0])]))
+    full = both_ways(need, show(b >= LEAST, of_border(limits()[0])))
     return conj(assume(NONE), stiff, assume(DAMPED), full)

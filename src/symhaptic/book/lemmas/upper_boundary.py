@@ -6,18 +6,9 @@ wall of the envelope, N = 2 (d+1) > 2; both need their whole damping, and so the
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import (
-    HALF,
-    PI,
-    not_zero,
-    quarter,
-    sine,
-    sine_of_larger,
-    size,
-    width,
-)
+from symhaptic.book.lemmas.chords import sine, sine_of_larger, size, width
 from symhaptic.book.lemmas.envelope import divisor
-from symhaptic.book.lemmas.linear_part import known, shares
+from symhaptic.book.lemmas.linear_part import known
 from symhaptic.book.lemmas.lower_boundary import border_needs, is_some, of_border
 from symhaptic.book.lemmas.passive_boundary import of_the_end
 from symhaptic.book.lemmas.prelude import *
@@ -33,8 +24,6 @@ from symhaptic.book.lemmas.touching import touches
 from symhaptic.notation import b, u, w
 from symhaptic.paper.propositions.passivity import ABOVE
 from symhaptic.proof.theorems.analysis import crosses_zero
-
-THIRD = Rational(1, 3)
 
 
 def aside(angle: Expr = psi) -> Expr:
@@ -54,17 +43,9 @@ def met() -> Theorem:
     end = u * N**4 * sin(2 * pi / N) / pi**3
     off = aside() / psi**3
     ends = (tends(off, psi, *end) for end in ((S.Zero, start), (pi / N, end)))
-    found = crosses_zero(*ends, not_zero(assume(psi > 0)))
-    turn = over(pi / N > 0, PI, size())
-    half = over(2 * pi / N < pi, positive(pi * (N - 2) > 0, [PI, N > 2]), size())
-    wave = closed(sign_of(sin, 2 * pi / N), half, positive(2 * pi / N > 0, [2, turn]))
-    above = over(
-        end > 0,
-        positive(u * N**4 * sin(2 * pi / N) > 0, [u > 0, *4 * [size()], wave]),
-        number(Relation(S.Zero, "<", pi**3)),
-    )
-    below = positive(start < 0, [2 * THIRD, size(), BEYOND])
-    return closed(found, below, above, turn, not_zero(size()))
+    here = Given(N > 2, u > 0, BEYOND)
+    found = crosses_zero(*ends, show(Ne(psi, 0), psi > 0))
+    return here.closed(found, here.show(sin(2 * pi / N) > 0))
 
 
 WHOLE = {N: 2 * d + 2, u: K * T / 2, w: B + K * T / 2}
@@ -76,47 +57,32 @@ NEED = K * T * divisor().subs(WHOLE) / (2 * SHARE)
 """The damping with which a wall on that ray is one of the envelope."""
 
 
-def _there(theorem: Theorem) -> Theorem:
-    """What is known of N > 2 and an angle 0 < psi < pi/N, of N = 2 (d+1)."""
-    late = positive(2 * d + 2 > 2, [2, d > 0])
-    return closed(inst(theorem, {N: 2 * d + 2}), late)
+BESIDE = Given(d > 0, T > 0, psi > 0, pi > TURN)
 
 
 @cache
-def share() -> Theorem:
-    """0 < SHARE."""
-    known = [2, *map(_there, (size(), sine(), sine(), sine_of_larger()))]
-    return positive(SHARE > 0, known)
-
-
-@cache
-def divisors() -> tuple[Theorem, ...]:
-    """What the damping, the frequency and (7) divide by is not zero."""
-    products = sine(), sine_of_larger(), width()
-    parts = [*map(_there, products), positive(4 * d + 4 > 0, [4, shares()[0]]), assume(T > 0)]
-    curve = combined(Ne(-divisor().subs(WHOLE), 0), [_there(width())])
-    return curve, *map(not_zero, parts)
+def _there() -> Given:
+    """What is known of N = 2 (d+1) > 2 and an angle 0 < psi < pi/N."""
+    return BESIDE.and_(*(inst(t(), {N: 2 * d + 2}) for t in (size, sine, sine_of_larger, width)))
 
 
 @cache
 def needed_there() -> Theorem:
     """b = NEED on the boundary, for K > 0, beside an angle of the ray; d is whole."""
-    ray = assume(RAY)
-    top = positive(K * T * divisor().subs(WHOLE) > 0, [K > 0, T > 0, _there(width())])
-    device = over(NEED > 0, top, positive(2 * SHARE > 0, [2, share()]))
+    ray, here = assume(RAY), _there().and_(K > 0)
+    device = here.show(NEED > 0)
     envelope = inst(touches(), {N: 2 * d + 2, phi: psi, psi: phi})
     margin = combined(
         first_half().body.of[1].at({b: NEED}),  # type: ignore[attr-defined]
-        [device, closed(envelope, positive(2 * d + 2 > 2, [2, d > 0]))],
+        [device, envelope],
         [ray, cos(phi * (2 * d + 2)) / SHARE],
     )
-    always = on_first_half(closed(margin, *divisors()))
-    passive = closed(inst(sufficient(), {b: NEED}), always, positive(K >= 0, K > 0))
-    enough = border_needs(NEED, passive, positive(NEED >= 0, [device]))
-    inside = assume(psi > 0), assume(pi > TURN)
-    least = of_border(at(needed(), {phi: psi}, *inside))
+    always = on_first_half(here.closed(margin))
+    passive = closed(inst(sufficient(), {b: NEED}), always, here.show(K >= 0))
+    enough = border_needs(NEED, passive, here.show(NEED >= 0, device))
+    least = of_border(at(needed(), {phi: psi}, assume(psi > 0), assume(pi > TURN)))
     least = combined(b >= NEED, [least], [ray, -cos(TURN) / SHARE])
-    return closed(both_ways(enough, least), *divisors(), positive(d >= 0, d > 0))
+    return here.closed(both_ways(enough, least))
 
 
 END = pi / (T * (d + 1))
@@ -126,20 +92,14 @@ def on_the_curve(wanted: Any) -> Theorem:
     """A wall of the boundary, K > 0, beside an angle of its ray: it is (7) at omega = 2 psi/T."""
     frequency = {omega: 2 * psi / T}
     *inside, stiffness, damping = (p.at(frequency) for p in wanted.body.of)
-    period, ray, need = assume(T > 0), assume(RAY), needed_there()
-    low = over(2 * psi / T > 0, positive(2 * psi > 0, [2, psi > 0]), period)
-    half = positive(pi - 2 * psi > 0, [2, _there(quarter())])
-    turn = positive(pi - 2 * psi * (d + 1) >= 0, pi > TURN)
-    last = over(2 * psi / T <= END, turn, positive(T * (d + 1) > 0, [period, shares()[0]]))
-    shown_of = {t.conclusion: t for t in (low, over(2 * psi / T < pi / T, half, period), last)}
+    ray, need = assume(RAY), needed_there()
     share_of = [-derivative(line.right, b) for line in (stiffness, damping)]
     shown = [
-        *(shown_of[p] for p in inside),
+        *map(_there().show, inside),
         combined(stiffness, [need, share_of[0]]),
         combined(damping, [need, share_of[1]], [ray, -1 / SHARE]),
     ]
-    found = exists(conj(*shown), wanted, frequency)
-    return closed(found, *divisors(), positive(d >= 0, d > 0))
+    return _there().closed(exists(conj(*shown), wanted, frequency))
 
 
 def at_the_axis(wanted: Any) -> Theorem:
@@ -151,51 +111,38 @@ def at_the_axis(wanted: Any) -> Theorem:
         [damped, known()[2]],
         [soft, -T / 2 * (cos(wave) - cos(phi) * sin(wave) / sin(phi))],
     )
-    pushes = combined(K >= 0, [soft, -S.One])
-    passive = closed(inst(sufficient(), {b: B}), on_first_half(margin), pushes)
-    least = combined(b >= B, [of_border(limits()[0])], [soft, -T / 2])
+    passive = closed(inst(sufficient(), {b: B}), on_first_half(margin), show(K >= 0, soft))
+    least = show(b >= B, of_border(limits()[0]), soft)
     full = both_ways(border_needs(B, passive, damped), least)
     *inside, stiffness, damping = wanted.body.of
-    end = assume(Eq(omega, END))
+    end, here = assume(Eq(omega, END)), Given(T > 0, d > 0)
     none, device = of_the_end(stiffness.right, damping.right, end)
-    period, turn = assume(T > 0), positive(T * (d + 1) > 0, [T > 0, shares()[0]])
-    start = combined(inside[0], [over(END > 0, PI, turn)], [end, -S.One])
-    left = over(pi / T - END > 0, positive(pi * d > 0, [PI, d > 0]), turn)
-    shown_of = {t.conclusion: t for t in (start, combined(omega < pi / T, [left], [end, S.One]))}
-    shown_of |= {proposition(omega <= END): combined(omega <= END, [end, S.One])}
     shown = [
-        *(shown_of[p] for p in inside),
+        *(here.show(p, end) for p in inside),
         combined(stiffness, [soft, S.One], [none, -S.One]),
         combined(damping, [full, -S.One], [device, -S.One]),
     ]
     there = closed(conj(*shown), *shown[:2])
-    found = choose(is_some(omega, END), exists(there, wanted, {omega: omega}))
-    return closed(found, not_zero(turn), not_zero(period), not_zero(shares()[0]))
+    return here.closed(choose(is_some(omega, END), exists(there, wanted, {omega: omega})))
 
 
 @cache
 def loss() -> Theorem:
     """0 <= d b/(2d+3)."""
-    high = shares()[2]
-    found = over(d * b / (2 * d + 3) >= 0, positive(d * b >= 0, [d >= 0, b >= 0]), high)
-    return closed(found, not_zero(high))
+    return show(d * b / (2 * d + 3) >= 0, d >= 0, b >= 0)
 
 
 def upper_boundary(wanted: Any) -> Theorem:
     """A wall of the boundary with B > b d/(2d+3) is one of (7), for a whole d > 0."""
-    stiff, more = assume(K > 0), shares()
-    rest = positive(B - d * b / (2 * d + 3) > 0, ABOVE[1])
-    beyond = positive(BEYOND.subs(WHOLE), [2, d >= 0, of_border(limits()[1])], [2, more[2], rest])
+    here = Given(T > 0, d > 0)
+    rest = show(B - d * b / (2 * d + 3) > 0, ABOVE[1])
+    beyond = here.show(BEYOND.subs(WHOLE), of_border(limits()[1]), rest)
     angle = inst(met(), WHOLE)
     *_, off = angle.conclusion.body.of  # type: ignore[attr-defined]
-    ray = combined(RAY, [assume(off), psi**3])
-    below = positive(pi > TURN, [positive(2 * d + 2 > 0, [2, more[0]]), psi < pi / (2 * d + 2)])
-    late = positive(2 * d + 2 > 2, [2, d > 0])
-    curve = closed(on_the_curve(wanted), ray, below, not_zero(assume(psi > 0)))
-    force = positive(K * T / 2 > 0, [HALF, stiff, T > 0])
-    curve = closed(choose(angle, curve), beyond, force, late)
-    apart = strictly(of_border(pushes()), combined(Ne(S.Zero, K), [assume(Ne(K, 0))]))
-    damped = positive(B >= 0, [rest], [loss()])
-    found = disj_cases(decided(K, 0), closed(at_the_axis(wanted), damped), closed(curve, apart))
-    divisors_ = *map(not_zero, more), not_zero(positive(2 * d + 2 > 0, [2, more[0]]))
-    return closed(found, *divisors_, positive(d >= 0, d > 0))
+    inside = here.and_(psi > 0, psi < pi / (2 * d + 2))
+    ray = inside.closed(combined(RAY, [assume(off), psi**3]))
+    curve = inside.closed(closed(on_the_curve(wanted), ray))
+    curve = here.and_(K > 0).closed(choose(angle, curve), beyond)
+    apart = strictly(of_border(pushes()), show(Ne(S.Zero, K), Ne(K, 0)))
+    axis = closed(at_the_axis(wanted), show(B >= 0, rest, loss()))
+    return here.closed(disj_cases(decided(K, 0), axis, closed(curve, apart)))

@@ -12,7 +12,7 @@ from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.marginal import LIMIT, NEAR, behind
 from symhaptic.book.lemmas.near_tip import Arm, none_above, rounded, wall_below
 from symhaptic.book.lemmas.one_plane import right_of_the_line
-from symhaptic.book.lemmas.passive_tip import is_passive, known, passive_tip
+from symhaptic.book.lemmas.passive_tip import at_unit, is_passive, passive_tip
 from symhaptic.book.lemmas.prelude import *
 from symhaptic.book.lemmas.ratio_peak import FREE, least, passive_wall
 from symhaptic.book.lemmas.ratio_peak import LIMIT as MOST
@@ -191,7 +191,7 @@ def above_the_rate() -> Theorem:
     softer = at(bounded, {s: s for s in WALL}, assume(stable(d)))
     room = assume(best[0] > RATE * MOST)
     found = beside(claim, is_passive(), best, lambda w: positive(w, [rate, softer], [room]))
-    return closed(found, *known())
+    return at_unit().closed(found)
 
 
 @cache

@@ -7,7 +7,8 @@ mean.  ``analysis``, ``energy``, ``roots`` and ``samples`` hold the theorems of 
 are applied and not proved, ``definitions`` what a loop and its energy are.  These are all that has
 to be believed beside the deciders of :mod:`symhaptic.proof`.
 
-``familiar`` puts axioms to use, ``tactics`` puts rules together, ``derivation`` tells what a
-theorem rests on and ``judge`` makes verdicts of theorems: none of them can make a theorem that the
-others do not allow.  Nothing here knows the paper or a page.
+``familiar`` puts axioms to use, ``tactics`` puts rules together, ``positivity`` finds proofs of
+relations, ``derivation`` tells what a theorem rests on and ``judge`` makes verdicts of theorems:
+none of them can make a theorem that the others do not allow.  Nothing here knows the paper or a
+page.
 """
