@@ -37,7 +37,6 @@ from symhaptic.paper.propositions.one_delta import (
 from symhaptic.paper.propositions.ratio import BEST
 from symhaptic.paper.ranges import DAMPED
 
-
 HELD = Given(T > 0, m_D > 0, m_H >= 0, b_D >= 0, b_H >= 0, k_H >= 0)
 for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0, WHOLE - OWN >= 0:
     HELD.have(claim)
