@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from symhaptic.book.lemmas.chords import not_zero
 from symhaptic.book.lemmas.near_tip import CLOSE, none_above, wall_below
 from symhaptic.book.lemmas.passive_is_stable import passive_is_stable
 from symhaptic.book.lemmas.passive_tip import at_unit, passive_tip
@@ -38,32 +37,18 @@ from symhaptic.paper.propositions.one_delta import (
 from symhaptic.paper.propositions.ratio import BEST
 from symhaptic.paper.ranges import DAMPED
 
-
-@cache
-def signs() -> dict[str, Theorem]:
-    """0 < m_D + m_H, and 0 <= T b_D/(m_D + m_H) <= T (b_D + b_H)/(m_D + m_H)."""
-    mass = positive(MASS > 0, m_D > 0, m_H >= 0)
-    return {
-        "mass": mass,
-        "unit": over(T / MASS > 0, assume(T > 0), mass),
-        "back": over(MASS / T > 0, mass, assume(T > 0)),
-        "own": over(OWN >= 0, positive(T * b_D >= 0, [T > 0, b_D >= 0]), mass),
-        "more": over(WHOLE - OWN >= 0, positive(T * b_H >= 0, [T > 0, b_H >= 0]), mass),
-    }
-
-
-def _apart() -> tuple[Theorem, ...]:
-    return not_zero(signs()["mass"]), positive(Ne(T, 0), T > 0)
+HELD = Given(T > 0, m_D > 0, m_H >= 0, b_D >= 0, b_H >= 0, k_H >= 0)
+for claim in MASS > 0, T / MASS > 0, MASS / T > 0, T**2 / MASS > 0, SPRING >= 0, WHOLE - OWN >= 0:
+    HELD.have(claim)
 
 
 @cache
 def in_units() -> tuple[Theorem, Theorem]:
     """(5) with the device's delta from (5) with its damping, and back."""
-    units, plane = signs(), drawn(OWN)
-    share = over(1 / T > 0, one(), T > 0)
-    there = moved(MEETS, plane, omega / T, units["unit"], share)
-    back = moved(plane, MEETS, omega * T, units["back"], assume(T > 0))
-    return closed(there, *_apart()), closed(back, *_apart())
+    plane = drawn(OWN)
+    there = moved(MEETS, plane, omega / T, HELD.show(T / MASS > 0), HELD.show(1 / T > 0))
+    back = moved(plane, MEETS, omega * T, HELD.show(MASS / T > 0), assume(T > 0))
+    return HELD.closed(there), HELD.closed(back)
 
 
 @cache
@@ -82,13 +67,13 @@ def more_damped() -> Theorem:
     claim: Any = drawn()
     given = conjuncts(claim.body.of[0])
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, given))
-    eased = positive(claim.body.of[1], [there], [signs()["more"]])
+    eased = show(claim.body.of[1], there, HELD.show(WHOLE - OWN >= 0))
     return for_all([omega], given, _on_the_circle(eased))
 
 
 def _on_the_circle(theorem: Theorem) -> Theorem:
     """What (5) divides by is not zero."""
-    return closed(theorem, *divisors(omega), *_apart())
+    return HELD.closed(closed(theorem, *divisors(omega)))
 
 
 @cache
@@ -96,32 +81,16 @@ def stays_stable() -> Theorem:
     """A wall that meets (5) with the damping of the device is stable in every arm."""
     symbols, given, loop = taken_apart(kept())
     here = {**UNITS, gamma: SPRING, delta: WHOLE}
-    units = signs()
-    stiff = positive(UNITS[alpha] > 0, [over(T**2 / MASS > 0, _square(), units["mass"]), K > 0])
-    spring = over(SPRING >= 0, positive(T**2 * k_H >= 0, [_square(), k_H >= 0]), units["mass"])
-    own = inst(damped(passive()), {**UNITS, delta: OWN})
-    own = closed(own, positive(UNITS[alpha] >= 0, [stiff]))
-    both_ = positive(WHOLE > 0, [own], [units["more"]])
+    known = HELD.and_(K > 0)
+    known.have(UNITS[alpha] > 0)
+    own = known.closed(inst(damped(passive()), {**UNITS, delta: OWN}))
     robust = inst(conjunct(passive_is_stable(), STABLE), here)
     every = inst(margins(passive()), here)
-    found = closed(
-        robust,
-        every,
-        positive(UNITS[alpha] + SPRING > 0, [stiff], [spring]),
-        spring,
-        both_,
-        more_damped(),
-        in_units()[0],
-        *_apart(),
-    )
-    found = closed(found, more_damped(), in_units()[0], *_apart())
+    found = closed(robust, every, show(WHOLE > 0, own, HELD.show(WHOLE - OWN >= 0)))
+    found = known.closed(closed(known.closed(found), more_damped(), in_units()[0]))
+    found = known.closed(closed(found, more_damped(), in_units()[0]))
     assert loop
     return for_all(symbols, given, add_assum(found, *given))
-
-
-def _square() -> Theorem:
-    """0 < T^2."""
-    return positive(T**2 > 0, [T > 0, T > 0])
 
 
 @cache
@@ -129,10 +98,7 @@ def outdone_by_the_arm() -> Theorem:
     """Some stable wall is 1 + b_H/b_D times as stiff as all passive ones: (11) with delta."""
     claim = outdone()
     symbols, given, some = taken_apart(claim)
-    units = signs()
     together = assume(b_D + b_H > 0)
-    damper = over(WHOLE > 0, positive(T * (b_D + b_H) > 0, [T > 0, together]), units["mass"])
-    spring = over(SPRING >= 0, positive(T**2 * k_H >= 0, [_square(), k_H >= 0]), units["mass"])
     stable, tip = passive_tip()
     loop = {gamma: SPRING, delta: WHOLE}
     wall = tuple(v.xreplace(loop) for v in tip)
@@ -140,11 +106,10 @@ def outdone_by_the_arm() -> Theorem:
     values = dict(zip(BEST, wall, strict=True))
     _, others = some.body.at(values).of  # type: ignore[attr-defined]
     passive_, wanted = others.body.of
-    share = over(T**2 / MASS > 0, _square(), units["mass"])
-    softer = positive(wanted, [share, together, inst(bound(), {b: b_D})])
+    softer = show(wanted, HELD.show(T**2 / MASS > 0), together, inst(bound(), {b: b_D}), degree=3)
     bare = for_all([K, B], [passive_], at_unit().closed(softer))
-    held = closed(inst(stable, loop), damper, spring)
-    found = at_unit().closed(closed(exists(conj(held, bare), some, values), *_apart()))
+    held = HELD.closed(inst(stable, loop), together)
+    found = HELD.closed(at_unit().closed(exists(conj(held, bare), some, values)))
     return for_all(symbols, given, add_assum(found, *given))
 
 
@@ -187,18 +152,17 @@ def drawn_too_large() -> Theorem:
     symbols, given, plane = taken_apart(oversized())
     inside = conjuncts(plane.body.of[0])  # type: ignore[attr-defined]
     there = at(assume(drawn(OWN)), {omega: omega}, *map(assume, inside))
-    light = positive(
-        LIMITS[b_D] * MASS - b_D >= 0, b_D <= LIMITS[b_D] * m_D, [LIMITS[b_D], m_H >= 0]
-    )
-    slow = positive(LIMITS[T] - T >= 0, LIMITS[T] >= T)
+    here = HELD.and_(b_D <= LIMITS[b_D] * m_D, LIMITS[T] >= T)
+    light = here.show(LIMITS[b_D] * MASS - b_D >= 0)
     room = positive(
         DAMPED * MASS - FIGURES * T * b_D >= 0,
         [FIGURES, T > 0, light],
-        [FIGURES * LIMITS[b_D], slow, signs()["mass"]],
+        [FIGURES * LIMITS[b_D], show(LIMITS[T] - T >= 0, LIMITS[T] >= T), HELD.show(MASS > 0)],
     )
-    more = over(DAMPED - FIGURES * OWN >= 0, room, signs()["mass"])
-    wanted = positive(plane.body.of[1], [FIGURES, there], [more])  # type: ignore[attr-defined]
-    found = closed(for_all([omega], inside, _on_the_circle(wanted)), in_units()[0], *_apart())
+    more = over(DAMPED - FIGURES * OWN >= 0, room, MASS > 0)
+    wanted = show(plane.body.of[1], there, more)  # type: ignore[attr-defined]
+    found = for_all([omega], inside, _on_the_circle(here.closed(wanted)))
+    found = HELD.closed(closed(found, in_units()[0]))
     return for_all(symbols, given, add_assum(found, *given))
 
 
@@ -233,12 +197,9 @@ def easy(claim: Any) -> Case:
         below: Any = MEETS.at(point)
         inside, period = conjuncts(below.body.of[0]), LIMITS[T]
         turn = period * omega
-        ends = [
-            positive(turn > 0, [period, assume(inside[0])]),
-            positive(turn < pi, [period, assume(inside[1])]),
-        ]
         room = LIMITS[b_D] - period / 2
-        met = closed(combined(below.body.of[1], [room]), *divisors(turn), *ends)
+        met = closed(combined(below.body.of[1], [room]), *divisors(turn))
+        met = Given(*inside).closed(met)
         known.append(for_all([omega], inside, met))
     return example(point, given, *known)
 
