@@ -7,7 +7,7 @@ are built here from matrix exponentials, and certificates that say more than wha
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -154,6 +154,15 @@ def raised(claim, i, share=0.5):
     return replace(claim, columns=replace(columns, tops=tuple(tops)))
 
 
+def narrower(claim):
+    """The same walls in 16 times as many columns, so that a piece of the circle passes several."""
+    columns = claim.columns
+    left = (np.linspace(*ends, 16, endpoint=False) for ends in pairwise(columns.edges))
+    edges = (*np.concatenate([*left]).tolist(), columns.edges[-1])
+    tops = tuple(np.repeat(columns.tops, 16).tolist())
+    return replace(claim, columns=replace(columns, edges=edges, tops=tops))
+
+
 def opened(claim, change):
     return replace(claim, columns=replace(claim.columns, **change(claim.columns)))
 
@@ -166,6 +175,7 @@ def opened(claim, change):
         lambda c: raised(c, 12, 1.0),
         lambda c: raised(c, 3),
         lambda c: raised(c, 21),
+        lambda c: raised(narrower(c), 1),
         lambda c: opened(c, lambda x: {"low": 0.0}),
         lambda c: opened(c, lambda x: {"edges": tuple(e + 0.7 for e in x.edges)}),
         lambda c: opened(
@@ -191,6 +201,7 @@ def test_a_certificate_that_says_more_than_was_shown_is_refused(wrong):
 
 def test_the_certificate_itself_is_confirmed():
     assert recheck(shown(CLAIM))
+    assert recheck(narrower(shown(CLAIM)))
 
 
 def test_a_run_that_is_unstable_everywhere_is_no_run():
