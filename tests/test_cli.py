@@ -280,6 +280,7 @@ BAD_INPUT = {
     "report into a file": (["report", "-o", "a_file"], "a_file"),
     "report below a file": (["report", "-o", "a_file/deeper"], "a_file"),
     "check of a file": (["report", "--check", "-o", "a_file"], "-o a_file: is no folder"),
+    "no record of mutants": (["mutants", "--check", "-o", "gone.json"], "no record gone.json"),
     "check of nothing": (["report", "--check", "-o", "nowhere"], "-o nowhere: is no folder"),
 }
 
