@@ -271,6 +271,7 @@ def test_the_plugin_loads_nothing_symbolic():
 
 def test_the_plugin_passes_and_fails_a_test():
     eq25 = Agreement("linear_limit")
+    eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 0.5), over={"d": (0, 2)}, points=1)
     eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 0.5), over={"d": (0, 2)}, points=500)
     with pytest.raises(pytest.fail.Exception, match="0x"):
         eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 1), points=500)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from hands import growth, loops, moved
 
-from symhaptic.bounds.safe.check import recheck
+from symhaptic.bounds.safe.check import recheck, stable
 from symhaptic.bounds.safe.curve import walls
 from symhaptic.bounds.safe.find import NothingSafe, certified, outlines
 from symhaptic.numeric.boundary import stability_boundary
@@ -62,7 +62,7 @@ def test_a_wall_that_one_arm_makes_unstable_is_never_inside(name):
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_walls_inside_are_stable_by_eigenvalues_for_random_arms(name):
+def test_triedinside_are_stable_by_eigenvalues_for_random_arms(name):
     case, columns = CASES[name], shown(name).columns
     rng = np.random.default_rng(3)
     T, delay = float(case.period), float(case.periods[0])
@@ -204,6 +204,20 @@ def test_the_certificate_itself_is_confirmed():
     assert recheck(narrower(shown(CLAIM)))
 
 
+@pytest.mark.parametrize("name", ["phantom", "one"])
+def test_the_wall_of_a_run_is_stable_as_its_eigenvalues_are(name):
+    case, rng, seen = CASES[name], np.random.default_rng(3), set()
+    m, b, k = moved(case, rng, (0, 0, 0))
+    T, delay = float(case.period), float(case.periods[0])
+    tried = zip(rng.uniform(-2 * k, 4 * b / T, 400), rng.uniform(-b, 4 * b, 400), strict=True)
+    for K, B in tried:
+        size = growth(K, B, m, b, k, T, delay)
+        if abs(size - 1) > 1e-5:  # a double root near 1 has half the digits
+            seen.add(size < 1)
+            assert stable(case, (K, B)) == (size < 1), (K, B)
+    assert seen == {True, False}
+
+
 def test_a_run_that_is_unstable_everywhere_is_no_run():
     """All columns stand where no root crosses, but beyond the last stable damping."""
     claim = shown("undelayed")
@@ -226,7 +240,7 @@ def test_what_is_not_shown_is_said_in_one_line(case, told):
 
 
 @pytest.mark.filterwarnings("error")
-def test_an_arm_whose_walls_no_float_holds_is_no_bound():
+def test_an_arm_whose_triedno_float_holds_is_no_bound():
     """1e306 kg at 1 kHz: alpha m/T^2 overflows; the command said so twice before its one line."""
     largest = [K.max() for K, _ in outlines(loops("0.1", "0.5", 0, ((0, 10**306), (0, 0), (0, 0))))]
     assert np.isinf(largest).any()
