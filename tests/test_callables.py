@@ -248,6 +248,13 @@ def test_complex_numbers_of_many_digits_are_outside_of_every_domain():
         assert not lambdify("is_stable", modules="mpmath")(0.1, 0.4, complex_one, 0.1, 1)
 
 
+def test_a_free_mass_without_delay_is_told_stable_in_many_digits():
+    """By the Jury conditions by hand: alpha < 2 beta (2 - beta)/(2 + beta) at beta = 1, 2/3."""
+    stable = lambdify("is_stable", modules="mpmath")
+    assert stable(0.66, 1, 0, 0, 0)
+    assert not stable(0.67, 1, 0, 0, 0)
+
+
 @pytest.mark.parametrize("delay", [0.0, 1.0, 0.5, 2.3])
 @pytest.mark.parametrize("beta", [0.0, 0.3, -0.5])
 def test_slopes_of_faint_walls_are_those_of_larger_ones(beta, delay):

@@ -15,7 +15,7 @@ from command import symhaptic
 from symhaptic import __all__ as symhaptic_names
 from symhaptic import is_stable, max_passive_stiffness
 from symhaptic.check import callers, told
-from symhaptic.check.compare import compared
+from symhaptic.check.compare import compared, plainest
 from symhaptic.check.formulas import CHECKED
 from symhaptic.check.plugin import Agreement
 
@@ -271,6 +271,7 @@ def test_the_plugin_loads_nothing_symbolic():
 
 def test_the_plugin_passes_and_fails_a_test():
     eq25 = Agreement("linear_limit")
+    eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 0.5), over={"d": (0, 2)}, points=1)
     eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 0.5), over={"d": (0, 2)}, points=500)
     with pytest.raises(pytest.fail.Exception, match="0x"):
         eq25.agrees(lambda beta, delta, d: (beta + delta) / (d + 1), points=500)
@@ -379,6 +380,11 @@ def test_a_wrong_formula_is_shown_where_it_is_plainest(mine):
     assert "b = 0x1.0000000000000p+0 (1), T = 0x1.0000000000000p+0 (1), " in done.stdout
     assert "d = 0x1.0000000000000p+1 (2)" in done.stdout  # at d = 1 d*d is d
     assert done.stdout.endswith("  differs\n")
+
+
+def test_no_plainer_place_is_looked_for_when_the_time_is_over():
+    checked, begin = CHECKED["eq11"], ((0.3, 0.1, 2.0), (7.0,))
+    assert plainest(checked, lambda some: pytest.fail("was called"), begin, 8.0, {}, -1.0) == begin
 
 
 def test_junit_and_json(mine):

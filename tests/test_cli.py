@@ -280,6 +280,7 @@ BAD_INPUT = {
     "report into a file": (["report", "-o", "a_file"], "a_file"),
     "report below a file": (["report", "-o", "a_file/deeper"], "a_file"),
     "check of a file": (["report", "--check", "-o", "a_file"], "-o a_file: is no folder"),
+    "no record of mutants": (["mutants", "--check", "-o", "gone.json"], "no record gone.json"),
     "check of nothing": (["report", "--check", "-o", "nowhere"], "-o nowhere: is no folder"),
 }
 
@@ -425,7 +426,10 @@ def test_mutants_of_a_chapter_of_ones_own(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["my.py"]
     kept = symhaptic("mutants", "--derivation", path, "-o", "my.json", cwd=tmp_path)
     assert f"wrote my.json: {count}" in kept.stdout
-    assert set(json.loads((tmp_path / "my.json").read_text())["chapters"]) == {"my"}
+    written = json.loads((tmp_path / "my.json").read_text())["chapters"]
+    assert set(written) == {"my"}
+    assert f"{count} changes refused, 0 survive with a reason, 0 accepted" in kept.stdout
+    assert written["my"]["survivors"] == []
 
 
 def test_mutants_of_nothing_are_no_pass(tmp_path):

@@ -132,6 +132,13 @@ def test_a_delay_computed_as_whole_periods_is_whole():
         assert Scene(mass=1.0, sampling_period=1e-300, delay=1e300).periods > 10**599
 
 
+@pytest.mark.parametrize(("mass", "period"), [(1e-15, 1e-155), (1e-160, 1e80), (1e160, 1e-80)])
+def test_a_period_whose_squares_are_hardly_floats_is_told(mass, period):
+    scene = Scene(mass=mass, sampling_period=period)
+    with pytest.raises(ValueError, match=r"^sampling_period: .* give T\^2 and m/T\^2 from 1e-300"):
+        scene.dimensionless  # noqa: B018
+
+
 def test_a_delay_in_periods():
     late = Scene(mass=0.1, sampling_period=3e-4, delay_samples=7)
     assert late.dimensionless.delay == 7

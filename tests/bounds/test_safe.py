@@ -7,13 +7,13 @@ are built here from matrix exponentials, and certificates that say more than wha
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
 from hands import growth, loops, moved
 
-from symhaptic.bounds.safe.check import recheck
+from symhaptic.bounds.safe.check import recheck, stable
 from symhaptic.bounds.safe.curve import walls
 from symhaptic.bounds.safe.find import NothingSafe, certified, outlines
 from symhaptic.numeric.boundary import stability_boundary
@@ -62,7 +62,7 @@ def test_a_wall_that_one_arm_makes_unstable_is_never_inside(name):
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_walls_inside_are_stable_by_eigenvalues_for_random_arms(name):
+def test_triedinside_are_stable_by_eigenvalues_for_random_arms(name):
     case, columns = CASES[name], shown(name).columns
     rng = np.random.default_rng(3)
     T, delay = float(case.period), float(case.periods[0])
@@ -154,6 +154,15 @@ def raised(claim, i, share=0.5):
     return replace(claim, columns=replace(columns, tops=tuple(tops)))
 
 
+def narrower(claim):
+    """The same walls in 16 times as many columns, so that a piece of the circle passes several."""
+    columns = claim.columns
+    left = (np.linspace(*ends, 16, endpoint=False) for ends in pairwise(columns.edges))
+    edges = (*np.concatenate([*left]).tolist(), columns.edges[-1])
+    tops = tuple(np.repeat(columns.tops, 16).tolist())
+    return replace(claim, columns=replace(columns, edges=edges, tops=tops))
+
+
 def opened(claim, change):
     return replace(claim, columns=replace(claim.columns, **change(claim.columns)))
 
@@ -166,6 +175,7 @@ def opened(claim, change):
         lambda c: raised(c, 12, 1.0),
         lambda c: raised(c, 3),
         lambda c: raised(c, 21),
+        lambda c: raised(narrower(c), 1),
         lambda c: opened(c, lambda x: {"low": 0.0}),
         lambda c: opened(c, lambda x: {"edges": tuple(e + 0.7 for e in x.edges)}),
         lambda c: opened(
@@ -191,6 +201,21 @@ def test_a_certificate_that_says_more_than_was_shown_is_refused(wrong):
 
 def test_the_certificate_itself_is_confirmed():
     assert recheck(shown(CLAIM))
+    assert recheck(narrower(shown(CLAIM)))
+
+
+@pytest.mark.parametrize("name", ["phantom", "one"])
+def test_the_wall_of_a_run_is_stable_as_its_eigenvalues_are(name):
+    case, rng, seen = CASES[name], np.random.default_rng(3), set()
+    m, b, k = moved(case, rng, (0, 0, 0))
+    T, delay = float(case.period), float(case.periods[0])
+    tried = zip(rng.uniform(-2 * k, 4 * b / T, 400), rng.uniform(-b, 4 * b, 400), strict=True)
+    for K, B in tried:
+        size = growth(K, B, m, b, k, T, delay)
+        if abs(size - 1) > 1e-5:  # a double root near 1 has half the digits
+            seen.add(size < 1)
+            assert stable(case, (K, B)) == (size < 1), (K, B)
+    assert seen == {True, False}
 
 
 def test_a_run_that_is_unstable_everywhere_is_no_run():
@@ -215,7 +240,7 @@ def test_what_is_not_shown_is_said_in_one_line(case, told):
 
 
 @pytest.mark.filterwarnings("error")
-def test_an_arm_whose_walls_no_float_holds_is_no_bound():
+def test_an_arm_whose_triedno_float_holds_is_no_bound():
     """1e306 kg at 1 kHz: alpha m/T^2 overflows; the command said so twice before its one line."""
     largest = [K.max() for K, _ in outlines(loops("0.1", "0.5", 0, ((0, 10**306), (0, 0), (0, 0))))]
     assert np.isinf(largest).any()

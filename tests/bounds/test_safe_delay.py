@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hands import growth, loops, moved
 
+from symhaptic.bounds.safe.check import recheck
 from symhaptic.bounds.safe.curve import walls
 from symhaptic.bounds.safe.delay import borne, confirmed, guessed
 from symhaptic.bounds.safe.passive import is_passive, passive
@@ -47,6 +48,8 @@ def test_a_chain_of_delays_is_confirmed_and_no_other():
     last = chain[-1]
     ahead = (last.loops.periods[0], last.loops.periods[1] + Fraction(1, 5))
     assert not confirmed([*chain[:-1], replace(last, loops=last.loops._replace(periods=ahead))])
+    low, high = chain[0].loops.periods  # from the later to the earlier, no delay is in it
+    assert not recheck(replace(chain[0], loops=chain[0].loops._replace(periods=(high, low))))
     softer = replace(last.columns, tops=(K / 2,), low=K / 2)
     assert not confirmed([*chain[:-1], replace(last, columns=softer, stable=((K / 2, B),))])
 

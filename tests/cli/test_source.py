@@ -161,6 +161,7 @@ def test_another_sign_in_its_print_is_a_misprint(notes):
         ('(("c", "b"),)', '(("c", "damper"),)', "'damper' for 'c'; a symbol of ours is"),
         ('(("c", "b"),)', '(("cv", "b"),)', "'cv' is no name"),
         (r'{2m})",)', r'{2m})",), reading=("F = cv",)', "reading: says something else than"),
+        (r'{2m})",)', r'{2m}!)",), reading=("F < cv",)', "has other relation signs than the print"),
         ("STATEMENTS", "PRINTED", "has no SOURCE or no STATEMENTS"),
         ("SOURCE =", "SOURCE = =", "invalid syntax"),
     ],
@@ -182,6 +183,14 @@ def test_of_two_sources_none_is_left_out_in_silence(notes):
         assert (run.returncode, run.stdout, run.stderr) == (2, "", said)
     run = symhaptic("verify", "eq11", "-oone.txt", "-oother.txt")
     assert (run.returncode, run.stderr) == (2, said.replace("--source", "-o"))
+
+
+@pytest.mark.parametrize("beside", ["--derivation", "--list"])
+def test_what_a_source_has_itself_is_not_given_beside_it(notes, beside):
+    given = [beside, notes / "drifting.py"] if beside == "--derivation" else [beside]
+    run = symhaptic("verify", "--source", notes, *given)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert "does not go with --derivation or --list" in run.stderr
 
 
 def test_a_folder_without_a_source_or_chapters_is_refused(notes, tmp_path):

@@ -83,6 +83,16 @@ def test_principal_sheet_beside_the_roots_in_the_cut_plane():
     assert compared > 300
 
 
+@pytest.mark.parametrize(
+    "wall", [(-0.2, -3.4, 9.5, 2.1), (0.3, -1.8, 8.8, 0.35), (-0.03, -0.18, 9.65, 0.05)]
+)
+def test_a_wall_that_leads_at_minus_one_keeps_to_the_next_whole_delay(wall):
+    """On the principal sheet a pair comes round -1 there: none is outside before, two behind."""
+    for delay, outside in ((Fraction(1, 8), 0), (Fraction(63, 64), 0), (Fraction(65, 64), 2)):
+        assert np.sum(principal(*wall, delay) > 1) == outside
+    assert delay_margin(*wall, sheet="principal") == 1
+
+
 def test_the_principal_sheet_of_a_whole_delay_is_the_delay_itself():
     rng = np.random.default_rng(94)
     count = 20_000

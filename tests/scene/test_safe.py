@@ -7,6 +7,8 @@ import pytest
 from oracle import radius
 
 from symhaptic import Arm, ArmRange, Scene
+from symhaptic.scene.picture import EDGE, UNSTABLE
+from symhaptic.scene.safe import draw_safe
 
 
 @cache
@@ -167,3 +169,24 @@ def test_an_arm_beside_which_the_device_is_nothing_is_a_free_mass(mass):
     safe = device.safe_walls(arm=Arm(mass=mass))
     assert 0.98 * 0.144469 < safe.stiffest[0] / mass * 1e-6 < 0.144469
     assert len(safe.certificate.cuts) < 5000  # 120 013 before
+
+
+@pytest.mark.parametrize(
+    ("wall", "color"), [(None, None), ((100.0, 5.0), EDGE), ((90000.0, 5.0), UNSTABLE)]
+)
+def test_a_picture_shows_the_rectangle_and_whether_a_wall_is_inside(wall, color):
+    pyplot = pytest.importorskip("matplotlib.pyplot", reason="no Matplotlib here")
+    axes = pyplot.subplots()[1]
+    draw_safe(axes, phantom(), wall)
+    drawn = {line.get_label(): line for line in axes.lines}
+    (bottom, top), (left, right) = phantom().rectangle
+    rectangle = drawn[f"{top:.0f} N/m with {left:.3g} to {right:.3g} Ns/m"]
+    assert set(rectangle.get_xdata()) == {left, right}
+    assert set(rectangle.get_ydata()) == {bottom, top}
+    marked = [line for label, line in drawn.items() if label.startswith("this wall")]
+    assert [line.get_color() for line in marked] == ([] if wall is None else [color])
+    assert right < axes.get_xlim()[1]
+    assert max(top, wall[0] if wall else 0.0) < axes.get_ylim()[1]
+    assert phantom().plot(axes) is axes
+    assert phantom().plot() is not axes
+    pyplot.close("all")

@@ -109,8 +109,12 @@ def test_a_picture_has_units_and_a_legend_beside_the_curves(axes, wall):
     assert legend.y1 < frame.y0
     assert legend.x0 >= 0
     assert legend.x1 <= axes.figure.bbox.x1
-    if wall:
-        assert axes.get_ylim()[1] > wall[0]
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    edge, *marks = axes.lines
+    assert np.nanmin(edge.get_ydata()) < 0 < np.nanmax(edge.get_ydata()) < 1.5 * top
+    for mark in (m for m in marks if m.get_marker() != "None"):
+        assert left < mark.get_xdata()[0] < right
+        assert bottom < mark.get_ydata()[0] < top
 
 
 def test_half_a_wall_is_refused():

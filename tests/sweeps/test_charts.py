@@ -1,5 +1,7 @@
 """Charts of sweeps: what is drawn has units, nothing is cut off, and no legend covers a curve."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -56,6 +58,18 @@ def test_charts_have_units_and_room(chart, scene, tmp_path):
 def test_a_range_of_ones_own():
     figure = charts.robust_limits(SCENE, stiffness=(0.0, 2000.0), damping=(1.0, 3.0), points=20)
     assert figure.axes[0].get_title(loc="left") == "$k$ = 0 to 2000 N/m, $b$ = 1 to 3 Ns/m"
+
+
+def test_without_ranges_the_axes_are_those_that_are_documented():
+    """Four periods and twice the damping; all walls that are stable, from no stiffness on."""
+    axes = charts.stiffest(dataclasses.replace(SCENE, damping=4.0), points=5).axes[0]
+    assert axes.get_xlim() == pytest.approx((0.0, 4.0))
+    assert axes.get_ylim() == pytest.approx((0.0, 8.0))
+    axes = charts.delay_margin(SCENE, points=5).axes[0]
+    assert (axes.get_xlim()[0], axes.get_ylim()[0]) == (0.0, 0.0)
+    half = dataclasses.replace(SCENE, delay=1.5e-3).max_stable_stiffness()
+    assert axes.get_ylim()[1] == pytest.approx(half.K)
+    assert axes.get_xlim()[1] > half.B
 
 
 def test_leaving_out_the_damper_costs_what_is_proved():

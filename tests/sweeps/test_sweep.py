@@ -12,7 +12,15 @@ import numpy as np
 import pytest
 
 import symhaptic
-from symhaptic import Arm, Scene, is_stable, max_stable_stiffness, passivity_margin, sweep
+from symhaptic import (
+    Arm,
+    Scene,
+    is_stable,
+    max_stable_stiffness,
+    passivity_margin,
+    stability_boundary,
+    sweep,
+)
 from symhaptic.forms.stable import STATEMENTS as FORMS
 from symhaptic.sweeps.quantities import QUANTITIES
 
@@ -121,6 +129,10 @@ def test_a_scene_is_swept_in_its_units():
     assert margin[1] == pytest.approx(scene.delay_margin(K=1000.0, B=5.0), rel=1e-12)
     most = sweep("max_delay", scene, K=[500.0, 1000.0], B=5.0).max_delay
     assert most.to_numpy() == pytest.approx(margin.to_numpy() + 1.5e-3, rel=1e-12)
+    frequency = np.array([1.0, 200.0])  # theta = 2 pi f T, the angle of a swing in a period
+    edge = sweep("stability_boundary", scene, frequency_hz=frequency)
+    alone = stability_boundary(2 * np.pi * frequency * 1e-4, 0.0, 0.5 * 1e-4 / 0.1, 15.0)
+    assert edge.K.to_numpy() == pytest.approx(alone[0] * 0.1 / 1e-4**2, rel=1e-9)
     plain = sweep("delay_margin", alpha=[0.01], beta=0.05, gamma=0.0, delta=0.0)
     assert plain.delay_margin[0] == pytest.approx(3.969213, abs=1e-6)
     masses = sweep("is_stable", scene, K=[100.0, 4000.0], B=5.0, mass=[0.05, 0.1, 2.0])
@@ -188,6 +200,10 @@ def deciding(x):
         (turning, "turning: 1j is not allowed; give real numbers"),
         (growing, "growing: float64 is not allowed; the first point gave int64"),
         (deciding, "deciding: float64 is not allowed; the first point gave bool"),
+        (
+            lambda x: np.ones(np.shape(x), np.uint8) if np.size(x) > 1 else True,
+            "<lambda>: uint8 is not allowed; the first point gave bool",
+        ),
         (lambda value: None, "<lambda>: None is not allowed; give real numbers"),
         (
             lambda value: np.uint64(2**63 + 1) + np.zeros(np.shape(value), np.uint64),
@@ -200,6 +216,11 @@ def test_what_a_function_of_ones_own_gives_is_not_cut_to_a_kind(function, told):
     name = next(iter(inspect.signature(function).parameters))
     with pytest.raises(ValueError, match=f"^{re.escape(told)}"):
         sweep(function, **{name: [1.0, 2.2]})
+
+
+def test_unsigned_numbers_that_signed_ones_hold_are_kept():
+    found = sweep(lambda x: np.asarray(x).astype(np.uint64 if np.size(x) > 1 else int), x=[1, 7])
+    assert found["<lambda>"].to_numpy().tolist() == [1, 7]
 
 
 def test_what_a_function_of_ones_own_masks_is_nan():

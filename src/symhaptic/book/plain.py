@@ -79,6 +79,8 @@ def in_formulas(text: str) -> str:
     "$p(z)\\ne0$ for a $v$, and $z^{d+1}A$ of Jury's $p'$ at $\\exp(j\\theta)$ in (18)"
     >>> in_formulas("A zero a is of n1, a and e; conj(p) ends at 1, and see 5.10(b)")
     'A zero $a$ is of $n_1$, $a$ and $e$; $\\overline{p}$ ends at 1, and see 5.10(b)'
+    >>> in_formulas("tr A = 2 Re z")
+    '$\\mathrm{tr}\\,A=2\\,\\mathrm{Re}\\,z$'
     """
     return _prose(_bracketed(list(_tokens(text))))
 
