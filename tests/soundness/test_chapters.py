@@ -272,6 +272,12 @@ def test_what_holds_of_every_name_corrects_nothing(right, page):
         page.settle("mine", Eq(x, 2 * v * T), corrected=(right,))
 
 
+@pytest.mark.parametrize("block", ["enclosed", "minimal"])
+def test_a_block_without_a_line_shows_nothing(block, page):
+    with pytest.raises(FalseStep, match="nothing is shown"):
+        getattr(page, block)("Nothing", [])
+
+
 def test_no_zeros_are_all_of_a_polynomial_that_may_be_zero(page):
     ends = arb(0), arb(1)
     for polynomial in ([], [arb(0)], [arb(0, 1)], [arb(1), arb(0, 1)]):

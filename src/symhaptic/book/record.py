@@ -205,6 +205,8 @@ class Record:
         paper: str = "",
         theorem: Theorem | None = None,
     ) -> None:
+        if not lines and theorem is None:
+            raise FalseStep(f"{title}: nothing is shown; give one line or more")
         for left, _, right in lines:
             in_latex(f"step {title!r}", left, right)
         self._count += 1
