@@ -77,7 +77,7 @@ def main() -> None:
         raise SystemExit(130) from None
     finally:
         if _received:
-            exec("")  # or one that an `exec` was interrupted in would end Python by a signal
+            exec("")  # Python ends by a signal if its last `exec` was interrupted
             raise SystemExit(128 + _received[0]) from None
 
 

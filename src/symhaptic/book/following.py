@@ -52,7 +52,7 @@ _TRIED = 40
 """Points that are tried as an example and as a counterexample."""
 
 _SMALL = 100
-"""By this they are divided, too: what a name means may be in its domain for small values alone."""
+"""Each point is also tried divided by this: some meanings need small values to be in a domain."""
 
 
 class Undefinable(ValueError):

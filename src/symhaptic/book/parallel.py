@@ -79,7 +79,7 @@ def each(
     jobs = [*own, *(i for i in range(len(paths)) if i not in own)]
     gc.freeze()
     with ExitStack() as ends:
-        # forked while this process has no thread whose locks they would inherit
+        # all are forked here: later a progress bar has a thread, whose locks a fork would copy
         alone = {i: _Worker(work, ends) for i in own}
         idle = [_Worker(work, ends) for _ in range(min(workers, len(paths) - len(own)))]
         running: dict[Connection, tuple[int, _Worker[Result]]] = {}

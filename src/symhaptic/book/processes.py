@@ -74,7 +74,7 @@ def folder(prefix: str = "symhaptic-", parent: Path | None = None) -> Iterator[P
     """Make a temporary folder, which is removed at the end; so is a new parent that stays empty."""
     new = [] if parent is None or parent.exists() else [parent]
     made = (parent or Path(tempfile.gettempdir())) / f"{prefix}{uuid4().hex}"
-    with _held(_FOLDER, made, *new):  # it holds the folder before there is one
+    with _held(_FOLDER, made, *new):  # started first: a kill in between leaves nothing
         if parent is not None:
             parent.mkdir(parents=True, exist_ok=True)
         made.mkdir(0o700)

@@ -71,8 +71,9 @@ class Checked:
     refutes: Callable[[Point, Sequence[float]], str] | None = None
     """What refutes results at a point without exact values; empty where nothing does."""
     no_answer: float | None = None
-    """What stands for no answer, which is allowed at hard points that are not ordinary."""
+    """The result that stands for "not known".  It is accepted at hard points."""
     hard: Callable[..., bool] = lambda *point: True
+    """Which points are hard; ordinary ones never are."""
     open: tuple[str, ...] = ()
     """What no point covers, in words."""
 

@@ -55,7 +55,7 @@ class Found:
     at: Point
     got: Point
     silent: frozenset[int]
-    """Numbers of the points at which it gives no answer, and need not."""
+    """Numbers of the points at which it wrongly gives "no answer", where this is allowed."""
     missing: tuple[Point, ...]
     """Where it gives NaN."""
     names: tuple[str, ...]
@@ -90,8 +90,8 @@ def compared(
     looked = [(i, got[i], error(checked, points.all[i], got[i])[0]) for i in places]
     silent = frozenset(
         i
-        for i, g in enumerate(got)
-        if g[0] == checked.no_answer and not points.ordinary[i] and checked.hard(*points.all[i])
+        for i, g, off in looked
+        if off > 0 and not points.ordinary[i] and _is_open(checked, points.all[i], g)
     )
     looked = [(i, g, -math.inf if i in silent else off) for i, g, off in looked]
     looked = _forgiven(checked, points, looked, ulp)
@@ -297,8 +297,13 @@ def plainest(
     return point, last
 
 
+def _is_open(checked: Checked, at: Point, got: Point) -> bool:
+    """Whether this is "no answer" at a point where that is allowed."""
+    return got[0] == checked.no_answer and checked.hard(*at)
+
+
 def _wrong(checked: Checked, at: Point, got: Point, ulp: float) -> bool:
-    if got[0] == checked.no_answer and checked.hard(*at):
+    if _is_open(checked, at, got):
         return False
     off, _ = error(checked, at, got)
     if off == math.inf and checked.border is not None and math.isfinite(got[0]):

@@ -62,8 +62,8 @@ def covered(found: Found) -> dict[str, Any]:
     if unknown := known.count(False):
         missing.append(f"{unknown} points of which no exact value is known")
     if found.silent:
-        told = f"at which the function gives no answer, {checked.no_answer:g}"
-        missing.append(f"{len(found.silent)} points {told}")
+        told = f'{checked.no_answer:g} was accepted for "not known"'
+        missing.append(f"points at which {told}: {len(found.silent)}")
     if found.called < asked:
         missing.append(f"{asked - found.called} of {asked} points: the function is slow")
     return {

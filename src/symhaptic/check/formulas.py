@@ -133,8 +133,8 @@ def _if_damped(count: Callable[..., Any]) -> Callable[..., tuple[Any, ...]]:
     return exact
 
 
-def _swings_on(alpha: float, beta: float, gamma: float, delta: float, d: float) -> bool:
-    """An undamped device that swings faster than the loop samples, where "not stable" is safe."""
+def _is_fast_and_undamped(alpha: float, beta: float, gamma: float, delta: float, d: float) -> bool:
+    """Devices without damping that swing faster than pi/T: "not stable" is accepted for them."""
     return delta <= 1e-10 and gamma > 9.8
 
 
@@ -323,7 +323,7 @@ FUNCTIONS = (
             printed="eq18", open=("delays other than one period, of which the polynomial is",)),
     Checked("is_stable", _args("alpha beta gamma delta d"), ("stable",),
             _if_damped(winding.stable), _one(is_stable), balls=2000, border=_beside_curve,
-            no_answer=0.0, hard=_swings_on),
+            no_answer=0.0, hard=_is_fast_and_undamped),
     Checked("unstable_roots", _args("alpha beta gamma delta d"), ("roots",),
             _if_damped(winding.unstable), _one(unstable_roots), balls=2000, border=_beside_curve,
             no_answer=-1.0),

@@ -132,7 +132,7 @@ def is_passive(
     >>> is_passive([1.9, 2.1, -0.1], 0.0, 1.0, 0).tolist()
     [True, False, False]
     """
-    if sheet == "exact":  # left out, it takes the short way
+    if sheet == "exact":  # only without this argument the compiled kernel is called directly
         return passivity_margin(alpha, beta, delta, delay) >= 0
     return passivity_margin(alpha, beta, delta, delay, sheet) >= 0
 

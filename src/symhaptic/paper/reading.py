@@ -222,7 +222,7 @@ class _Reader:
                 self.tokens.append(token)
         self.at = 0
         self.divisors: list[Expr] = []
-        """What must not be zero, as it was met."""
+        """The expressions that the line divides by."""
 
     # -- tokens ---------------------------------------------------------------------
 
@@ -291,7 +291,7 @@ class _Reader:
         return value
 
     def made(self, kind: type, *parts: Expr) -> Expr:
-        """A sum, a product or a power; as it is printed, if SymPy would cancel a divisor."""
+        """Make a sum, a product or a power, without evaluation if SymPy would cancel a divisor."""
         plain = not self.inert or any(isinstance(p, sp.MatrixBase) for p in parts)
         return kind(*parts) if plain else kind(*parts, evaluate=False)
 
@@ -301,7 +301,7 @@ class _Reader:
         return self.made(sp.Pow, base, exponent)
 
     def loses_a_divisor(self, sides: Iterable[Expr]) -> bool:
-        """Whether sides forget what is divided by: of x/x = 1 SymPy leaves 1 = 1."""
+        """Whether evaluation has removed a divisor, as when SymPy makes 1 = 1 of x/x = 1."""
         powers = [power for side in sides for power in side.atoms(sp.Pow)]
         bases = [p.base for p in powers if not p.exp.is_nonnegative]
         left = {_alike(f) for base in bases for f in sp.Mul.make_args(base)}

@@ -90,7 +90,7 @@ def _of_walls(
 
 
 _MOST = 1e15
-"""Plain numbers up to here need no look at what they are."""
+"""Plain numbers below this size skip the checks of arguments."""
 
 
 def stability_boundary(scene: DeviceLoop, frequency_hz: Any) -> tuple[Any, Any]:

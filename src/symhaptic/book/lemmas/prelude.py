@@ -149,7 +149,13 @@ from symhaptic.proof.theorems.leaves import (
     roots_inside,
     tends,
 )
-from symhaptic.proof.theorems.positivity import Given, difference, nlinarith, read, show
+from symhaptic.proof.theorems.positivity import (
+    Given,
+    difference,
+    load_certificates,
+    nlinarith,
+    show,
+)
 from symhaptic.proof.theorems.roots import (
     all_inside,
     first_minors,
@@ -182,4 +188,4 @@ from symhaptic.proof.theorems.tactics import (
     zero_beyond,
 )
 
-read(Path(__file__).with_name("certificates.json"))
+load_certificates(Path(__file__).with_name("certificates.json"))

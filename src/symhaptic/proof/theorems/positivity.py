@@ -45,7 +45,7 @@ USED: dict[str, str | None] = {}
 """Those of them that were asked for in this process."""
 
 
-def read(file: Path) -> None:
+def load_certificates(file: Path) -> None:
     """Take certificates from a file; it is only written by :mod:`symhaptic.book.certificates`."""
     if file.is_file():
         CERTIFICATES.update(json.loads(file.read_text(encoding="utf-8")))
