@@ -18,8 +18,8 @@ import symhaptic
 from symhaptic import passivity_boundary, passivity_margin
 from symhaptic.export import request
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
+from symhaptic.export.language import Refused
 from symhaptic.export.precision import DOUBLE, SINGLE
-from symhaptic.export.printing import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import hexadecimal
 from symhaptic.forms import required_damping, stable

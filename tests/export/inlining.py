@@ -5,7 +5,7 @@ from dataclasses import replace
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from symhaptic.export.module import named
+from symhaptic.export.library import named
 from symhaptic.export.routine import Repeat, Several, fresh, with_divisors
 
 

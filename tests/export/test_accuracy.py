@@ -15,7 +15,7 @@ from flint import arb
 from symhaptic.bench import error, exported, implicit, libm
 from symhaptic.bench.exact import EXACT
 from symhaptic.bench.points import columns, leaving_pi
-from symhaptic.export import device, device_numbers, double_word, module, request, whole_turns
+from symhaptic.export import library, request
 from symhaptic.export.accuracy import (
     DERIVATIVES,
     MEASURED,
@@ -24,7 +24,8 @@ from symhaptic.export.accuracy import (
     MUSL,
 )
 from symhaptic.export.precision import DOUBLE, SINGLE
-from symhaptic.export.term_sizes import sized
+from symhaptic.export.routines import arithmetic, device
+from symhaptic.export.vectors import sized
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 
 needs_gcc = pytest.mark.skipif(
@@ -268,27 +269,27 @@ def test_no_angle_needs_more_than_the_exact_worst_one(d):
 
 
 @needs_gcc
-@pytest.mark.parametrize("low", ["root_low", "q_low"])
+@pytest.mark.parametrize("low", ["root_miss", "q_low"])
 @pytest.mark.parametrize("precision", MEASURED, ids=lambda p: p.name)
 def test_a_dropped_low_part_is_noticed(precision, low, monkeypatch, tmp_path: Path):
     """A mutant of the routines: a root or a pole without what its float misses."""
-    whole = device.poles
+    whole = device.real_poles
 
-    def mutant(do, motion):
-        large, (small, _) = whole(do, motion)
+    def mutant(*given):
+        large, (small, _) = whole(*given)
         return large, (small, sp.S.Zero)
 
     (form,) = request.chosen(["discretize"])
-    module.known.cache_clear()
+    library.known.cache_clear()
     exported.written.cache_clear()
     with monkeypatch.context() as patch:
-        if low == "root_low":
-            for caller in (device, device_numbers, double_word, whole_turns):
-                patch.setattr(caller, "root_low", lambda *_: sp.S.Zero)
+        if low == "root_miss":
+            for caller in (arithmetic, device):
+                patch.setattr(caller, "root_miss", lambda *_: sp.S.Zero)
         else:
-            patch.setattr(device, "poles", mutant)
+            patch.setattr(device, "real_poles", mutant)
         run = error.compiled(form, tmp_path, precision)
-    module.known.cache_clear()
+    library.known.cache_clear()
     exported.written.cache_clear()
     arrays = points(form, COUNT, precision)
     found = error.compare(form, arrays, run(arrays), precision)

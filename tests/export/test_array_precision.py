@@ -7,7 +7,7 @@ from types import CodeType
 import pytest
 
 from symhaptic.export import request
-from symhaptic.export.array_precision import of_both
+from symhaptic.export.arrays import of_both
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.parts import FULL
 

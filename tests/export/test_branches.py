@@ -3,10 +3,9 @@
 import pytest
 import sympy as sp
 
-from symhaptic.export.blocks import Assign, Choice, Join, Set
-from symhaptic.export.branches import lazy
+from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
+from symhaptic.export.notation import Steps
 from symhaptic.export.routine import choose
-from symhaptic.export.steps import Steps
 
 x, y = sp.symbols("x y")
 

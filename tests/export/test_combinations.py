@@ -14,7 +14,7 @@ from export.covering import covering, pairs
 from export.test_targets import run_all
 
 from symhaptic.export import request, vectors
-from symhaptic.export.printing import Refused
+from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 from symhaptic.forms.derivatives import differentiable, with_derivatives

@@ -12,9 +12,9 @@ from export.test_request import symhaptic
 from export.test_targets import run_all
 
 from symhaptic import lambdify
-from symhaptic.export import module, request
+from symhaptic.export import library, request
+from symhaptic.export.language import Refused
 from symhaptic.export.precision import DOUBLE, SINGLE
-from symhaptic.export.printing import Refused
 from symhaptic.export.routine import Routine
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import differentiable
@@ -90,13 +90,13 @@ def test_the_self_test_passes_in_single_precision_with_derivatives(language, tmp
 )
 def test_a_wrong_routine_is_found_by_the_self_test(name, tmp_path, monkeypatch):
     """One part in 10^12 off."""
-    right = module.known(DOUBLE)
+    right = library.known(DOUBLE)
     old = right[name]
     ((result, value),) = old.results
     factor = 1 + 2.0**-40
     changed = sp.piecewise_fold(value * factor)
     wrong = Routine(name, old.about, old.arguments, old.steps, ((result, changed),))
-    monkeypatch.setattr(module, "known", lambda precision=DOUBLE: {**right, name: wrong})
+    monkeypatch.setattr(library, "known", lambda precision=DOUBLE: {**right, name: wrong})
     _, files = request.built(TARGETS["c"], [asked("discretize")])
     request.write(files, tmp_path / "out")
     compile_, execute = TARGETS["c"].commands("haptic")

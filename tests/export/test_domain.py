@@ -13,7 +13,7 @@ import pytest
 from export.test_targets import run_all
 
 from symhaptic import lambdify
-from symhaptic.export import module as libraries
+from symhaptic.export import library as libraries
 from symhaptic.export import request
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.targets import TARGETS

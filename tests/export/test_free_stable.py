@@ -8,7 +8,7 @@ import pytest
 from export.test_targets import run_all
 
 from symhaptic.export import request
-from symhaptic.export.printing import Refused
+from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
 

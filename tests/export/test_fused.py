@@ -10,9 +10,10 @@ import pytest
 from export.inlining import inlined, program
 from mpmath import mpf
 
-from symhaptic.export import fused, request
-from symhaptic.export.array_api import TARGET
-from symhaptic.export.module import known, library, named, routine
+from symhaptic.export import passes, request
+from symhaptic.export.arrays import TARGET
+from symhaptic.export.library import known, library, named
+from symhaptic.export.passes import of_form
 from symhaptic.export.routine import Several, computed
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.notation import delta, gamma
@@ -20,7 +21,7 @@ from symhaptic.notation import delta, gamma
 ROUTINES = known()
 PLAIN = request.chosen([], delay=2)
 FORMS = [*PLAIN, with_derivatives(PLAIN[0], differentiable(PLAIN[0]))]
-MERGED = {form.name: fused.merged(routine(form)) for form in FORMS}
+MERGED = {form.name: passes.merged(of_form(form)) for form in FORMS}
 JOINT = sorted({step.call.func.__name__ for r in MERGED.values() for step in r.steps
                 if isinstance(step, Several)} - {"LateDevice"})  # fmt: skip
 
@@ -106,7 +107,7 @@ def test_nothing_is_called_twice_with_the_same_arguments(name):
     asked = Counter()
     for step in found.steps:
         for expr in computed(step):
-            calls = expr.atoms(*fused.MERGED)
+            calls = expr.atoms(*passes.MERGED)
             asked.update(call.args for call in calls)
             if isinstance(step, Several):
                 asked[expr.args] += 1

@@ -8,8 +8,7 @@ from export.test_languages import exported, needs, run
 from export.test_request import symhaptic
 
 from symhaptic.export import request
-from symhaptic.export.microcontroller import COMPILER, CORTEX_M4, LEAN, SIZES
-from symhaptic.export.operations import KINDS, most
+from symhaptic.export.microcontroller import COMPILER, CORTEX_M4, KINDS, LEAN, SIZES, most
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 

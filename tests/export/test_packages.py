@@ -10,7 +10,7 @@ from export.test_languages import LIBM, exported, needs, run
 
 import symhaptic
 from symhaptic.export import request
-from symhaptic.export.cmake import FLAGS
+from symhaptic.export.package import FLAGS
 
 WALL = ["is_stable", "max_stable_stiffness", "max_passive_stiffness", "passivity_margin"]
 

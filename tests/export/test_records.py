@@ -6,15 +6,16 @@ import pytest
 import sympy as sp
 
 from symhaptic.export import kernels, request
-from symhaptic.export.error_free import ROUTINES as PAIRS
-from symhaptic.export.pairs import plus, rounded, scaled
-from symhaptic.export.records import Records
-from symhaptic.export.steps import Steps
+from symhaptic.export.c import Records
+from symhaptic.export.library import known
+from symhaptic.export.notation import Steps
+from symhaptic.export.routines.arithmetic import plus, rounded, scaled
 from symhaptic.export.targets import TARGETS
 
 x, y, z = sp.symbols("x y z")
 FOUR = ["is_stable", "discretize", "stability_boundary", "max_passive_stiffness"]
 C = TARGETS["c"]
+PAIRS = [known()[name] for name in ("Rounded", "TwoProd", "WideProd", "TwoDiff", "PairSum")]
 
 
 def source(names=FOUR, **options):
@@ -24,7 +25,7 @@ def source(names=FOUR, **options):
 
 def written(result, do, arguments=(x, y)):
     """A helper of these steps as C, beside those of pairs."""
-    routines = [make() for make in PAIRS]
+    routines = list(PAIRS)
     routine = do.routine("Tried", "what is tried", arguments, result)
     target = type(C)()
     target.records = Records(target, [*routines, routine])
@@ -32,38 +33,39 @@ def written(result, do, arguments=(x, y)):
 
 
 def test_a_pair_that_is_only_handed_on_has_no_name():
-    do = Steps()
-    found = plus(do, scaled(do, x, (y, sp.S.Zero)), (z, sp.S.Zero))
-    line = written(rounded(found), do, (x, y, z))
+    with Steps() as do:
+        found = rounded(plus(scaled(x, y), z))
+    line = written(found, do, (x, y, z))
     assert "return rounded(pair_sum(two_prod(x, y), (Pair){z, 0.0}));" in line
 
 
 def test_a_pair_that_is_asked_for_twice_or_in_part_keeps_its_name():
     """Handed on twice it would be computed twice; a part of it has to be called by its name."""
-    do = Steps()
-    found = scaled(do, x, (y, sp.S.Zero))
-    assert "const Pair prod = two_prod(x, y);" in written(rounded(plus(do, found, found)), do)
-    do = Steps()
-    high, low = scaled(do, x, (y, sp.S.Zero))
+    with Steps() as do:
+        found = scaled(x, y)
+        twice = rounded(plus(found, found))
+    assert "const Pair prod = two_prod(x, y);" in written(twice, do)
+    with Steps() as do:
+        high, low = scaled(x, y)
     line = written(rounded((high, low)) * low, do)
     assert "const Pair prod = two_prod(x, y);" in line
     assert "prod.lo*rounded(prod)" in line
 
 
 def test_halves_of_two_pairs_are_no_pair():
-    do = Steps()
-    (one, _), (_, low) = scaled(do, x, (y, sp.S.Zero)), scaled(do, y, (y, sp.S.Zero))
+    with Steps() as do:
+        (one, _), (_, low) = scaled(x, y), scaled(y, y)
     line = written(rounded((one, low)), do)
     assert "rounded((Pair){prod.hi, prod2.lo})" in line
 
 
 @pytest.mark.parametrize("public", [False, True])
 def test_a_helper_returns_what_another_one_gives_and_a_public_function_does_not(public):
-    do = Steps()
-    high, low = scaled(do, x, (y, sp.S.Zero))
+    with Steps() as do:
+        high, low = scaled(x, y)
     routine = do.routine("Tried", "", (x, y), {"total": high, "total_low": low})
     target = type(C)()
-    helpers = [make() for make in PAIRS]
+    helpers = list(PAIRS)
     target.records = Records(target, helpers if public else [*helpers, routine])
     lines = target._written(routine, "void tried()") if public else target._helper(routine)
     assert ("return two_prod(x, y);" in " ".join(lines)) is not public
@@ -72,14 +74,11 @@ def test_a_helper_returns_what_another_one_gives_and_a_public_function_does_not(
 
 def test_a_pair_in_a_repetition_is_found_before_it():
     """Inside it would be found each time anew."""
-    do = Steps()
-    high, low = scaled(do, x, (y, sp.S.Zero))
-    (state,) = do.repeat(
-        {"state": sp.S.Zero},
-        lambda _, states: [states[0] + rounded((high, low))],
-        lambda states: states[0] > 1,
-        9,
-    )
+    with Steps() as do:
+        pair = scaled(x, y)
+        (state,) = do.repeat(
+            {"state": sp.S.Zero}, lambda s: [s + rounded(pair)], lambda s: s > 1, 9
+        )
     line = written(state, do)
     assert line.index("const Pair prod = two_prod(x, y);") < line.index("for (")
 

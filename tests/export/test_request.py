@@ -8,8 +8,8 @@ import pytest
 
 from symhaptic.cli.main import main
 from symhaptic.export import request
-from symhaptic.export.printing import OPERATIONS, Refused
-from symhaptic.export.target import Target
+from symhaptic.export.language import Refused, Target
+from symhaptic.export.routine import OPERATIONS
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 from symhaptic.model.parts import Parts
@@ -221,8 +221,8 @@ def test_the_same_request_gives_the_same_files():
 
 
 def test_no_form_has_the_name_of_a_routine():
-    from symhaptic.export.code_names import code_name
-    from symhaptic.export.module import known
+    from symhaptic.export.library import known
+    from symhaptic.export.naming import code_name
 
     assert not set(stable.FORMS) & set(map(code_name, known()))
 

@@ -10,11 +10,11 @@ import pytest
 import sympy as sp
 from export.inlining import inlined
 
-from symhaptic.export.array_api import TARGET
-from symhaptic.export.module import known, library
-from symhaptic.export.response import less
+from symhaptic.export.arrays import TARGET
+from symhaptic.export.library import known, library
+from symhaptic.export.notation import Steps
 from symhaptic.export.routine import TwoProdError
-from symhaptic.export.steps import Steps
+from symhaptic.export.routines.response import less
 from symhaptic.forms import stable
 from symhaptic.forms.required_damping import Between, Straight
 from symhaptic.forms.response import Ahead, FractionalNumeratorGap, InPhase
@@ -72,7 +72,8 @@ def difference():
     """The steps of one - factor t^2, their arguments, and the exact value."""
     do, (one, factor, t) = Steps(), sp.symbols("begin factor tan")
     square, low = do("square", t * t), do("low", TwoProdError(t, t))
-    less(do, one, factor, square, low)
+    with do:
+        less(one, factor, square, low)
     found = do.done[-1].names[0]  # the float itself, without what it misses
     routine = inlined(do.routine("Less", "", (one, factor, t), found), known())
     steps = (*routine.steps, (sp.Symbol("found"), routine.results[0][1]))

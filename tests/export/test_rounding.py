@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 
 from symhaptic.export import request
-from symhaptic.export.gappa_script import FORMATS
 from symhaptic.export.precision import DOUBLE, SINGLE
 from symhaptic.export.request import chosen
-from symhaptic.export.rounding import for_coq, goals
+from symhaptic.export.rounding import FORMATS, for_coq, goals
 from symhaptic.export.targets import TARGETS
 from symhaptic.model.parts import ALL, FULL
 

@@ -10,15 +10,13 @@ from mpmath import mpf
 from sympy import Max, Piecewise
 from sympy.codegen.cfunctions import expm1
 
-from symhaptic.export import device, device_series
-from symhaptic.export.blocks import Assign, Choice, Join, Set
-from symhaptic.export.branches import lazy
-from symhaptic.export.code_names import code_name
-from symhaptic.export.error_scale import size as largest_term
-from symhaptic.export.module import known
+from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
+from symhaptic.export.library import known
+from symhaptic.export.naming import code_name
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.export.printing import OPERATIONS
-from symhaptic.export.routine import Repeat, TwoProdError, names
+from symhaptic.export.routine import OPERATIONS, Repeat, TwoProdError, names
+from symhaptic.export.routines import device
+from symhaptic.export.vectors import slope_size as largest_term
 from symhaptic.forms import values
 from symhaptic.forms.entire import written_out
 from symhaptic.notation import delta, gamma
@@ -127,11 +125,11 @@ def test_every_branch_reaches_the_last_digit_of_a_float(name):
 @pytest.mark.parametrize("name", ["PlantN1Series", "PlantN0Series"])
 def test_the_series_have_enough_terms(name, precision):
     """The next term of the divided difference of exp at three nodes of the largest size."""
-    assert device.STIFF <= device_series.NEAR**2
+    assert device.STIFF <= device.NEAR**2
     routine = known(precision)[name]
     (loop,) = (step for step in routine.steps if isinstance(step, Repeat))
     sizes = []
-    for largest, size in ((loop.few, device_series.TINY), (loop.factorials[0], device_series.NEAR)):
+    for largest, size in ((loop.few, device.TINY), (loop.factorials[0], device.NEAR)):
         terms = largest - 1
         sizes.append(terms)
         missed = size**terms * (terms + 1) / sp.factorial(terms + 2)

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from sympy import sin, sqrt
 
-from symhaptic.export.blocks import Assign, Choice, Join, Return, Set
+from symhaptic.export.branches import Assign, Choice, Join, Return, Set
 from symhaptic.export.statements import braces
 from symhaptic.export.targets import TARGETS
 

@@ -6,7 +6,7 @@ from export.covering import one_of
 from export.test_targets import run_all
 
 from symhaptic.export import request
-from symhaptic.export.printing import Refused
+from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.kernels import haptic
 

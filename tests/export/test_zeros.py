@@ -4,9 +4,9 @@ import pytest
 import sympy as sp
 
 from symhaptic.export import request
-from symhaptic.export.steps import Steps
+from symhaptic.export.notation import Steps
+from symhaptic.export.passes import without_zeros
 from symhaptic.export.targets import TARGETS
-from symhaptic.export.zeros import without_zeros
 
 x, y, z = sp.symbols("x y z")
 f, g = sp.Function("F"), sp.Function("G")
@@ -37,7 +37,7 @@ def test_one_call_with_something_else_keeps_it(other):
 def test_a_call_inside_of_a_search_or_a_repetition_counts():
     do = Steps()
     (state,) = do.repeat(
-        {"state": sp.S.Zero}, lambda _, s: [f(s[0], x)], lambda s: s[0] > 1, 9
+        {"state": sp.S.Zero}, lambda s: [f(s, x)], lambda s: s > 1, 9
     )  # fmt: skip
     user = do.routine("public", "", (x,), state + f(x, 0))
     helpers, (found,) = without_zeros({"F": helper("F", x + y)}, [user])

@@ -10,8 +10,8 @@ from flint import arb
 from mpmath import mpf
 
 from symhaptic.bench.exact_slopes import slopes as in_balls
-from symhaptic.export import term_sizes
-from symhaptic.export.term_sizes import sized
+from symhaptic.export import vectors
+from symhaptic.export.vectors import sized
 from symhaptic.forms import products, slopes, stable, values
 from symhaptic.forms.derivatives import derivative, differentiable, with_derivatives
 from symhaptic.forms.entire import Entire, written_out
@@ -192,8 +192,8 @@ SOME = {"alpha": ("0.3",), "beta": ("-0.05", "0.2"), "gamma": ("0.01", "3"),
 )  # fmt: skip
 def test_forms_beside_differences_of_their_values(name, parts, monkeypatch):
     """In 60 digits, to twice that of the step; at a whole delay to the right."""
-    monkeypatch.setattr(term_sizes, "_FOUND", 60)
-    term_sizes._searched.cache_clear()
+    monkeypatch.setattr(vectors, "_FOUND", 60)
+    vectors._searched.cache_clear()
     form = stable.form(name, parts)
     wanted = with_derivatives(form, differentiable(form))
     slopes_ = [(*key.split("_by_"), expr) for key, expr in wanted.results[len(form.results) :]]

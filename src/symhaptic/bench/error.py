@@ -17,7 +17,7 @@ from symhaptic.bench.exact_slopes import slopes
 from symhaptic.bench.exported import GCC, compiled
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
-from symhaptic.export.module import library
+from symhaptic.export.library import library
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.stable import Form

@@ -12,8 +12,8 @@ import numpy as np
 
 from symhaptic.bench.points import Array
 from symhaptic.export import request
-from symhaptic.export.module import Library
 from symhaptic.export.precision import DOUBLE, Precision
+from symhaptic.export.routine import Library
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.stable import Form
 

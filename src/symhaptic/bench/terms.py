@@ -10,9 +10,8 @@ import numpy as np
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.code_names import code_name
-from symhaptic.export.error_scale import size as slope_size
-from symhaptic.export.term_sizes import rounded, squares
+from symhaptic.export.naming import code_name
+from symhaptic.export.vectors import rounded, slope_size, squares
 from symhaptic.forms.entire import C, Entire, S
 from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
 from symhaptic.forms.implicit import ImplicitFunction, Rated

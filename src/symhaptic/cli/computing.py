@@ -218,7 +218,7 @@ def export(
 ) -> None:
     """Write formulas as source code that needs nothing else, with test vectors and a self-test."""
     from symhaptic.export import request
-    from symhaptic.export.printing import Refused
+    from symhaptic.export.language import Refused
     from symhaptic.export.targets import TARGETS
     from symhaptic.forms.stable import FOR_ONE_DELAY
 

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from sympy.printing.cxx import CXX17CodePrinter
 
-from symhaptic.export import cmake, standard
+from symhaptic.export import naming, package
 from symhaptic.export.branches import guarded
 from symhaptic.export.c import CPP_KEYWORDS
-from symhaptic.export.cmake import FLAGS, STRICT
-from symhaptic.export.described import describe
-from symhaptic.export.module import Library
+from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.package import FLAGS, STRICT
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing, called
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Library, Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 
 
@@ -30,7 +27,7 @@ class Cpp(Target):
 
     name, title, keywords, printer = "cpp", "C++17", CPP_KEYWORDS, _Printer
     shares = True
-    modules = standard.CPP
+    modules = naming.CPP
     each = (
         "for (int n = {first}; n >= {last}; n -= {step}) {{",
         "    const {real} {name} = inverse_factorial[n];",
@@ -95,13 +92,13 @@ class Cpp(Target):
 
     def notes(self, library: Library) -> list[str]:
         """What it refuses to be compiled with, and how it is found."""
-        return cmake.notes(library.name, f"{library.name}.hpp")[:-1]
+        return package.notes(library.name, f"{library.name}.hpp")[:-1]
 
     def package(self, library: Library) -> dict[str, str]:
         """For CMake and pkg-config."""
         name, programs = library.name, ["selftest.cpp"]
         source, header = f"{name}.cpp", f"{name}.hpp"
-        return cmake.package(name, library.title, "cxx_std_17", source, [header], programs)
+        return package.package(name, library.title, "cxx_std_17", source, [header], programs)
 
     def usage(self, library: Library) -> str:
         """The declaration of the first function."""

@@ -6,16 +6,13 @@ from types import MappingProxyType
 
 from sympy.printing.fortran import FCodePrinter
 
-from symhaptic.export import standard
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Set
-from symhaptic.export.branches import guarded
-from symhaptic.export.described import describe
-from symhaptic.export.module import Library
+from symhaptic.export import naming
+from symhaptic.export.branches import Assign, Block, Choice, Join, Set, guarded
+from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.naming import vocabulary
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing, called, vocabulary
-from symhaptic.export.routine import Repeat, Routine, Several, plain
+from symhaptic.export.routine import Library, Repeat, Routine, Several, plain
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 from symhaptic.version import __version__
 
@@ -58,7 +55,7 @@ class Fortran(Target):
         "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 "
         "selftest spread scale"
     )
-    modules = standard.FORTRAN
+    modules = naming.FORTRAN
     operations = called(
         "",
         Infinity="ieee_value(1.0_wp, ieee_positive_inf)",

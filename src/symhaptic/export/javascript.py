@@ -6,14 +6,12 @@ from types import MappingProxyType
 
 from sympy.printing.jscode import JavascriptCodePrinter
 
-from symhaptic.export import standard
+from symhaptic.export import naming
 from symhaptic.export.branches import guarded
-from symhaptic.export.described import describe
-from symhaptic.export.module import Library
-from symhaptic.export.printing import Printing, called, vocabulary
-from symhaptic.export.routine import Routine
+from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.naming import vocabulary
+from symhaptic.export.routine import Library, Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 from symhaptic.version import __version__
 
@@ -40,7 +38,7 @@ class Javascript(Target):
         "throw true try typeof var void while with yield NaN Infinity undefined Math"
     )
     shares = True
-    modules = standard.JAVASCRIPT
+    modules = naming.JAVASCRIPT
     operations = called(
         "Math.",
         Infinity="Infinity",

@@ -7,14 +7,12 @@ from types import MappingProxyType
 
 from sympy.printing.octave import OctaveCodePrinter
 
-from symhaptic.export import standard
+from symhaptic.export import naming
 from symhaptic.export.branches import guarded
-from symhaptic.export.described import describe
-from symhaptic.export.module import Library
-from symhaptic.export.printing import Printing, called, vocabulary
-from symhaptic.export.routine import Routine
+from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.naming import vocabulary
+from symhaptic.export.routine import Library, Routine
 from symhaptic.export.statements import Words, worded
-from symhaptic.export.target import Target
 from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
 
@@ -47,7 +45,7 @@ class Octave(Target):
         "return spmd switch try unwind_protect until while pick pi i j ans selftest "
         "elementwise names varargout varargin nargout"
     )
-    modules = standard.OCTAVE
+    modules = naming.OCTAVE
     operations = called(
         "",
         Infinity="Inf",

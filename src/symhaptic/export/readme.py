@@ -13,12 +13,10 @@ import sympy as sp
 from sympy import Expr
 
 from symhaptic.export.accuracy import DERIVATIVES, MEASURED
-from symhaptic.export.described import beyond, sizes
-from symhaptic.export.module import Library
-from symhaptic.export.once import parts, rewritten
+from symhaptic.export.language import Target, beyond, sizes
 from symhaptic.export.precision import Precision
-from symhaptic.export.rounding import Goal, told
-from symhaptic.export.target import Target
+from symhaptic.export.rounding import Goal, goals, told
+from symhaptic.export.routine import Library, parts, rewritten
 from symhaptic.export.vectors import allowed
 from symhaptic.forms.device_forms import ANY
 from symhaptic.forms.entire import written_out
@@ -62,7 +60,7 @@ def readme(library: Library, target: Target, count: int) -> str:
         "",
     ]
     for form, routine in zip(library.forms, library.public, strict=True):
-        lines += _function(form, target.precision, target.proved(routine))
+        lines += _function(form, target.precision, goals(routine, target))
     meanings = _meanings(library)
     if meanings:
         lines += ["## The functions in these formulas", ""]

@@ -9,11 +9,12 @@ import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from symhaptic.export.module import Library, library
+from symhaptic.export.language import Refused, Target
+from symhaptic.export.library import library
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.export.printing import Refused
 from symhaptic.export.readme import readme
-from symhaptic.export.target import Target
+from symhaptic.export.rounding import goals
+from symhaptic.export.routine import Library
 from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.forms import stable
@@ -164,7 +165,7 @@ def built(
         return made, files
     text = test_vectors(made.forms, language.precision)
     files |= language.package(made) | language.selftest(made)
-    files |= {goal.file: goal.text for r in made.public for goal in language.proved(r)}
+    files |= {goal.file: goal.text for r in made.public for goal in goals(r, language)}
     files |= {"vectors.txt": text, "README.md": readme(made, language, text.count("\n"))}
     files[LISTING] = "\n".join(sorted([*files, LISTING])) + "\n"
     return made, files

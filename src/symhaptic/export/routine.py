@@ -7,13 +7,16 @@ all of them or only the one that counts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
-from sympy import Expr, Function, Piecewise, Symbol
+from sympy import Basic, Expr, Function, Piecewise, Symbol
 from sympy.codegen.cfunctions import expm1
 from sympy.logic.boolalg import Boolean
+
+from symhaptic.forms.stable import Form
 
 
 class TwoProdError(Function):  # type: ignore[misc]
@@ -298,3 +301,88 @@ __all__ = [
     "plain",
     "with_divisors",
 ]
+
+
+# -- What an expression is made of, where each different part is looked at once ------------------
+
+
+def parts(exprs: Iterable[Basic]) -> set[Basic]:
+    """All different parts of expressions, these among them."""
+    left = list(exprs)
+    found: set[Basic] = set()
+    while left:
+        expr = left.pop()
+        if expr not in found:
+            found.add(expr)
+            left += expr.args
+    return found
+
+
+def rewritten(expr: Basic, told: Callable[[Basic], Basic]) -> Basic:
+    """The expression with what is told in place of each part, inner ones first."""
+    known: dict[Basic, Basic] = {}
+
+    def done(part: Basic) -> Basic:
+        if part not in known:
+            inner = tuple(map(done, part.args))
+            known[part] = told(part if inner == part.args else part.func(*inner))
+        return known[part]
+
+    return done(expr)
+
+
+# -- What a routine calls, and all routines of an export -----------------------------------------
+
+
+OPERATIONS = (
+    "Abs", "Infinity", "Max", "Min", "NaN", "TwoProdError", "atan2", "cos", "exp", "expm1", "floor",
+    "sin", "sqrt", "tan",
+)  # fmt: skip
+"""Beside sums, products, quotients, comparisons and choices, what formulas are written with."""
+
+
+@cache
+def calls(routine: Routine) -> frozenset[str]:
+    """Names of the routines that a routine calls."""
+    functions = (f for f in parts(routine.expressions) if isinstance(f, sp.Function))
+    found = {f.func.__name__ for f in functions}
+    return frozenset(found - {*OPERATIONS, "Piecewise", "Divisor"})
+
+
+@cache
+def operations(routine: Routine) -> frozenset[str]:
+    """The shared operations that a routine needs."""
+    atoms = parts(routine.expressions)
+    names = {type(a).__name__ for a in atoms}
+    roots = any(a.is_Pow and abs(a.args[1]) == sp.S.Half for a in atoms if isinstance(a, Expr))
+    return frozenset(names & set(OPERATIONS)) | ({"sqrt"} if roots else set())
+
+
+def needs(routine: Routine) -> frozenset[str]:
+    """The routines that it calls, and operations that may have to be written out."""
+    return calls(routine) | operations(routine)
+
+
+@dataclass(frozen=True)
+class Library:
+    """Forms with the routines that they need, each after those that it calls."""
+
+    name: str
+    title: str
+    forms: tuple[Form, ...]
+    helpers: tuple[Routine, ...]
+    public: tuple[Routine, ...]
+
+    @property
+    def factorials(self) -> int:
+        """How many inverse factorials its series take, from 1/0! on."""
+        loops = (s for helper in self.helpers for s in helper.steps if isinstance(s, Repeat))
+        return max((n + 1 for loop in loops for n in loop.factorials), default=0)
+
+    def needed(self, routine: Routine) -> Iterator[Routine]:
+        """The helpers that a routine calls, or one of these does, in their order."""
+        wanted = needs(routine)
+        for helper in reversed(self.helpers):
+            if helper.name in wanted:
+                wanted |= needs(helper)
+        return (helper for helper in self.helpers if helper.name in wanted)

@@ -6,15 +6,13 @@ from types import MappingProxyType
 
 from sympy.printing.rust import RustCodePrinter
 
-from symhaptic.export import standard
+from symhaptic.export import naming
 from symhaptic.export.branches import guarded
-from symhaptic.export.described import describe
-from symhaptic.export.module import Library
+from symhaptic.export.language import Printing, Target, describe
+from symhaptic.export.naming import vocabulary
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.printing import Printing, vocabulary
-from symhaptic.export.routine import Routine
+from symhaptic.export.routine import Library, Routine
 from symhaptic.export.statements import braces
-from symhaptic.export.target import Target
 from symhaptic.export.vectors import ORDINARY
 from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
@@ -42,7 +40,7 @@ class Rust(Target):
         "unsafe use where while abstract become box do final macro override priv typeof unsized "
         "virtual yield try union gen core std main"
     )
-    modules = standard.RUST
+    modules = naming.RUST
     operations = MappingProxyType(
         {
             "Abs": "({0}).abs()",

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Symbol
 
-from symhaptic.export.blocks import Assign, Block, Choice, Join, Return, Set, expressions
-from symhaptic.export.printing import bare
+from symhaptic.export.branches import Assign, Block, Choice, Join, Return, Set, expressions
+from symhaptic.export.language import Target, bare
 from symhaptic.export.routine import Repeat, Several
-from symhaptic.export.target import Target
 from symhaptic.export.wrapping import WIDTH
 
 

@@ -4,23 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 
-from symhaptic.export import (
-    array_api,
-    c,
-    cpp,
-    fortran,
-    javascript,
-    microcontroller,
-    octave,
-    rust,
-)
-from symhaptic.export.code_names import code_name
-from symhaptic.export.module import known
-from symhaptic.export.target import Target
+from symhaptic.export import arrays, c, cpp, fortran, javascript, microcontroller, octave, rust
+from symhaptic.export.language import Target
+from symhaptic.export.library import known
+from symhaptic.export.naming import code_name
 
 TARGETS: dict[str, Target] = {
     module.TARGET.name: module.TARGET
-    for module in (array_api, c, cpp, fortran, rust, javascript, octave, microcontroller)
+    for module in (arrays, c, cpp, fortran, rust, javascript, octave, microcontroller)
 }
 
 

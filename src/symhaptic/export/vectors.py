@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from itertools import product
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -14,9 +15,32 @@ from mpmath import mpf
 from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.term_sizes import DIGITS, sized
-from symhaptic.forms.root_count import NEAR
+from symhaptic.forms.angle_slopes import ChordSlope, Ripple, SpreadSlope
+from symhaptic.forms.entire import C, Entire, S
+from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
+from symhaptic.forms.implicit import ImplicitFunction, Rated
+from symhaptic.forms.response import Compensated, closed
+from symhaptic.forms.root_count import (
+    NEAR,
+    FractionalRoots,
+    Stable,
+    WholeRoots,
+    fractional_outside,
+    outside,
+)
+from symhaptic.forms.slope_values import BY_MATRIX
+from symhaptic.forms.slopes import (
+    Bend,
+    Coast,
+    Ebb,
+    Echo,
+    Kick,
+    NumeratorGapDrop,
+    PlantN0Drop,
+    PlantN1Drop,
+)
 from symhaptic.forms.stable import Form
+from symhaptic.forms.values import numeric, settled
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {
@@ -158,3 +182,213 @@ def text(forms: tuple[Form, ...], precision: Precision = DOUBLE) -> str:
         for row in vectors(form, precision):
             lines.append(" ".join([form.name, *(hexadecimal(x + 0.0) for x in row)]))
     return "\n".join(lines) + "\n"
+
+
+# -- How large are the terms of a stable form at a point: what its last place is measured by -----
+
+
+DIGITS = 60
+"""Of each entire function; what a stable form loses beyond is its largest term's last place."""
+
+_FOUND = 32
+"""Of what is searched for: twice those of a float."""
+
+_PLAIN = {
+    sp.exp: mpmath.exp, sp.sin: mpmath.sin, sp.cos: mpmath.cos, sp.tan: mpmath.tan, sp.Abs: abs,
+}  # fmt: skip
+
+Sizes = dict[Expr, tuple[mpf, mpf]]
+
+
+def sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
+    """Value and largest term of a form at a point: what its last place is measured by.
+
+    A difference is as large as its larger side, a sum at least as large as its value, a product
+    as large as its factors.  A quotient grows by what its denominator lost: next to the pole that
+    the boundary has where M(-1) = 0, a last place of any argument changes it as much.  An argument
+    that is a product, such as delta (1 - epsilon), reaches its function rounded, and half a last
+    place of it counts, too: a mere wave or exponential of it is not known better.  An angle that
+    hangs on a sum that passes through zero counts with what that sum's largest term moves it by.
+    ``at`` has those of the arguments, and keeps all that are found.
+    """
+    if expr not in at:
+        at[expr] = _sized(expr, at)
+    return at[expr]
+
+
+def _sized(expr: Expr, at: Sizes) -> tuple[mpf, mpf]:
+    if expr.is_Rational:
+        exact = mpf(expr.p) / expr.q
+        return exact, abs(exact)
+    if expr is sp.pi:
+        return +mpmath.pi, +mpmath.pi
+    if isinstance(expr, Compensated):
+        exact, size = sized(closed(expr), at)
+        return exact, max([size, *(sized(term, at)[1] for term in expr.terms(*expr.args))])
+    if isinstance(expr, Entire):
+        cls: Any = type(expr)
+        args = [sized(arg, at)[0] for arg in expr.args]
+        exact = _entire(cls, tuple(args))
+        return exact, max(abs(exact), _swing(expr, args)) + _spoiled(expr, exact, at)
+    if isinstance(expr, sp.Piecewise):
+        (yes, condition), (no, _) = expr.args
+        return sized(yes if sized(condition.lhs - condition.rhs, at)[0] == 0 else no, at)
+    parts = [sized(arg, at) for arg in expr.args]
+    if isinstance(expr, ImplicitFunction):
+        kind: Any = type(expr)
+        exact = _searched(kind, tuple(v for v, _ in parts))
+        return exact, parts[1][1] if kind is Rated else max(abs(exact), _leans(expr, exact, at))
+    if isinstance(expr, WholeRoots | FractionalRoots):
+        near = {"near": at[NEAR][0]} if NEAR in at else {}
+        exact = outside if isinstance(expr, WholeRoots) else fractional_outside
+        count = exact(*(v for v, _ in parts), **near)
+        return count, count
+    if isinstance(expr, Stable):  # no root on the circle, where the count is known
+        good = mpf(parts[0][0] == 0)
+        return good, good
+    if expr.is_Add:
+        total = mpmath.fsum(v for v, _ in parts)
+        return total, max(abs(total), *(size for _, size in parts))
+    if expr.is_Mul:
+        return mpmath.fprod(v for v, _ in parts), mpmath.fprod(size for _, size in parts)
+    if expr.is_Pow and expr.args[1].is_Integer:
+        (base, size), power = parts[0], int(expr.args[1])
+        return base**power, size**power if power > 0 else abs(base) ** (power - 1) * size
+    if expr.is_Pow:
+        root, lost = mpmath.sqrt(parts[0][0]), squares(expr.args[0], lambda e: sized(e, at))
+        if expr.args[1] > 0:
+            return root, max(root, lost / (2 * root) if root else root)
+        return 1 / root, max(1 / root, lost / (2 * root**3))
+    exact = _PLAIN[expr.func](parts[0][0])
+    return exact, abs(exact) + _spoiled(expr, exact, at)
+
+
+def squares(base: Expr, term: Callable[[Expr], tuple[Any, Any]]) -> Any:
+    """What the last places of the terms below a root count: of a square, twice those of its side.
+
+    A root grows by what the sum below it lost, as a quotient does.
+    """
+    found: Any = 0
+    for part in sp.Add.make_args(base):
+        side, power = part.as_base_exp()
+        value, size = term(side)
+        found += 2 * abs(value) * size if power == 2 else term(part)[1]
+    return found
+
+
+def _leans(expr: ImplicitFunction, exact: mpf, at: Sizes) -> mpf:
+    """What the largest term of a sum that passes through zero counts in what hangs on it."""
+    at[expr] = exact, abs(exact)
+    if (found := expr.leaning()) is None or any(sized(c, at)[0] <= 0 for c in found.counts):
+        return mpf(0)
+    return sized(found.total, at)[1] * abs(sized(found.slope, at)[0])
+
+
+def rounded(arg: Expr) -> bool:
+    """Whether an argument is a product that may be rounded."""
+    return len(arg.free_symbols) > 1
+
+
+def _spoiled(expr: Expr, exact: mpf, at: Sizes) -> mpf:
+    """How much a rounded product as an argument changes the value, by its last place."""
+    change = mpf(0)
+    cls: Any = type(expr)
+    for i, arg in enumerate(expr.args):
+        if rounded(arg):
+            args = [sized(a, at)[0] for a in expr.args]
+            args[i] *= 1 + _SMALL
+            moved = _entire(cls, tuple(args)) if isinstance(expr, Entire) else _PLAIN[cls](*args)
+            change += abs(moved - exact) / _SMALL
+    return change
+
+
+_SMALL = mpf(2) ** -60
+
+
+@cache
+def _entire(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    if cls in BY_MATRIX:
+        return BY_MATRIX[cls](*args)
+    return settled(numeric(cls), args, DIGITS, cls.__name__)
+
+
+@cache
+def _searched(cls: Any, args: tuple[mpf, ...]) -> mpf:
+    with mpmath.workdps(_FOUND):
+        found: mpf = cls.exact(*args)
+    return found
+
+
+def _swing(expr: Expr, args: list[mpf]) -> mpf:
+    """The size of the sines and cosines in a function that swings through zero."""
+    if isinstance(expr, (C, S)):
+        w = args[0]
+        return mpf(0) if w >= -1 else 1 if isinstance(expr, C) else 1 / mpmath.sqrt(-w)
+    if not isinstance(expr, (PlantN1, PlantN0, PlantTrace, NumeratorGap)):
+        return mpf(float(slope_size(type(expr), [float(arg) for arg in args])))
+    g, dl = args
+    if g < 4 or dl**2 >= 4 * g:
+        return mpf(0)
+    decayed = mpmath.exp(-dl / 2)
+    if isinstance(expr, PlantTrace):
+        return 2 * decayed
+    if isinstance(expr, NumeratorGap):
+        return 1 / g / max(dl, mpf(1))
+    if isinstance(expr, PlantN1):
+        return 1 / g
+    root = mpmath.sqrt(g - dl**2 / 4)
+    return decayed * max(1, abs(dl / 2 * mpmath.sin(root) / root)) / g
+
+
+# -- The largest term in derivatives that swing through zero: what their last place is measured by
+
+
+_DEVICE = (Kick, Coast, Ebb, Echo, PlantN1Drop, PlantN0Drop, NumeratorGapDrop)
+
+
+def slope_size(cls: Any, args: Any) -> Any:
+    """Of one of these functions, at floats or arrays of them; 0 where the value itself counts."""
+    args = [np.asarray(a, dtype=float) for a in args]
+    if cls in _DEVICE:
+        return _of_device(cls, *args)
+    if cls is Bend:
+        return np.where(args[0] < -4, 0.5 / np.maximum(-args[0], 4), 0.0)
+    return _of_angle(cls, *args) if cls in (Ripple, SpreadSlope, ChordSlope) else 0.0
+
+
+def _of_device(cls: Any, gamma: Any, delta: Any) -> Any:
+    w = delta * delta / 4 - gamma
+    root, fall = np.sqrt(np.abs(w)), np.exp(-delta / 2)
+    slow, far = gamma / np.maximum(delta / 2 + root, 1e-300), np.maximum(root, 1.0)
+    stiff = np.maximum(gamma, 4.0)
+    kick = fall / far
+    echo = fall / (2 * far * far)
+    pair = (kick + delta * echo) / 2
+    creeping: Any = 0.0
+    if cls is Kick:
+        swinging = kick
+    elif cls is Coast:
+        swinging = fall + delta / 2 * kick
+        creeping = slow * np.exp(-slow) / np.maximum(2 * root, 1.0)
+    elif cls is Echo:
+        swinging = echo
+    elif cls is Ebb:
+        swinging = echo + fall / stiff
+        creeping = (2 + slow) * np.exp(-slow) / np.maximum(2 * root, 2.0) ** 2
+        creeping = creeping / np.maximum(delta / 2 + root, 2.0)
+    elif cls is NumeratorGapDrop:
+        swinging = (1 / stiff / np.maximum(delta, 1.0) + echo) / stiff
+    else:
+        swinging = ((1 if cls is PlantN1Drop else fall) / stiff + pair) / stiff
+    counts = (w < 0) & ((gamma >= 4) | (cls is Coast))
+    return np.where(counts, swinging, np.where(w < 0, 0.0, creeping))
+
+
+def _of_angle(cls: Any, k: Any, x: Any) -> Any:
+    n = k + 1
+    sine, half, near = np.abs(np.sin(x)), np.sin(x / 2), n * x < 1.5
+    if cls is Ripple:
+        return np.where(near, np.abs(np.sin(n * x)) / 2, n / np.maximum(sine, 1e-300))
+    cube = np.maximum(x, 1e-100) ** 3
+    top = 4 * n if cls is SpreadSlope else 2 * n * n * sine + 4 * n * half * half
+    return np.where(near, 0.0, top / cube)

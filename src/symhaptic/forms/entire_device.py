@@ -29,7 +29,7 @@ class PlantN1(Entire):
     """n_1: where a unit force, held for a period, has moved the device; never negative.
 
     It and n_0 nearly vanish where a device with little damping has swung k turns, at
-    gamma = (2 pi k)^2; export/whole_turns.py has their form there.
+    gamma = (2 pi k)^2; export/routines/device.py has their form there.
     """
 
     nargs = 2

@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.export import request
-from symhaptic.export.printing import Refused
+from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import differentiable, with_derivatives
 from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST

@@ -1,4 +1,4 @@
-"""A language: how it writes numbers, operations, names and expressions.
+"""A language: how it writes numbers, operations, names and expressions, and its files.
 
 One that lacks an operation is refused by name before anything is written.
 """
@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 from copy import copy
-from functools import cache
 from itertools import accumulate
 from types import MappingProxyType
 from typing import Any, Self
@@ -19,10 +18,11 @@ from sympy.logic.boolalg import Boolean
 from sympy.printing.codeprinter import CodePrinter
 from sympy.printing.precedence import PRECEDENCE, precedence
 
-from symhaptic.export.code_names import brief, code_name
-from symhaptic.export.once import parts
+from symhaptic.export.naming import brief, code_name
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import Repeat, Routine, Several
+from symhaptic.export.routine import OPERATIONS, Library, Repeat, Several
+from symhaptic.forms.stable import Form
+from symhaptic.notation import SYMBOLS
 
 _CALL = re.compile(r"[\w:.]+\(\{0\}(, \{1\})?\)")
 """A template that sets each argument apart."""
@@ -38,22 +38,11 @@ def bare(text: str) -> str:
     return text[1:-1] if text[:1] == "(" and after == 0 and all(inside[1:]) else text
 
 
-OPERATIONS = (
-    "Abs", "Infinity", "Max", "Min", "NaN", "TwoProdError", "atan2", "cos", "exp", "expm1", "floor",
-    "sin", "sqrt", "tan",
-)  # fmt: skip
-"""Beside sums, products, quotients, comparisons and choices, what formulas are written with."""
-
 _PAIRS = ("Max", "Min", "TwoProdError", "atan2")
 """Those of two arguments; the others have one."""
 
 _LONGEST = 60
 """Letters of a name: Fortran takes 63."""
-
-
-def vocabulary(text: str) -> frozenset[str]:
-    """The words of a text."""
-    return frozenset(text.split())
 
 
 def called(prefix: str, suffix: str = "", **special: str) -> Mapping[str, str]:
@@ -70,8 +59,8 @@ class Refused(ValueError):
     """A request that cannot be met; the message is one line."""
 
 
-class Language:
-    """A language: how it writes numbers, operations, functions and statements."""
+class Target:
+    """A language: how it writes numbers, operations, functions, statements and files."""
 
     name: str
     title: str
@@ -208,11 +197,45 @@ class Language:
         """The lines that return the results, which are given as they are written."""
         return [end.format(*results) for end in ends]
 
+    proves = False
+    """Whether an export has goals for Gappa, of the rounding errors of its public routines."""
+
+    # -- files ---------------------------------------------------------------------------
+
+    def table(self, library: Library) -> str:
+        """1/n! from n = 0 on, as far as a library needs them; nothing if it needs none."""
+        printer = self.printing()
+        return ", ".join(printer.doprint(1 / sp.factorial(n)) for n in range(library.factorials))
+
+    def source(self, library: Library) -> dict[str, str]:
+        """The files that somebody else's program uses, by name."""
+        raise NotImplementedError
+
+    def package(self, library: Library) -> dict[str, str]:
+        """What those who use the language find a library with, and examples."""
+        return {}
+
+    def selftest(self, library: Library) -> dict[str, str]:
+        """A program that reads vectors.txt and exits with 1 where a value is missed."""
+        raise NotImplementedError
+
+    def commands(self, name: str) -> list[list[str]]:
+        """What compiles and runs the self-test, in the folder that was written."""
+        raise NotImplementedError
+
+    def usage(self, library: Library) -> str:
+        """A line or two of source that call the first function."""
+        raise NotImplementedError
+
+    def notes(self, library: Library) -> list[str]:
+        """Lines of the README on what is special in this language."""
+        return []
+
 
 class Printing(CodePrinter):  # type: ignore[misc]
     """What all printers share; a target's own printer derives from this and from SymPy's."""
 
-    target: Language
+    target: Target
 
     def doprint(self, expr: Expr, assign_to: Any = None) -> str:
         """An expression as source code, on one line."""
@@ -350,18 +373,56 @@ def _negative(term: Expr) -> bool:
     return bool(term.as_coeff_Mul()[0].is_negative)
 
 
-@cache
-def calls(routine: Routine) -> frozenset[str]:
-    """Names of the routines that a routine calls."""
-    functions = (f for f in parts(routine.expressions) if isinstance(f, sp.Function))
-    found = {f.func.__name__ for f in functions}
-    return frozenset(found - {*OPERATIONS, "Piecewise", "Divisor"})
+# -- A function in lines of plain text: what it gives, its arguments, and where it gives it ------
 
 
-@cache
-def operations(routine: Routine) -> frozenset[str]:
-    """The shared operations that a routine needs."""
-    atoms = parts(routine.expressions)
-    names = {type(a).__name__ for a in atoms}
-    roots = any(a.is_Pow and abs(a.args[1]) == sp.S.Half for a in atoms if isinstance(a, Expr))
-    return frozenset(names & set(OPERATIONS)) | ({"sqrt"} if roots else set())
+def describe(form: Form, precision: Precision = DOUBLE) -> list[str]:
+    """A function in lines of plain text: what it gives, its arguments, results and domain."""
+    lines = [f"{form.title}."]
+    for symbol in form.arguments:
+        known = SYMBOLS[symbol.name]
+        lines.append(f"{symbol.name}: {known.meaning} [{known.unit}]")
+    if len(form.results) > 1:
+        lines.append(f"Results: {'; '.join(_result(name) for name, _ in form.results)}.")
+    if form.domain:
+        lines.append(f"Domain: {', '.join(form.domain)}.")
+    if form.arguments:
+        lines.append(f"{beyond(form)}, and where an argument is NaN or {sizes(form, precision)}.")
+    return lines
+
+
+def _result(name: str) -> str:
+    """A result and, if it is a quantity of the loop, what that is."""
+    known = SYMBOLS.get(name)
+    return name if known is None else f"{name}, {known.meaning} [{known.unit}]"
+
+
+def beyond(form: Form) -> str:
+    """What a function gives outside its domain.
+
+    >>> from symhaptic.forms.stable import form
+    >>> beyond(form("is_stable")), beyond(form("discretize"))
+    ('False outside', 'NaN outside')
+    """
+    return f"{'NaN' if form.outside is sp.nan else str(form.outside)} outside"
+
+
+def sizes(form: Form, precision: Precision) -> str:
+    """How large an argument has to be to be outside."""
+    names = {symbol.name for symbol in form.arguments}
+    some = [f"larger than {_power_of_ten(precision.largest)}"] * bool(
+        names - {"d", "epsilon", "theta"}
+    )
+    ends: dict[float, list[str]] = {precision.largest: []}
+    for name, end in (("gamma", precision.stiffest), ("d", precision.longest)):
+        ends.setdefault(end, []).extend({name} & names)
+    del ends[precision.largest]
+    some += [
+        f"{' or '.join(of)} larger than {_power_of_ten(end)}" for end, of in ends.items() if of
+    ]
+    return " or ".join(some or ["infinite"])
+
+
+def _power_of_ten(number: float) -> str:
+    """A power of ten in few letters."""
+    return f"{number:g}".replace("e+0", "e").replace("e+", "e")
