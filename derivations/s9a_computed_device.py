@@ -18,8 +18,9 @@ from symhaptic.book.lemmas.stable_device import (
     computed,
     in_poles,
 )
-from symhaptic.forms.entire import Creep, Decay
-from symhaptic.forms.entire_device import (
+from symhaptic.forms.entire import (
+    Creep,
+    Decay,
     DenominatorAtMinusOne,
     NumeratorAtOne,
     NumeratorGap,

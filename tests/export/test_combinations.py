@@ -18,8 +18,7 @@ from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms import stable
 from symhaptic.forms.derivatives import differentiable, with_derivatives
-from symhaptic.forms.stable import NoForm
-from symhaptic.forms.whole_delays import of_whole_delays
+from symhaptic.forms.stable import NoForm, of_whole_delays
 
 ALL = bool(os.environ.get("SYMHAPTIC_ALL_EXPORTS"))
 PARTS = "stiffness", "damping", "virtual-damping", "delay"

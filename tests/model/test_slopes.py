@@ -12,13 +12,11 @@ from mpmath import mpf
 from symhaptic.bench.exact_slopes import slopes as in_balls
 from symhaptic.export import vectors
 from symhaptic.export.vectors import sized
-from symhaptic.forms import products, slopes, stable, values
+from symhaptic.forms import derivatives, entire, stable, values
 from symhaptic.forms.derivatives import derivative, differentiable, with_derivatives
-from symhaptic.forms.entire import Entire, written_out
-from symhaptic.forms.entire_device import NumeratorAtOne, PlantN0, PlantN1
+from symhaptic.forms.entire import SLOPES, Entire, NumeratorAtOne, PlantN0, PlantN1, written_out
 from symhaptic.forms.implicit import Rated
-from symhaptic.forms.slope_values import BY_MATRIX
-from symhaptic.forms.slopes import SLOPES
+from symhaptic.forms.values import BY_MATRIX
 from symhaptic.model.parts import ALL, FULL, Parts
 from symhaptic.notation import alpha, beta, d, delta, gamma, theta
 from symhaptic.proof.decide import compare
@@ -37,13 +35,13 @@ def test_each_function_that_is_called_a_derivative_is_one(cls, index):
     assert compare(claimed, cls.definition(*symbols).diff(symbols[index])).equal
 
 
-PRODUCTS = [(whole, by) for whole, slopes in products.WHOLE for by in slopes]
+PRODUCTS = [(whole, by) for whole, slopes in derivatives.WHOLE for by in slopes]
 
 
 @pytest.mark.parametrize(("whole", "by"), PRODUCTS, ids=str)
 def test_each_product_that_is_differentiated_as_a_whole_has_that_derivative(whole, by):
     """Of the closed form, by the normal form; another sign or one more term is not proved."""
-    claimed = dict(products.WHOLE)[whole][by]
+    claimed = dict(derivatives.WHOLE)[whole][by]
     exact = written_out(whole).diff(by)
     assert compare(written_out(claimed), exact).equal
     assert not compare(written_out(-claimed), exact).equal
@@ -92,7 +90,7 @@ def test_derivatives_of_forms_are_those_of_what_is_derived(parts):
 
 def test_no_derivative_is_taken_factor_by_factor_where_it_would_cancel():
     """1 - a + e, n1 - n0 and 1 - e are differentiated as a whole."""
-    assert derivative(gamma * NumeratorAtOne(gamma, delta), gamma) == slopes.Kick(gamma, delta)
+    assert derivative(gamma * NumeratorAtOne(gamma, delta), gamma) == entire.Kick(gamma, delta)
     assert derivative(delta**2 * values.Decay(delta) ** 2, delta) == (
         2 * delta * values.Decay(delta) * sp.exp(-delta)
     )

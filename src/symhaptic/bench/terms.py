@@ -12,8 +12,7 @@ from sympy import Expr
 
 from symhaptic.export.naming import code_name
 from symhaptic.export.vectors import rounded, slope_size, squares
-from symhaptic.forms.entire import C, Entire, S
-from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
+from symhaptic.forms.entire import C, Entire, NumeratorGap, PlantN0, PlantN1, PlantTrace, S
 from symhaptic.forms.implicit import ImplicitFunction, Rated
 from symhaptic.forms.response import Compensated, closed
 

@@ -58,8 +58,7 @@ from symhaptic.export.routine import (
     fresh,
 )
 from symhaptic.export.wrapping import depth, in_brackets, wrapped
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
-from symhaptic.forms.form import Form
+from symhaptic.forms.form import BELOW_PI, LARGEST, LONGEST, STIFFEST, Form
 
 
 class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]

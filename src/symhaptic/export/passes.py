@@ -29,28 +29,28 @@ from symhaptic.export.routine import (
     rewritten,
 )
 from symhaptic.forms import fractional_delay
-from symhaptic.forms.entire import CosNext, Entire, SinNext
-from symhaptic.forms.entire_device import (
+from symhaptic.forms.entire import (
+    Coast,
+    CosNext,
     DenominatorAtMinusOne,
+    Ebb,
+    Echo,
+    Entire,
+    Kick,
     NumeratorAtOne,
     NumeratorGap,
+    NumeratorGapDrop,
     PlantN0,
+    PlantN0Drop,
     PlantN1,
+    PlantN1Drop,
     PlantTrace,
+    SinNext,
 )
 from symhaptic.forms.form import Form
 from symhaptic.forms.implicit import FractionalPart, ImplicitFunction, SomePart, WholePart
 from symhaptic.forms.response import Ahead, Compensated, HalfTurned, InPhase, KickLow
 from symhaptic.forms.root_count import Stable, WholeRoots
-from symhaptic.forms.slopes import (
-    Coast,
-    Ebb,
-    Echo,
-    Kick,
-    NumeratorGapDrop,
-    PlantN0Drop,
-    PlantN1Drop,
-)
 from symhaptic.model.parts import FULL
 from symhaptic.notation import delta, epsilon, gamma
 

@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Expr
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
+from symhaptic.forms.form import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.notation import sizes
 
 _GUARD = 2.0**-12

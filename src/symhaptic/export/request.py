@@ -19,8 +19,7 @@ from symhaptic.export.targets import TARGETS
 from symhaptic.export.vectors import text as test_vectors
 from symhaptic.forms import stable
 from symhaptic.forms.derivatives import differentiable, with_derivatives
-from symhaptic.forms.stable import Form, NoForm
-from symhaptic.forms.whole_delays import of_whole_delays
+from symhaptic.forms.stable import Form, NoForm, of_whole_delays
 from symhaptic.model.parts import FULL, Parts, left
 from symhaptic.notation import epsilon
 from symhaptic.notation.suggest import suggested

@@ -15,9 +15,26 @@ from mpmath import mpf
 from sympy import Expr, Symbol
 
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.forms.angle_slopes import ChordSlope, Ripple, SpreadSlope
-from symhaptic.forms.entire import C, Entire, S
-from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1, PlantTrace
+from symhaptic.forms.entire import (
+    Bend,
+    C,
+    ChordSlope,
+    Coast,
+    Ebb,
+    Echo,
+    Entire,
+    Kick,
+    NumeratorGap,
+    NumeratorGapDrop,
+    PlantN0,
+    PlantN0Drop,
+    PlantN1,
+    PlantN1Drop,
+    PlantTrace,
+    Ripple,
+    S,
+    SpreadSlope,
+)
 from symhaptic.forms.implicit import ImplicitFunction, Rated
 from symhaptic.forms.response import Compensated, closed
 from symhaptic.forms.root_count import (
@@ -28,19 +45,8 @@ from symhaptic.forms.root_count import (
     fractional_outside,
     outside,
 )
-from symhaptic.forms.slope_values import BY_MATRIX
-from symhaptic.forms.slopes import (
-    Bend,
-    Coast,
-    Ebb,
-    Echo,
-    Kick,
-    NumeratorGapDrop,
-    PlantN0Drop,
-    PlantN1Drop,
-)
 from symhaptic.forms.stable import Form
-from symhaptic.forms.values import numeric, settled
+from symhaptic.forms.values import BY_MATRIX, numeric, settled
 from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, theta
 
 _ALLOWED = {

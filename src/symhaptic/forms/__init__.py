@@ -4,5 +4,3 @@ Each stable form equals what ``model`` derives, is made of SymPy expressions and
 with their series and slopes, and says where its arguments may be.  Imports ``notation``, ``model``
 and ``proof``; used by ``export``, which writes them as code, and by ``book``.
 """
-
-from symhaptic.forms import slopes as slopes  # it fills the list of slopes of every entire function

@@ -1,6 +1,6 @@
 """Derivatives of stable forms, which are stable forms again.
 
-The products of :mod:`symhaptic.forms.products` are differentiated as a whole.
+The products of :mod:`symhaptic.forms.derivatives` are differentiated as a whole.
 
 By the delay a derivative is that by its fraction, inside a period; at a whole delay it is the slope
 to the right.  A value that is largest at an angle that is searched for has the derivative that it
@@ -14,28 +14,48 @@ from dataclasses import replace
 from functools import cached_property, lru_cache
 
 import sympy as sp
-from sympy import Expr, Symbol, sin
+from sympy import Expr, Symbol, exp, sin
 
-from symhaptic.forms import required_damping
-from symhaptic.forms.angle_slopes import Ripple
-from symhaptic.forms.entire import Chord, CosNext, Entire, Gap, Sinc, SinNext, at_numbers
+from symhaptic.forms import fractional_delay, required_damping
+from symhaptic.forms.entire import (
+    SLOPES,
+    C,
+    Chord,
+    Coast,
+    CosNext,
+    Decay,
+    Echo,
+    Entire,
+    Fade,
+    Gap,
+    Kick,
+    Lag,
+    NumeratorAtOne,
+    NumeratorGap,
+    NumeratorGapDrop,
+    PlantN0,
+    Ripple,
+    S,
+    Sinc,
+    SinNext,
+    at_numbers,
+)
 from symhaptic.forms.implicit import (
     CriticalAngle,
     FractionalPart,
     ImplicitFunction,
     LargestRequiredDamping,
     Lifted,
+    MaxStiffnessAngle,
     Pushed,
     Rated,
     SomePart,
     WholePart,
 )
-from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle
-from symhaptic.forms.products import WHOLE
 from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
-from symhaptic.forms.slopes import STABLE
 from symhaptic.forms.stable import Form, NoForm
-from symhaptic.notation import alpha, beta, d, epsilon, l, psi
+from symhaptic.model.parts import FULL, Parts
+from symhaptic.notation import alpha, beta, d, delta, epsilon, gamma, l, psi
 
 
 class _By:
@@ -66,7 +86,7 @@ class _By:
             return self._searched(expr)
         if isinstance(expr, sp.Abs):
             return expr.args[0] / expr * self(expr.args[0])
-        if isinstance(expr, Entire) and type(expr) not in STABLE:
+        if isinstance(expr, Entire) and type(expr) not in SLOPES:
             raise NoForm(f"no stable derivative of {type(expr).__name__} is known")
         return sp.Add(*(expr.fdiff(i + 1) * self(arg) for i, arg in enumerate(expr.args)))
 
@@ -155,7 +175,7 @@ def _times(power: Expr, whole: Expr) -> Expr:
 def derivative(expr: Expr, by: Symbol) -> Expr:
     """The derivative of a stable form, again a stable form.
 
-    >>> from symhaptic.forms.entire_device import NumeratorAtOne
+    >>> from symhaptic.forms.entire import NumeratorAtOne
     >>> from symhaptic.notation import delta, gamma
     >>> derivative(gamma * NumeratorAtOne(gamma, delta), gamma)
     Kick(gamma, delta)
@@ -248,3 +268,59 @@ def _has(form: Form, name: str) -> bool:
     except NoForm:
         return False
     return True
+
+
+# -- Products whose derivative loses digits when it is taken factor by factor, with that derivative
+
+
+def _stretched() -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
+    """What moves in a part of a period: by its length, as it moves at its end; longest first."""
+    still, loose = FULL.without("stiffness"), FULL.without("damping")
+    for parts in (FULL, still, loose):
+        for time, way in ((1 - epsilon, -1), (epsilon, 1)):
+            yield from _moved(parts, time, way)
+
+
+def _moved(parts: Parts, time: Expr, way: int) -> Iterator[tuple[Expr, dict[Symbol, Expr]]]:
+    x = fractional_delay.brief(parts, time)
+    scaled = gamma * time**2, delta * time
+    if not parts.damping:  # without the half before S(..)^2
+        yield 2 * x.rise, {epsilon: 2 * way * x.kick}
+        yield x.kick, {epsilon: way * C(-scaled[0])}
+        return
+    yield exp(-delta * (1 - time)) * x.fall, {epsilon: way * exp(-delta * (1 - time)) * x.kick}
+    turned = {epsilon: way * delta * x.fall}
+    if parts.stiffness:
+        turned |= {gamma: -delta * time**5 * NumeratorGapDrop(*scaled),
+                   delta: time**3 * (PlantN0(*scaled) - 2 * Echo(*scaled))}  # fmt: skip
+        speed = Coast(*scaled)
+    else:
+        turned |= {delta: time**3 * (Fade(scaled[1]) - 2 * Lag(scaled[1]))}
+        speed = exp(-scaled[1])
+    yield x.apart, turned
+    yield x.rise, {epsilon: way * x.kick}
+    yield x.fall, {epsilon: way * (x.kick - delta * x.fall)}
+    kept = exp(-scaled[1])
+    yield x.loss, {delta: time * kept, epsilon: way * delta * kept}
+    yield x.kick, {epsilon: way * speed}
+
+
+WHOLE: tuple[tuple[Expr, dict[Symbol, Expr]], ...] = (
+    (
+        gamma * NumeratorAtOne(gamma, delta),
+        {gamma: Kick(gamma, delta), delta: -gamma * PlantN0(gamma, delta)},
+    ),
+    (
+        delta * NumeratorGap(gamma, delta),
+        {
+            gamma: -delta * NumeratorGapDrop(gamma, delta),
+            delta: PlantN0(gamma, delta) - 2 * Echo(gamma, delta),
+        },
+    ),
+    (delta * Decay(delta), {delta: exp(-delta)}),
+    (delta * Lag(delta), {delta: Fade(delta) - 2 * Lag(delta)}),
+    (gamma * S(-gamma / 4) ** 2, {gamma: S(-gamma)}),
+    *_stretched(),
+)
+"""Products and their derivatives: 1 - a + e, n1 - n0, 1 - e, these without spring or damper, and
+the device after a part of a period."""

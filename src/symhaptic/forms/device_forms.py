@@ -8,14 +8,19 @@ import sympy as sp
 from sympy import Expr, exp
 
 from symhaptic.forms import fractional_delay
-from symhaptic.forms.entire import C, Creep, Decay, Fade, Lag, S
-from symhaptic.forms.entire_device import (
+from symhaptic.forms.entire import (
+    C,
+    Creep,
+    Decay,
     DenominatorAtMinusOne,
+    Fade,
+    Lag,
     NumeratorAtOne,
     NumeratorGap,
     PlantN0,
     PlantN1,
     PlantTrace,
+    S,
 )
 from symhaptic.forms.form import HALF, Form, NoForm, domain, present, steps_of
 from symhaptic.model import loop, plant

@@ -13,10 +13,8 @@ from functools import cache
 import sympy as sp
 from sympy import Expr, Rational, cosh, exp, sinh
 
-from symhaptic.forms.entire import Creep, Decay, Fade, Lag, S
-from symhaptic.forms.entire_device import NumeratorGap, PlantN0, PlantN1
+from symhaptic.forms.entire import Creep, Decay, Fade, Kick, Lag, NumeratorGap, PlantN0, PlantN1, S
 from symhaptic.forms.response import FractionalNumeratorGap, HalfTurned, KickLow, closed
-from symhaptic.forms.slopes import Kick
 from symhaptic.model import boundary, fractional, plant
 from symhaptic.model.fractional import Late
 from symhaptic.model.parts import Parts

@@ -20,8 +20,7 @@ from symhaptic.forms.device_forms import (
 )
 from symhaptic.forms.entire import CosNext, SinNext
 from symhaptic.forms.form import Form, NoForm, Pairs, domain, either, present, steps_of, undelayed
-from symhaptic.forms.implicit import WholePart
-from symhaptic.forms.max_stiffness_angle import MaxStiffnessAngle
+from symhaptic.forms.implicit import MaxStiffnessAngle, WholePart
 from symhaptic.forms.response import Ahead, InPhase, closed
 from symhaptic.forms.response import parts as parts_of_response
 from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots

@@ -18,7 +18,7 @@ from symhaptic.export import request
 from symhaptic.export.language import Refused
 from symhaptic.export.targets import TARGETS
 from symhaptic.forms.derivatives import differentiable, with_derivatives
-from symhaptic.forms.domain import BELOW_PI, LARGEST, LONGEST, STIFFEST
+from symhaptic.forms.form import BELOW_PI, LARGEST, LONGEST, STIFFEST
 from symhaptic.forms.stable import AS_DERIVED, STATEMENTS, Form, NoForm
 from symhaptic.forms.stable import form as stable_form
 from symhaptic.forms.values import value

@@ -23,15 +23,19 @@ from symhaptic.forms.entire import (
     CosNext,
     Creep,
     Decay,
+    Echo,
     Fade,
     Gap,
+    Kick,
     Lag,
+    PlantN0,
+    PlantN0Drop,
+    PlantN1,
+    PlantN1Drop,
     Sinc,
     SinNext,
     Spread,
 )
-from symhaptic.forms.entire_device import PlantN0, PlantN1
-from symhaptic.forms.slopes import Echo, Kick, PlantN0Drop, PlantN1Drop
 
 STIFF = sp.Integer(9)
 """Up to this gamma of complex poles the series of repeated nodes are used."""

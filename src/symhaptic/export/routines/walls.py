@@ -27,7 +27,7 @@ from symhaptic.export.routines.arithmetic import (
 )
 from symhaptic.forms import max_stiffness_slope, required_damping, stiffest_passive
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
-from symhaptic.forms.max_stiffness_angle import MAX_STIFFNESS_SPRING
+from symhaptic.forms.implicit import MAX_STIFFNESS_SPRING
 from symhaptic.forms.root_count import FractionalRoots, Stable, WholeRoots
 from symhaptic.forms.stability_forms import curve
 from symhaptic.notation import l
