@@ -14,7 +14,7 @@ from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).parent
 KERNELS = "src/symhaptic/kernels"
-LIBRARIES = "haptic", "haptic_single"  # each is included by the file that has its loops
+LIBRARIES = "haptic", "haptic_single"
 
 
 RECORDS = ("ledger.json", "rocq.json", "mutants.json", "bench.json")
@@ -43,9 +43,20 @@ class Exact(build_ext):
     """Sums and products as they are written: no contraction where the processor has fma."""
 
     def build_extension(self, ext):
-        """Compile with what the compiler calls that."""
-        if self.compiler.compiler_type != "msvc":
-            ext.extra_compile_args = ["-O2", "-ffp-contract=off", "-fno-math-errno"]
+        """Compile with what the compiler calls that, and the ufuncs as C++17."""
+        compile_ = self.compiler._compile
+
+        def compiled(obj, source, *rest):
+            *others, flags, macros = rest
+            more = ["-std=c++17"] * source.endswith(".cpp")
+            compile_(obj, source, *others, [*flags, *more], macros)
+
+        if self.compiler.compiler_type == "msvc":
+            ext.extra_compile_args = ["/std:c++17"]
+        else:
+            self.compiler._compile = compiled
+            ext.extra_compile_args = ["-O2", "-ffp-contract=off", "-fno-math-errno",
+                                      "-fvisibility=hidden"]  # fmt: skip
             ext.libraries = ["m"]
         super().build_extension(ext)
 
@@ -55,11 +66,8 @@ setup(
     ext_modules=[
         Extension(
             "symhaptic.kernels._compiled",
-            sources=[
-                f"{KERNELS}/_compiled.c",
-                *(f"{KERNELS}/{name}_loops.c" for name in LIBRARIES),
-            ],
-            depends=[f"{KERNELS}/{name}.{end}" for name in LIBRARIES for end in "ch"],
+            sources=[f"{KERNELS}/ufuncs.cpp", *(f"{KERNELS}/{name}.c" for name in LIBRARIES)],
+            depends=[f"{KERNELS}/{name}.h" for name in (*LIBRARIES, "table")],
             include_dirs=[numpy.get_include()],
             optional=True,
         )

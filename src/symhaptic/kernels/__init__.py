@@ -4,5 +4,5 @@
 Nothing symbolic; written by `symhaptic kernels`.  Imports nothing; used by ``numeric``.
 """
 
-STAMP = "68399589d1573d1f"
+STAMP = "65ef80a77fa4c426"
 """Of the sources in C, as the module that is compiled of them has it."""

@@ -1694,3 +1694,12 @@ double haptic_linear_limit(double beta, double delta, double d) {
     }
     return (beta + delta)/(d + 0.5);
 }
+
+void haptic_late_device(double gamma, double delta, double part, double *apart_out, double *m2_out,
+    double *kicked_out, double *m0_out) {
+    const Delayed found = late_device(gamma, delta, part);
+    *apart_out = found.apart;
+    *m2_out = found.m2;
+    *kicked_out = found.kicked;
+    *m0_out = found.m0;
+}

@@ -1694,3 +1694,12 @@ float haptic_single_linear_limit(float beta, float delta, float d) {
     }
     return (beta + delta)/(d + 0.5f);
 }
+
+void haptic_single_late_device(float gamma, float delta, float part, float *apart_out,
+    float *m2_out, float *kicked_out, float *m0_out) {
+    const Delayed found = late_device(gamma, delta, part);
+    *apart_out = found.apart;
+    *m2_out = found.m2;
+    *kicked_out = found.kicked;
+    *m0_out = found.m0;
+}
