@@ -10,7 +10,6 @@ import re
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 from types import MappingProxyType
 
 import sympy as sp
@@ -52,10 +51,10 @@ from symhaptic.export.routine import (
     Routine,
     Search,
     Several,
-    Step,
     TwoProdError,
     calls,
     fresh,
+    propagated,
 )
 from symhaptic.export.wrapping import depth, in_brackets, wrapped
 from symhaptic.forms.form import BELOW_PI, LARGEST, LONGEST, STIFFEST, Form
@@ -833,19 +832,7 @@ def _documented(about: list[str]) -> list[str]:
 
 def _without_numbers(routine: Routine) -> Routine:
     """The routine with the names of mere numbers replaced by these."""
-    numbers: dict[Symbol, Expr] = {}
-    steps: list[Step] = []
-    for step in routine.steps:
-        if not isinstance(step, tuple):
-            steps.append(step.xreplace(numbers))
-            continue
-        name, value = step[0], step[1].xreplace(numbers)
-        if value.is_number:
-            numbers[name] = value
-        else:
-            steps.append((name, value))
-    results = tuple((name, expr.xreplace(numbers)) for name, expr in routine.results)
-    return replace(routine, steps=tuple(steps), results=results)
+    return propagated(routine, {}, lambda value: bool(value.is_number))
 
 
 TARGET = ArrayApi()

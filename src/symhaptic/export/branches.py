@@ -16,7 +16,16 @@ from sympy import Expr, Function, Piecewise, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.routine import Repeat, Routine, Search, Several, names, plain, with_divisors
+from symhaptic.export.routine import (
+    Repeat,
+    Routine,
+    Search,
+    Several,
+    names,
+    plain,
+    replaced,
+    with_divisors,
+)
 
 
 @dataclass(frozen=True)
@@ -148,16 +157,10 @@ def _uses(block: Iterable[Statement]) -> Counter[Symbol]:
 
 def _replaced(statement: Statement, known: Mapping[Symbol, Expr]) -> Statement:
     """With other names, and as direct inside."""
-    if isinstance(statement, Assign):
-        return Assign(statement.name, statement.expr.xreplace(known))
-    if isinstance(statement, Set):
-        return Set(statement.name, statement.expr.xreplace(known))
-    if isinstance(statement, Return):
-        return Return(tuple(r.xreplace(known) for r in statement.results))
-    if isinstance(statement, (Repeat, Several, Search)):
-        return statement.xreplace(known)
-    yes, no = (direct(tuple(_replaced(s, known) for s in b)) for b in (statement.yes, statement.no))
-    return replace(statement, condition=statement.condition.xreplace(known), yes=yes, no=no)
+    found: Statement = replaced(statement, known)
+    if isinstance(found, (Choice, Join)):
+        return replace(found, yes=direct(found.yes), no=direct(found.no))
+    return found
 
 
 def functional(block: Block, known: Mapping[Symbol, Expr] = MappingProxyType({})) -> Block:
@@ -184,10 +187,8 @@ def functional(block: Block, known: Mapping[Symbol, Expr] = MappingProxyType({})
         elif isinstance(statement, Choice):
             sides = (functional(side, known) for side in (statement.yes, statement.no))
             found.append(Choice(statement.condition.xreplace(known), *sides))
-        elif isinstance(statement, Return):
-            found.append(Return(tuple(r.xreplace(known) for r in statement.results)))
         else:
-            found.append(statement.xreplace(known))
+            found.append(replaced(statement, known))
     return tuple(found)
 
 
@@ -336,7 +337,7 @@ class _Lazy:
             several = [self.several[s] for s in left if s in self.several]
             ready = [r for r in several if not r.free_symbols & set(left)]
             if ready:
-                written.append(ready[0].xreplace(facts))
+                written.append(replaced(ready[0], facts))
                 left = [s for s in left if s not in names(ready[0])]
                 done |= set(names(ready[0]))
                 continue

@@ -9,6 +9,7 @@ from functools import cache
 
 import sympy as sp
 from sympy import Basic, Expr, Piecewise, Symbol
+from sympy.codegen.cfunctions import expm1
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
@@ -21,11 +22,11 @@ from symhaptic.export.routine import (
     Step,
     choose,
     computed,
-    expm1,
     fresh,
     mapped,
     names,
     parts,
+    propagated,
     rewritten,
 )
 from symhaptic.forms import fractional_delay
@@ -391,21 +392,9 @@ def _zeros(helpers: Mapping[str, Routine], public: Iterable[Routine]) -> dict[st
 
 def _with_zeros(routine: Routine, gone: tuple[int, ...]) -> Routine:
     """A helper with 0 for some of its arguments."""
-    if not gone:
-        return routine
     zero = {routine.arguments[i]: sp.S.Zero for i in gone}
-    known: dict[Expr, Expr] = dict(zero)
-    steps: list[Step] = []
-    for step in routine.steps:
-        if not isinstance(step, tuple):
-            steps.append(mapped(step, lambda expr: expr.xreplace(known)))
-        elif (value := step[1].xreplace(known)) == 0:
-            known[step[0]] = value
-        else:
-            steps.append((step[0], value))
-    results = tuple((name, expr.xreplace(known)) for name, expr in routine.results)
-    arguments = tuple(s for s in routine.arguments if s not in zero)
-    return replace(routine, arguments=arguments, steps=tuple(steps), results=results)
+    found = propagated(routine, zero, lambda value: value == 0) if gone else routine
+    return replace(found, arguments=tuple(s for s in routine.arguments if s not in zero))
 
 
 def _without(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
@@ -421,9 +410,8 @@ def _without(routine: Routine, gone: Mapping[str, tuple[int, ...]]) -> Routine:
 
     if not any(True for _ in _calls_of((routine,), gone)):
         return routine
-    steps = tuple(mapped(step, without) for step in routine.steps)
-    results = tuple((name, without(expr)) for name, expr in routine.results)
-    return replace(routine, steps=steps, results=results)
+    found: Routine = mapped(routine, without)
+    return found
 
 
 # -- Numbers of the plant alone, which are found once for many walls, angles or delays -----------

@@ -8,12 +8,12 @@ all of them or only the one that counts.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
+from typing import Any
 
 import sympy as sp
 from sympy import Basic, Expr, Function, Piecewise, Symbol
-from sympy.codegen.cfunctions import expm1
 from sympy.logic.boolalg import Boolean
 
 from symhaptic.forms.stable import Form
@@ -86,16 +86,6 @@ class Repeat:
         """All of its right-hand sides, and its condition."""
         return (*self.start, *(e for _, e in self.steps), self.done, self.brief)
 
-    def xreplace(self, known: Mapping[Symbol, Expr]) -> Repeat:
-        """The same with symbols replaced that are known before."""
-        return replace(
-            self,
-            start=tuple(e.xreplace(known) for e in self.start),
-            steps=tuple((s, e.xreplace(known)) for s, e in self.steps),
-            done=self.done.xreplace(known),
-            brief=self.brief.xreplace(known),
-        )
-
     @property
     def free_symbols(self) -> set[Symbol]:
         """What has to be known before."""
@@ -110,10 +100,6 @@ class Several:
 
     names: tuple[Symbol, ...]
     call: Expr
-
-    def xreplace(self, known: Mapping[Symbol, Expr]) -> Several:
-        """The same with symbols replaced that are known before."""
-        return replace(self, call=self.call.xreplace(known))
 
     @property
     def free_symbols(self) -> set[Symbol]:
@@ -145,11 +131,6 @@ class Search:
         inner = tuple(e for step in self.steps for e in computed(step))
         return (self.low, self.high, self.value, *inner, self.found)
 
-    def xreplace(self, known: Mapping[Symbol, Expr]) -> Search:
-        """The same with symbols replaced that are known before."""
-        value, low, high = (e.xreplace(known) for e in (self.value, self.low, self.high))
-        return replace(self, value=value, low=low, high=high)
-
     @property
     def free_symbols(self) -> set[Symbol]:
         """What has to be known before."""
@@ -177,19 +158,22 @@ def computed(step: Step) -> tuple[Expr, ...]:
     return (step.call,) if isinstance(step, Several) else step.expressions
 
 
-def mapped(step: Step, change: Callable[[Expr], Expr]) -> Step:
-    """A step with all of its expressions changed."""
-    if isinstance(step, tuple):
-        return step[0], change(step[1])
-    if isinstance(step, Several):
-        return replace(step, call=change(step.call))
-    if isinstance(step, Repeat):
-        inner = tuple((name, change(expr)) for name, expr in step.steps)
-        start, done = tuple(map(change, step.start)), change(step.done)
-        return replace(step, start=start, steps=inner, done=done, brief=change(step.brief))
-    value, low, high, found = map(change, (step.value, step.low, step.high, step.found))
-    inner_steps = tuple(mapped(s, change) for s in step.steps)
-    return replace(step, value=value, low=low, high=high, found=found, steps=inner_steps)
+def mapped(node: Any, change: Callable[[Expr], Basic]) -> Any:
+    """A routine, a step or a statement with all of its expressions changed."""
+    if isinstance(node, Basic):
+        return change(node)
+    if isinstance(node, tuple):
+        return tuple(mapped(part, change) for part in node)
+    if not is_dataclass(node) or isinstance(node, type):
+        return node
+    return replace(
+        node, **{own.name: mapped(getattr(node, own.name), change) for own in fields(node)}
+    )
+
+
+def replaced(node: Any, known: Mapping[Any, Any]) -> Any:
+    """The same with symbols, or parts of expressions, replaced."""
+    return mapped(node, lambda expr: expr.xreplace(known))
 
 
 @dataclass(frozen=True)
@@ -235,15 +219,25 @@ class Routine:
 
 def with_divisors(routine: Routine, divided: Callable[[Divisor], Expr]) -> Routine:
     """The routine with what is divided by made of each divisor."""
-
-    def change(expr: Expr) -> Expr:
-        return expr.replace(lambda e: isinstance(e, Divisor), lambda e: divided(e))
-
     if not any(e.has(Divisor) for e in routine.expressions):
         return routine
-    steps = tuple(mapped(step, change) for step in routine.steps)
-    results = tuple((name, change(expr)) for name, expr in routine.results)
-    return replace(routine, steps=steps, results=results)
+
+    def change(expr: Expr) -> Expr:
+        return expr.replace(lambda e: isinstance(e, Divisor), divided)
+
+    found: Routine = mapped(routine, change)
+    return found
+
+
+def propagated(routine: Routine, known: Mapping[Expr, Expr], so: Callable[[Expr], bool]) -> Routine:
+    """The routine with what is known replaced; a step whose value is ``so`` is known, too."""
+    known, steps = dict(known), []
+    for step in (replaced(step, known) for step in routine.steps):
+        if isinstance(step, tuple) and so(step[1]):
+            known[step[0]] = step[1]
+        else:
+            steps.append(step)
+    return replace(routine, steps=tuple(steps), results=replaced(routine.results, known))
 
 
 def plain(routine: Routine) -> Routine:
@@ -256,10 +250,8 @@ def plain(routine: Routine) -> Routine:
         if isinstance(step, Search):
             steps += step.steps
             known[step.name] = step.found
-        elif isinstance(step, tuple):
-            steps.append((step[0], step[1].xreplace(known)))
         else:
-            steps.append(step.xreplace(known))
+            steps.append(replaced(step, known))
     results = tuple((name, _chosen(expr.xreplace(known))) for name, expr in routine.results)
     return replace(routine, steps=tuple(steps), results=results)
 
@@ -284,23 +276,6 @@ def fresh(name: str, taken: set[str]) -> Symbol:
 def choose(condition: Boolean, yes: Expr, no: Expr) -> Expr:
     """One of two values; of a guard the second is the ordinary one."""
     return Piecewise((sp.sympify(yes), condition), (sp.sympify(no), True))
-
-
-__all__ = [
-    "Divisor",
-    "Repeat",
-    "Routine",
-    "Search",
-    "Several",
-    "TwoProdError",
-    "choose",
-    "computed",
-    "expm1",
-    "fresh",
-    "mapped",
-    "plain",
-    "with_divisors",
-]
 
 
 # -- What an expression is made of, where each different part is looked at once ------------------

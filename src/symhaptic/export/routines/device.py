@@ -26,9 +26,10 @@ from functools import partial
 
 import sympy as sp
 from sympy import Abs, And, Rational, S, cos, exp, factorial, floor, pi, sin, sqrt
+from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export.notation import Pair, do, pick, routine
-from symhaptic.export.routine import choose, expm1
+from symhaptic.export.routine import choose
 from symhaptic.export.routines.arithmetic import (
     BRIEF,
     SIXTH,

@@ -7,10 +7,11 @@ there it magnifies.
 from __future__ import annotations
 
 from sympy import And, Rational, S, cos, exp, sin, tan
+from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export.notation import Pair, do, routine
 from symhaptic.export.passes import late_numbers, merged, of_form
-from symhaptic.export.routine import TwoProdError, choose, expm1
+from symhaptic.export.routine import TwoProdError, choose
 from symhaptic.export.routines.arithmetic import (
     fast_two_sum,
     minus,
