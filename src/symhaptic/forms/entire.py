@@ -1,8 +1,8 @@
 r"""Entire functions of which the loop's formulas are made when nothing in them is 0/0.
 
-Each one has a closed form, which loses its digits or is undefined somewhere, and a power series,
-which is defined everywhere; ``definition`` gives the first, ``series_to`` the second.  Differences
-that would cancel are inside the functions, so that formulas made of them keep their digits.
+Each one has a closed form, its ``definition``, which loses its digits or is 0/0 somewhere, though
+the function is defined everywhere.  Differences that would cancel are inside the functions, so that
+formulas made of them keep their digits.
 
 With :math:`w=\delta^2/4-\gamma` and both poles p, q of the device, where p + q = delta and
 p q = gamma, and divided differences of exp over repeated nodes,
@@ -19,11 +19,10 @@ positive.  ``SLOPES`` says which function is the derivative of which.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import Any, ClassVar
 
 import sympy as sp
-from sympy import Expr, Function, cos, cosh, exp, factorial, sin, sinh, sqrt
+from sympy import Expr, Function, cos, cosh, exp, sin, sinh, sqrt
 
 
 class Entire(Function):  # type: ignore[misc]
@@ -35,25 +34,13 @@ class Entire(Function):  # type: ignore[misc]
     definition: ClassVar[Callable[..., Expr]]
     """The closed form, valid wherever nothing in it is divided by zero."""
 
-    term: ClassVar[Callable[..., Expr]]
-    """The term of degree k, its first argument, of the power series.
+    at_zero: ClassVar[Expr]
+    """Its value where all arguments are 0, as the closed form may be 0/0 there."""
 
-    Where a function has only even or only odd powers, k counts these.
-    """
-
-    def __init_subclass__(cls, nargs: int, **options: Any) -> None:
+    def __init_subclass__(cls, nargs: int, at_zero: Any, **options: Any) -> None:
+        cls.at_zero = sp.sympify(at_zero)
         cls.meaning = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
         super().__init_subclass__(**options)
-
-    @classmethod
-    def series_to(cls, terms: int, *args: Expr) -> Expr:
-        """The first terms of the power series.
-
-        >>> x = sp.Symbol("x")
-        >>> Decay.series_to(3, x)
-        x**2/6 - x/2 + 1
-        """
-        return sp.expand(sp.Add(*(cls.term(k, *args) for k in range(terms))))
 
     def fdiff(self, argindex: int = 1) -> Expr:
         """The derivative: entire where :data:`SLOPES` has it, else that of the closed form."""
@@ -72,7 +59,7 @@ def at_numbers(expr: Expr) -> Expr:
     x + 2/pi + 1
     """
     fixed = (f for f in expr.atoms(Entire) if f.is_number)
-    values = {f: (f.definition if any(f.args) else partial(f.term, 0))(*f.args) for f in fixed}
+    values = {f: f.definition(*f.args) if any(f.args) else f.at_zero for f in fixed}
     return expr.xreplace(values)
 
 
@@ -86,6 +73,8 @@ def written_out(expr: Expr) -> Expr:
     return expr.replace(lambda e: isinstance(e, Entire), lambda e: e.definition(*e.args))
 
 
+HALF, SIXTH = sp.Rational(1, 2), sp.Rational(1, 6)
+
 # -- of one variable ---------------------------------------------------------------------------
 
 
@@ -94,23 +83,21 @@ def _by_root(w: Expr, swings: Callable[..., Expr], creeps: Callable[..., Expr]) 
     return swings(sqrt(-w), w) if w.could_extract_minus_sign() else creeps(sqrt(w), w)
 
 
-class C(Entire, nargs=1):
+class C(Entire, nargs=1, at_zero=1):
     """cosh(sqrt(w)), which is cos(sqrt(-w)) for w < 0"""
 
     definition = staticmethod(lambda w: _by_root(w, lambda r, w: cos(r), lambda r, w: cosh(r)))
-    term = staticmethod(lambda k, w: w**k / factorial(2 * k))
 
 
-class S(Entire, nargs=1):
+class S(Entire, nargs=1, at_zero=1):
     """sinh(sqrt(w))/sqrt(w), which is sin(sqrt(-w))/sqrt(-w) for w < 0"""
 
     definition = staticmethod(
         lambda w: _by_root(w, lambda r, w: sin(r) / r, lambda r, w: sinh(r) / r)
     )
-    term = staticmethod(lambda k, w: w**k / factorial(2 * k + 1))
 
 
-class Bend(Entire, nargs=1):
+class Bend(Entire, nargs=1, at_zero=SIXTH):
     """(C(w) - S(w))/(2 w)
 
     The derivative of S.
@@ -123,128 +110,92 @@ class Bend(Entire, nargs=1):
             lambda r, w: (cosh(r) - sinh(r) / r) / (2 * w),
         )
     )
-    term = staticmethod(lambda k, w: (k + 1) * w**k / factorial(2 * k + 3))
 
 
-class Decay(Entire, nargs=1):
+class Decay(Entire, nargs=1, at_zero=1):
     """(1 - exp(-x))/x"""
 
     definition = staticmethod(lambda x: (1 - exp(-x)) / x)
-    term = staticmethod(lambda k, x: (-x) ** k / factorial(k + 1))
 
 
-class Creep(Entire, nargs=1):
+class Creep(Entire, nargs=1, at_zero=HALF):
     """(exp(-x) - 1 + x)/x^2
 
     How far a damped mass gets under a unit force.
     """
 
     definition = staticmethod(lambda x: (exp(-x) - 1 + x) / x**2)
-    term = staticmethod(lambda k, x: (-x) ** k / factorial(k + 2))
 
 
-class Fade(Entire, nargs=1):
+class Fade(Entire, nargs=1, at_zero=HALF):
     """(1 - (1 + x) exp(-x))/x^2
 
     It is exp(-x) Creep(-x).
     """
 
     definition = staticmethod(lambda x: (1 - (1 + x) * exp(-x)) / x**2)
-    term = staticmethod(lambda k, x: (k + 1) * (-x) ** k / factorial(k + 2))
 
 
-class Lag(Entire, nargs=1):
+class Lag(Entire, nargs=1, at_zero=SIXTH):
     """(x - 2 + (x + 2) exp(-x))/x^3
 
     It is (Creep(x) - Fade(x))/x.
     """
 
     definition = staticmethod(lambda x: (x - 2 + (x + 2) * exp(-x)) / x**3)
-    term = staticmethod(lambda k, x: (k + 1) * (-x) ** k / factorial(k + 3))
 
 
-class Wane(Entire, nargs=1):
+class Wane(Entire, nargs=1, at_zero=2 * SIXTH):
     """(2 - (x^2 + 2 x + 2) exp(-x))/x^3
 
     By so much Fade becomes less.
     """
 
     definition = staticmethod(lambda x: (2 - (x**2 + 2 * x + 2) * exp(-x)) / x**3)
-    term = staticmethod(lambda k, x: (-x) ** k / factorial(k) / (k + 3))
 
 
-class Sinc(Entire, nargs=1):
+class Sinc(Entire, nargs=1, at_zero=1):
     """sin(x)/x"""
 
     definition = staticmethod(lambda x: sin(x) / x)
-    term = staticmethod(lambda k, x: (-(x**2)) ** k / factorial(2 * k + 1))
 
 
-class Gap(Entire, nargs=1):
+class Gap(Entire, nargs=1, at_zero=SIXTH):
     """(x - sin(x))/x^3"""
 
     definition = staticmethod(lambda x: (x - sin(x)) / x**3)
-    term = staticmethod(lambda k, x: (-(x**2)) ** k / factorial(2 * k + 3))
 
 
 # -- of an angle x and a delay of k periods ----------------------------------------------------
 
 
-class CosNext(Entire, nargs=2):
+class CosNext(Entire, nargs=2, at_zero=1):
     """cos((k + 1) x), the rounding of the product put back"""
 
     definition = staticmethod(lambda k, x: cos((k + 1) * x))
-    term = staticmethod(lambda n, k, x: (-1) ** n * ((k + 1) * x) ** (2 * n) / factorial(2 * n))
 
 
-class SinNext(Entire, nargs=2):
+class SinNext(Entire, nargs=2, at_zero=0):
     """sin((k + 1) x), the rounding of the product put back"""
 
     definition = staticmethod(lambda k, x: sin((k + 1) * x))
-    term = staticmethod(
-        lambda n, k, x: (-1) ** n * ((k + 1) * x) ** (2 * n + 1) / factorial(2 * n + 1)
-    )
 
 
-def _spread_term(k: int, steps: Expr, x: Expr) -> Expr:
-    order = 2 * (steps + 1)
-    size = (order - order ** (2 * k + 3)) * (-1) ** (k + 1) / factorial(2 * k + 3)
-    return sp.expand(size) * x ** (2 * k)
-
-
-class Spread(Entire, nargs=2):
+class Spread(Entire, nargs=2, at_zero=1):
     """((2 k + 2) sin(x) - sin((2 k + 2) x))/x^3"""
 
     definition = staticmethod(lambda k, x: (2 * (k + 1) * sin(x) - sin(2 * (k + 1) * x)) / x**3)
-    term = staticmethod(_spread_term)
 
 
-def _chord_term(k: int, steps: Expr, x: Expr) -> Expr:
-    n, power = steps + 1, 2 * k + 3  # sin(x) cos(y) is half of sin(x + y) and sin(x - y)
-    sums = 2 * n**power - n * ((n + 1) ** power - (n - 1) ** power)
-    return sp.expand(sums * (-1) ** (k + 1) / factorial(power)) * x ** (2 * k)
-
-
-class Chord(Entire, nargs=2):
+class Chord(Entire, nargs=2, at_zero=1):
     """(2 sin((k + 1) x) - (2 k + 2) sin(x) cos((k + 1) x))/x^3"""
 
     definition = staticmethod(
         lambda k, x: (2 * sin((k + 1) * x) - 2 * (k + 1) * sin(x) * cos((k + 1) * x)) / x**3
     )
-    term = staticmethod(_chord_term)
 
 
-def _ripple_term(k: int, steps: Expr, x: Expr) -> Expr:
-    """By odd powers of x: those of a quotient of sines, each found from those before it."""
-    found: list[Expr] = []
-    for j in range(k + 2):
-        own = (-1) ** j * (steps + 1) ** (2 * j + 1) / factorial(2 * j + 1)
-        rest = ((-1) ** i * found[j - i] / factorial(2 * i + 1) for i in range(1, j + 1))
-        found.append(sp.expand(own - sp.Add(*rest)))
-    return (2 * k + 2) * found[-1] * x ** (2 * k + 1)
-
-
-class Ripple(Entire, nargs=2):
+class Ripple(Entire, nargs=2, at_zero=0):
     """((k + 1) cos((k + 1) x) sin(x) - sin((k + 1) x) cos(x))/sin(x)^2
 
     By so much sin((k + 1) x)/sin(x) changes: regular at x = 0, and where no sine vanishes.
@@ -253,16 +204,9 @@ class Ripple(Entire, nargs=2):
     definition = staticmethod(
         lambda k, x: ((k + 1) * cos((k + 1) * x) * sin(x) - sin((k + 1) * x) * cos(x)) / sin(x) ** 2
     )
-    term = staticmethod(_ripple_term)
 
 
-def _by_angle(cls: type[Entire], k: int, steps: Expr, x: Expr) -> Expr:
-    """The term of the derivative by the angle, of odd powers."""
-    symbol = sp.Dummy()
-    return cls.term(k + 1, steps, symbol).diff(symbol).subs(symbol, x)
-
-
-class SpreadSlope(Entire, nargs=2):
+class SpreadSlope(Entire, nargs=2, at_zero=0):
     """(2 k + 2) (cos(x) - cos((2 k + 2) x))/x^3 - 3 Spread(k, x)/x"""
 
     definition = staticmethod(
@@ -270,7 +214,6 @@ class SpreadSlope(Entire, nargs=2):
             2 * (k + 1) * (cos(x) - cos(2 * (k + 1) * x)) / x**3 - 3 * Spread.definition(k, x) / x
         )
     )
-    term = staticmethod(partial(_by_angle, Spread))
 
 
 def _chord_slope(k: Expr, x: Expr) -> Expr:
@@ -279,13 +222,12 @@ def _chord_slope(k: Expr, x: Expr) -> Expr:
     return 2 * n * own / x**3 - 3 * Chord.definition(k, x) / x
 
 
-class ChordSlope(Entire, nargs=2):
+class ChordSlope(Entire, nargs=2, at_zero=0):
     """(2 k + 2) ((1 - cos(x)) cos((k + 1) x) + (k + 1) sin(x) sin((k + 1) x))/x^3
     - 3 Chord(k, x)/x
     """
 
     definition = staticmethod(_chord_slope)
-    term = staticmethod(partial(_by_angle, Chord))
 
 
 # -- of the device -----------------------------------------------------------------------------
@@ -308,15 +250,7 @@ def _halves(function: Any, gamma: Expr, delta: Expr) -> Expr:
     return function((delta + c) / 4) * function((delta - c) / 4)
 
 
-def _complete(k: int, gamma: Expr, delta: Expr) -> Expr:
-    """Sum of p^i q^(k-i), for p + q = delta and p q = gamma."""
-    before, now = sp.S.Zero, sp.S.One
-    for _ in range(k):
-        before, now = now, delta * now - gamma * before
-    return sp.expand(now)
-
-
-class PlantN1(Entire, nargs=2):
+class PlantN1(Entire, nargs=2, at_zero=HALF):
     """(1 - exp(-delta/2) (C(w) + delta/2 S(w)))/gamma, w = delta^2/4 - gamma
 
     n_1, where a unit force, held for a period, has moved the device; never negative.  It and n_0
@@ -327,28 +261,18 @@ class PlantN1(Entire, nargs=2):
     definition = staticmethod(
         lambda g, d: (1 - exp(-d / 2) * (_even(g, d) + d / 2 * _odd(g, d))) / g
     )
-    term = staticmethod(lambda k, g, d: _complete(k, g, -d) / factorial(k + 2))
 
 
-def _n0_term(k: int, gamma: Expr, delta: Expr) -> Expr:
-    """Of the product of two power series, by total degree in both poles."""
-    parts = (
-        (-delta) ** j / factorial(j) * PlantN1.term(k - j, gamma, -delta) for j in range(k + 1)
-    )
-    return sp.expand(sp.Add(*parts))
-
-
-class PlantN0(Entire, nargs=2):
+class PlantN0(Entire, nargs=2, at_zero=HALF):
     """exp(-delta) PlantN1(gamma, -delta)
 
     n_0, the same device, its time reversed.
     """
 
     definition = staticmethod(lambda g, d: exp(-d) * PlantN1.definition(g, -d))
-    term = staticmethod(_n0_term)
 
 
-class NumeratorAtOne(Entire, nargs=2):
+class NumeratorAtOne(Entire, nargs=2, at_zero=1):
     """exp(-delta/2) sinhc((delta + c)/4) sinhc((delta - c)/4), sinhc(x) = sinh(x)/x,
     c = sqrt(delta^2 - 4 gamma)
 
@@ -356,84 +280,54 @@ class NumeratorAtOne(Entire, nargs=2):
     """
 
     definition = staticmethod(lambda g, d: 4 * exp(-d / 2) * _halves(sinh, g, d) / g)
-    term = staticmethod(lambda k, g, d: sp.expand(PlantN1.term(k, g, d) + PlantN0.term(k, g, d)))
 
 
-def _gap_term(k: int, gamma: Expr, delta: Expr) -> Expr:
-    apart = PlantN1.term(k + 1, gamma, delta) - PlantN0.term(k + 1, gamma, delta)
-    return sp.expand(sp.cancel(apart / delta))
-
-
-class NumeratorGap(Entire, nargs=2):
+class NumeratorGap(Entire, nargs=2, at_zero=SIXTH):
     """exp(-delta/2) (S(delta^2/4) - S(w))/gamma, w = delta^2/4 - gamma
 
     (n_1 - n_0)/delta: exp(-delta/2) times the divided difference of S at delta^2/4 and w.
     """
 
     definition = staticmethod(lambda g, d: exp(-d / 2) * (sinh(d / 2) / (d / 2) - _odd(g, d)) / g)
-    term = staticmethod(_gap_term)
 
 
-def _trace_term(k: int, gamma: Expr, delta: Expr) -> Expr:
-    """The sum of the k-th powers of both poles, over k!."""
-    sums = [sp.S(2), -delta]
-    for _ in range(k - 1):
-        sums.append(-delta * sums[-1] - gamma * sums[-2])
-    return sp.expand(sums[k]) / factorial(k)
-
-
-class PlantTrace(Entire, nargs=2):
+class PlantTrace(Entire, nargs=2, at_zero=2):
     """2 exp(-delta/2) C(w), w = delta^2/4 - gamma
 
     a, the sum of the poles of the sampled device.
     """
 
     definition = staticmethod(lambda g, d: 2 * exp(-d / 2) * _even(g, d))
-    term = staticmethod(_trace_term)
 
 
-class DenominatorAtMinusOne(Entire, nargs=2):
+class DenominatorAtMinusOne(Entire, nargs=2, at_zero=4):
     """4 exp(-delta/2) cosh((delta + c)/4) cosh((delta - c)/4), c = sqrt(delta^2 - 4 gamma)
 
     1 + a + e.
     """
 
     definition = staticmethod(lambda g, d: 4 * exp(-d / 2) * _halves(cosh, g, d))
-    term = staticmethod(
-        lambda k, g, d: sp.expand(
-            (1 if k == 0 else 0) + PlantTrace.term(k, g, d) + (-d) ** k / factorial(k)
-        )
-    )
 
 
 # -- what the device's numbers change by -------------------------------------------------------
 
 
-def _slope_term(cls: type[Entire], index: int, k: int, gamma: Expr, delta: Expr) -> Expr:
-    """The term of degree k of a derivative by gamma (index 0), of degree 2, or by delta."""
-    x = sp.symbols("x:2")
-    found = cls.term(k + 2 - index, *x).diff(x[index])
-    return found.subs(dict(zip(x, (gamma, delta), strict=True)))
-
-
-class Kick(Entire, nargs=2):
+class Kick(Entire, nargs=2, at_zero=1):
     """exp(-delta/2) S(w), w = delta^2/4 - gamma: displacement by a unit impulse
 
     exp[-p, -q].
     """
 
     definition = staticmethod(lambda g, d: exp(-d / 2) * _odd(g, d))
-    term = staticmethod(lambda k, g, d: _complete(k, g, -d) / factorial(k + 1))
 
 
-class Coast(Entire, nargs=2):
+class Coast(Entire, nargs=2, at_zero=1):
     """exp(-delta/2) (C(w) - delta/2 S(w)), w = delta^2/4 - gamma: speed by a unit impulse"""
 
     definition = staticmethod(lambda g, d: exp(-d / 2) * (_even(g, d) - d / 2 * _odd(g, d)))
-    term = staticmethod(lambda *of: -_slope_term(PlantTrace, 1, *of))
 
 
-class Echo(Entire, nargs=2):
+class Echo(Entire, nargs=2, at_zero=SIXTH):
     """exp(-delta/2) (C(w) - S(w))/(2 w), w = delta^2/4 - gamma
 
     exp[-p, -p, -q, -q] = -d n_1/d delta: the answer to a unit impulse, convolved with itself.
@@ -442,17 +336,15 @@ class Echo(Entire, nargs=2):
     definition = staticmethod(
         lambda g, d: exp(-d / 2) * (_even(g, d) - _odd(g, d)) / (d**2 / 2 - 2 * g)
     )
-    term = staticmethod(lambda *of: -_slope_term(PlantN1, 1, *of))
 
 
-class Ebb(Entire, nargs=2):
+class Ebb(Entire, nargs=2, at_zero=-2 * SIXTH):
     """Echo - PlantN0, of gamma and delta: d n0/d delta"""
 
     definition = staticmethod(lambda g, d: Echo.definition(g, d) - PlantN0.definition(g, d))
-    term = staticmethod(lambda *of: _slope_term(PlantN0, 1, *of))
 
 
-class PlantN1Drop(Entire, nargs=2):
+class PlantN1Drop(Entire, nargs=2, at_zero=SIXTH / 4):
     """(PlantN1 - (Kick + delta Echo)/2)/gamma: -d n1/d gamma
 
     exp[0, -p, -p, -q, -q].
@@ -462,10 +354,9 @@ class PlantN1Drop(Entire, nargs=2):
         lambda g, d: (PlantN1.definition(g, d)
                       - (Kick.definition(g, d) + d * Echo.definition(g, d)) / 2) / g
     )  # fmt: skip
-    term = staticmethod(lambda *of: -_slope_term(PlantN1, 0, *of))
 
 
-class PlantN0Drop(Entire, nargs=2):
+class PlantN0Drop(Entire, nargs=2, at_zero=SIXTH / 4):
     """(PlantN0 - (Kick - delta Echo)/2)/gamma: -d n0/d gamma
 
     exp[-p - q, -p, -p, -q, -q].
@@ -475,10 +366,9 @@ class PlantN0Drop(Entire, nargs=2):
         lambda g, d: (PlantN0.definition(g, d)
                       - (Kick.definition(g, d) - d * Echo.definition(g, d)) / 2) / g
     )  # fmt: skip
-    term = staticmethod(lambda *of: -_slope_term(PlantN0, 0, *of))
 
 
-class NumeratorGapDrop(Entire, nargs=2):
+class NumeratorGapDrop(Entire, nargs=2, at_zero=SIXTH / 20):
     """((PlantN1 - PlantN0)/delta - Echo)/gamma: -d ((n1 - n0)/delta)/d gamma
 
     exp[0, -p - q, -p, -p, -q, -q] = (PlantN1Drop - PlantN0Drop)/delta.
@@ -487,7 +377,6 @@ class NumeratorGapDrop(Entire, nargs=2):
     definition = staticmethod(
         lambda g, d: (NumeratorGap.definition(g, d) - Echo.definition(g, d)) / g
     )
-    term = staticmethod(lambda *of: -_slope_term(NumeratorGap, 0, *of))
 
 
 # -- which is the derivative of which ----------------------------------------------------------

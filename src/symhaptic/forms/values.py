@@ -160,8 +160,7 @@ def _hidden(cls: Any, at: list[mpf]) -> mpf | None:
     ):
         return None
     if len(at) == 1:
-        first = cls.term(0, sp.S.Zero)
-        return None if at[0] else mpf(first.p) / first.q
+        return None if at[0] else mpf(cls.at_zero.p) / cls.at_zero.q
     gamma, delta = at
     if gamma == 0:
         return numeric(_WITHOUT_SPRING[cls])(delta)
