@@ -222,7 +222,7 @@ def test_the_same_request_gives_the_same_files():
 
 def test_no_form_has_the_name_of_a_routine():
     from symhaptic.export.library import known
-    from symhaptic.export.naming import code_name
+    from symhaptic.export.routine import code_name
 
     assert not set(stable.FORMS) & set(map(code_name, known()))
 

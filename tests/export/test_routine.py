@@ -12,9 +12,8 @@ from sympy.codegen.cfunctions import expm1
 
 from symhaptic.export.branches import Assign, Choice, Join, Set, lazy
 from symhaptic.export.library import known
-from symhaptic.export.naming import code_name
 from symhaptic.export.precision import PRECISIONS
-from symhaptic.export.routine import OPERATIONS, Repeat, TwoProdError, names
+from symhaptic.export.routine import OPERATIONS, Repeat, TwoProdError, code_name, names
 from symhaptic.export.routines import device
 from symhaptic.export.vectors import slope_size as largest_term
 from symhaptic.forms import values

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from sympy import Expr
 
-from symhaptic.export.naming import code_name
+from symhaptic.export.routine import code_name
 from symhaptic.export.vectors import rounded, slope_size, squares
 from symhaptic.forms.entire import C, Entire, NumeratorGap, PlantN0, PlantN1, PlantTrace, S
 from symhaptic.forms.implicit import ImplicitFunction, Rated

@@ -16,9 +16,8 @@ import sympy as sp
 from sympy import Expr, Piecewise, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
-from sympy.printing.pycode import PythonCodePrinter
 
-from symhaptic.export import naming
+from symhaptic.export import reserved
 from symhaptic.export.array_runtime import (
     CROSSING,
     HALVES,
@@ -42,9 +41,9 @@ from symhaptic.export.branches import (
 )
 from symhaptic.export.language import Printing, Target, called, describe
 from symhaptic.export.library import known, named, precise
-from symhaptic.export.naming import vocabulary
 from symhaptic.export.passes import hoisted
 from symhaptic.export.precision import DOUBLE, SINGLE, Precision
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import (
     Library,
     Repeat,
@@ -56,14 +55,16 @@ from symhaptic.export.routine import (
     fresh,
     propagated,
 )
-from symhaptic.export.wrapping import depth, in_brackets, wrapped
+from symhaptic.export.statements import depth, in_brackets, wrapped
 from symhaptic.forms.form import BELOW_PI, LARGEST, LONGEST, STIFFEST, Form
 
 
-class ArrayPrinter(Printing, PythonCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations; each routine sees the namespace of its arrays."""
+class ArrayPrinter(Printing):
+    """Expressions of arrays, in the words of a scope."""
 
-    scope: Scope
+    def __init__(self, target: Target, scope: Scope) -> None:
+        super().__init__(target)
+        self.scope = scope
 
     def _as_ordered_terms(self, expr: Expr, order: str | None = None) -> list[Expr]:
         """SymPy's order, but first a term without a minus, which would be a step of its own."""
@@ -330,8 +331,7 @@ class Scope:
 
     def __init__(self, target: Target, block: Block) -> None:
         self.target, self.block = target, block
-        self.printer = target.printing()
-        self.printer.scope = self
+        self.printer = ArrayPrinter(target, self)
         self.names: dict[Symbol, str] = {
             s: self.target.rename(base(s)) for s in alone_of_their_kind(block)
         }
@@ -629,7 +629,7 @@ _MOST = {
 class ArrayApi(Target):
     """One module of functions of arrays."""
 
-    name, title, printer = "numpy", "Python (NumPy, or any library of the Array API)", ArrayPrinter
+    name, title = "numpy", "Python (NumPy, or any library of the Array API)"
     words = MappingProxyType({"&&": "&", "||": "|", "!": "~"})
     keywords = vocabulary(
         "False None True and as assert async await break class continue def del elif else except "
@@ -639,7 +639,7 @@ class ArrayApi(Target):
         "functools select repeat over step is_jax_array by_value halves square_root two_prod_error "
         "plant work inside limits guarded settled most yes no add series value crossing"
     )
-    modules = naming.PYTHON
+    modules = reserved.PYTHON
     writes_both = True
     leaves_zeros_out = False  # its helpers are those of both precisions
     operations = single = called(

@@ -17,14 +17,13 @@ from itertools import groupby
 
 import sympy as sp
 from sympy import Expr, Piecewise
-from sympy.printing.c import C99CodePrinter
 
-from symhaptic.export import naming, package
+from symhaptic.export import package, reserved
 from symhaptic.export.branches import guarded
-from symhaptic.export.language import Printing, Target, called, describe
-from symhaptic.export.naming import vocabulary
+from symhaptic.export.language import Target, called, describe
 from symhaptic.export.package import FLAGS, STRICT
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import (
     Library,
     Repeat,
@@ -36,8 +35,7 @@ from symhaptic.export.routine import (
     names,
 )
 from symhaptic.export.routines.roots import WHOLE_LOOP
-from symhaptic.export.statements import braces
-from symhaptic.export.wrapping import WIDTH, wrapped
+from symhaptic.export.statements import WIDTH, braces, wrapped
 
 PAIR = "Pair"
 
@@ -346,26 +344,14 @@ CPP_KEYWORDS = KEYWORDS | vocabulary(
 """Those of C++ too, since its programs read the header."""
 
 
-class _Printer(Printing, C99CodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations, and without macros that the standard does not have."""
-
-    target: C
-
-    def __init__(self) -> None:
-        super().__init__({"math_macros": {}})
-
-    def _print_Function(self, expr: Expr) -> str:
-        return str(self.target.called(expr))
-
-
 class C(Target):
     """One source file and its header."""
 
-    name, title, keywords, printer = "c", "C99", CPP_KEYWORDS, _Printer
+    name, title, keywords = "c", "C99", CPP_KEYWORDS
     shares = proves = True
     helper = "static inline"
     """What declares a function that others here call: inlined, they take a tenth less time."""
-    modules = naming.C
+    modules = reserved.C
     each = (
         "for (int n = {first}; n >= {last}; n -= {step}) {{",
         "    const {real} {name} = inverse_factorial[n];",

@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-from sympy.printing.cxx import CXX17CodePrinter
-
-from symhaptic.export import naming, package
+from symhaptic.export import package, reserved
 from symhaptic.export.branches import guarded
 from symhaptic.export.c import CPP_KEYWORDS
-from symhaptic.export.language import Printing, Target, called, describe
+from symhaptic.export.language import Target, called, describe
 from symhaptic.export.package import FLAGS, STRICT
 from symhaptic.export.precision import DOUBLE
 from symhaptic.export.routine import Library, Routine
-from symhaptic.export.statements import braces
-from symhaptic.export.wrapping import wrapped
-
-
-class _Printer(Printing, CXX17CodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations, and without macros that the standard does not have."""
-
-    def __init__(self) -> None:
-        super().__init__({"math_macros": {}})
+from symhaptic.export.statements import braces, wrapped
 
 
 class Cpp(Target):
     """One source file and its header; several results are a std::array."""
 
-    name, title, keywords, printer = "cpp", "C++17", CPP_KEYWORDS, _Printer
+    name, title, keywords = "cpp", "C++17", CPP_KEYWORDS
     shares = True
-    modules = naming.CPP
+    modules = reserved.CPP
     each = (
         "for (int n = {first}; n >= {last}; n -= {step}) {{",
         "    const {real} {name} = inverse_factorial[n];",

@@ -4,25 +4,14 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from sympy.printing.fortran import FCodePrinter
-
-from symhaptic.export import naming
+from symhaptic.export import reserved
 from symhaptic.export.branches import Assign, Block, Choice, Join, Set, guarded
-from symhaptic.export.language import Printing, Target, called, describe
-from symhaptic.export.naming import vocabulary
+from symhaptic.export.language import Target, called, describe
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import Library, Repeat, Routine, Several, plain
-from symhaptic.export.statements import Words, worded
-from symhaptic.export.wrapping import wrapped
+from symhaptic.export.statements import Words, worded, wrapped
 from symhaptic.version import __version__
-
-
-class _Printer(Printing, FCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations."""
-
-    def __init__(self) -> None:
-        super().__init__({"standard": 2008, "source_format": "free"})
-
 
 _WORDS = Words(
     end="",
@@ -39,7 +28,7 @@ _WORDS = Words(
 class Fortran(Target):
     """One module; a function has one result, a subroutine several; both take arrays, too."""
 
-    name, title, printer, ignores_case = "fortran", "Fortran 2008", _Printer, True
+    name, title, ignores_case = "fortran", "Fortran 2008", True
     choice = "merge({1}, {2}, {0})"
     words = MappingProxyType(
         {"&&": ".and.", "||": ".or.", "!=": "/=", "!": ".not.", "false": ".false."}
@@ -55,7 +44,7 @@ class Fortran(Target):
         "volatile where while write exp sin cos tan sqrt abs max min floor merge wp expm1 "
         "selftest spread scale"
     )
-    modules = naming.FORTRAN
+    modules = reserved.FORTRAN
     operations = called(
         "",
         Infinity="ieee_value(1.0_wp, ieee_positive_inf)",

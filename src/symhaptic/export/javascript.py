@@ -4,26 +4,19 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from sympy.printing.jscode import JavascriptCodePrinter
-
-from symhaptic.export import naming
+from symhaptic.export import reserved
 from symhaptic.export.branches import guarded
-from symhaptic.export.language import Printing, Target, called, describe
-from symhaptic.export.naming import vocabulary
+from symhaptic.export.language import Target, called, describe
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import Library, Routine
-from symhaptic.export.statements import braces
-from symhaptic.export.wrapping import wrapped
+from symhaptic.export.statements import braces, wrapped
 from symhaptic.version import __version__
-
-
-class _Printer(Printing, JavascriptCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations."""
 
 
 class Javascript(Target):
     """One module, and the same as a script; several results are an array."""
 
-    name, title, printer = "javascript", "JavaScript", _Printer
+    name, title = "javascript", "JavaScript"
     changing = "let"
     each = (
         "for (let n = {first}; n >= {last}; n -= {step}) {{",
@@ -38,7 +31,7 @@ class Javascript(Target):
         "throw true try typeof var void while with yield NaN Infinity undefined Math"
     )
     shares = True
-    modules = naming.JAVASCRIPT
+    modules = reserved.JAVASCRIPT
     operations = called(
         "Math.",
         Infinity="Infinity",

@@ -11,11 +11,10 @@ from pathlib import Path
 
 from symhaptic.export import request
 from symhaptic.export.language import Target, describe
-from symhaptic.export.naming import code_name
 from symhaptic.export.precision import DOUBLE, SINGLE
-from symhaptic.export.routine import Library, Routine
+from symhaptic.export.routine import Library, Routine, code_name
+from symhaptic.export.statements import wrapped
 from symhaptic.export.targets import TARGETS
-from symhaptic.export.wrapping import wrapped
 from symhaptic.forms import stable
 from symhaptic.forms.stable import Form
 

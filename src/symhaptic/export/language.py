@@ -18,9 +18,8 @@ from sympy.logic.boolalg import Boolean
 from sympy.printing.codeprinter import CodePrinter
 from sympy.printing.precedence import PRECEDENCE, precedence
 
-from symhaptic.export.naming import brief, code_name
 from symhaptic.export.precision import DOUBLE, Precision
-from symhaptic.export.routine import OPERATIONS, Library, Repeat, Several
+from symhaptic.export.routine import OPERATIONS, Library, Repeat, Several, brief, code_name
 from symhaptic.forms.stable import Form
 from symhaptic.notation import SYMBOLS
 
@@ -69,7 +68,6 @@ class Target:
     keywords: frozenset[str]
     modules: frozenset[str] = frozenset()
     """Standard headers, modules and the like, whose names no export may have."""
-    printer: type[Printing]
     choice = "({0} ? {1} : {2})"
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons, connectives and words of blocks that are written in another way."""
@@ -141,6 +139,11 @@ class Target:
                 plain = "_".join(word[:letters] for word in code_name(name).split("_"))
         return f"{plain}_" if self.reserves(plain) else plain
 
+    def called(self, call: Expr) -> str:
+        """A call of a routine."""
+        args = ", ".join(map(self.printing().whole, call.args))
+        return f"{self.call(call.func.__name__)}({args})"
+
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
         name = brief(name)
@@ -152,9 +155,7 @@ class Target:
 
     def printing(self) -> Printing:
         """A printer of this target."""
-        printer = self.printer()
-        printer.target = self
-        return printer
+        return Printing(self)
 
     def series(self, loop: Repeat) -> dict[str, str]:
         """The words that the head of a sum is made of."""
@@ -233,9 +234,11 @@ class Target:
 
 
 class Printing(CodePrinter):  # type: ignore[misc]
-    """What all printers share; a target's own printer derives from this and from SymPy's."""
+    """Expressions as source code, in the words of a language."""
 
-    target: Target
+    def __init__(self, target: Target) -> None:
+        super().__init__()
+        self.target = target
 
     def doprint(self, expr: Expr, assign_to: Any = None) -> str:
         """An expression as source code, on one line."""
@@ -309,8 +312,7 @@ class Printing(CodePrinter):  # type: ignore[misc]
     _print_Max = _print_Min = _folded  # noqa: N815
 
     def _print_Function(self, expr: Expr) -> str:
-        args = ", ".join(self.whole(a) for a in expr.args)
-        return f"{self.target.call(expr.func.__name__)}({args})"
+        return self.target.called(expr)
 
     def _number(self, expr: Expr) -> str:
         return self.target.number(float(expr))

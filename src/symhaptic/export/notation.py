@@ -17,7 +17,6 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.naming import routine_name
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     Divisor,
@@ -28,6 +27,7 @@ from symhaptic.export.routine import (
     choose,
     fresh,
     names,
+    routine_name,
 )
 
 Pair = tuple[Expr, Expr]

@@ -5,21 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from types import MappingProxyType
 
-from sympy.printing.octave import OctaveCodePrinter
-
-from symhaptic.export import naming
+from symhaptic.export import reserved
 from symhaptic.export.branches import guarded
-from symhaptic.export.language import Printing, Target, called, describe
-from symhaptic.export.naming import vocabulary
+from symhaptic.export.language import Target, called, describe
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import Library, Routine
-from symhaptic.export.statements import Words, worded
-from symhaptic.export.wrapping import wrapped
+from symhaptic.export.statements import Words, worded, wrapped
 from symhaptic.forms.stable import Form
-
-
-class _Printer(Printing, OctaveCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations."""
-
 
 _WORDS = Words(
     end=";",
@@ -36,7 +28,7 @@ _WORDS = Words(
 class Octave(Target):
     """One file a function, of numbers and of arrays, with what it needs behind it."""
 
-    name, title, printer = "octave", "GNU Octave and MATLAB", _Printer
+    name, title = "octave", "GNU Octave and MATLAB"
     choice = "pick({0}, {1}, {2})"
     words = MappingProxyType({"!=": "~=", "!": "~"})
     keywords = vocabulary(
@@ -45,7 +37,7 @@ class Octave(Target):
         "return spmd switch try unwind_protect until while pick pi i j ans selftest "
         "elementwise names varargout varargin nargout"
     )
-    modules = naming.OCTAVE
+    modules = reserved.OCTAVE
     operations = called(
         "",
         Infinity="Inf",

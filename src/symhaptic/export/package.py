@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import Library
-from symhaptic.export.wrapping import wrapped
+from symhaptic.export.statements import wrapped
 from symhaptic.forms.stable import Form
 from symhaptic.notation import SYMBOLS
 from symhaptic.version import __version__

@@ -13,14 +13,15 @@ from sympy.codegen.cfunctions import expm1
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
-from symhaptic.export.naming import brief, code_name
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import (
     OPERATIONS,
     Routine,
     Several,
     Step,
+    brief,
     choose,
+    code_name,
     computed,
     fresh,
     mapped,

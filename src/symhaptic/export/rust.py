@@ -4,29 +4,22 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from sympy.printing.rust import RustCodePrinter
-
-from symhaptic.export import naming
+from symhaptic.export import reserved
 from symhaptic.export.branches import guarded
-from symhaptic.export.language import Printing, Target, describe
-from symhaptic.export.naming import vocabulary
+from symhaptic.export.language import Target, describe
 from symhaptic.export.precision import DOUBLE
+from symhaptic.export.reserved import vocabulary
 from symhaptic.export.routine import Library, Routine
-from symhaptic.export.statements import braces
+from symhaptic.export.statements import braces, wrapped
 from symhaptic.export.vectors import ORDINARY
-from symhaptic.export.wrapping import wrapped
 from symhaptic.forms.stable import Form
 from symhaptic.version import __version__
-
-
-class _Printer(Printing, RustCodePrinter):  # type: ignore[misc]
-    """SymPy's, with the shared operations."""
 
 
 class Rust(Target):
     """One module; several results are a tuple."""
 
-    name, title, printer = "rust", "Rust", _Printer
+    name, title = "rust", "Rust"
     changing = "let mut"
     each = (
         "for n in ({last}..={first}).rev().step_by({step}) {{",
@@ -40,7 +33,7 @@ class Rust(Target):
         "unsafe use where while abstract become box do final macro override priv typeof unsized "
         "virtual yield try union gen core std main"
     )
-    modules = naming.RUST
+    modules = reserved.RUST
     operations = MappingProxyType(
         {
             "Abs": "({0}).abs()",

@@ -7,7 +7,7 @@ from functools import cache
 from symhaptic.export import arrays, c, cpp, fortran, javascript, microcontroller, octave, rust
 from symhaptic.export.language import Target
 from symhaptic.export.library import known
-from symhaptic.export.naming import code_name
+from symhaptic.export.routine import code_name
 
 TARGETS: dict[str, Target] = {
     module.TARGET.name: module.TARGET

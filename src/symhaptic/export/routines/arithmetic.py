@@ -10,13 +10,8 @@ the leading terms are added without rounding.
 
 from __future__ import annotations
 
-import sympy as sp
-from sympy import Abs, Eq, Or, Rational, S, cos, exp, factorial, floor, sin, sqrt
-from sympy.codegen.cfunctions import expm1
-
-from symhaptic.export.notation import Pair, do, pick, routine
 from symhaptic.export.precision import DOUBLE
-from symhaptic.export.routine import TwoProdError, choose
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms.entire import CosNext, Decay, Gap, Lag, Sinc, SinNext
 
 # -- arithmetic of pairs -----------------------------------------------------------------------

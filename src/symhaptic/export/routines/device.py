@@ -24,35 +24,8 @@ from __future__ import annotations
 
 from functools import partial
 
-import sympy as sp
-from sympy import Abs, And, Rational, S, cos, exp, factorial, floor, pi, sin, sqrt
-from sympy.codegen.cfunctions import expm1
-
-from symhaptic.export.notation import Pair, do, pick, routine
-from symhaptic.export.routine import choose
-from symhaptic.export.routines.arithmetic import (
-    BRIEF,
-    SIXTH,
-    SLOW,
-    brief_fading,
-    cos_series,
-    fading_pair,
-    fast_two_sum,
-    minus,
-    one_minus,
-    one_plus,
-    over,
-    plus,
-    root_miss,
-    rounded,
-    scaled,
-    scaled_sum,
-    sin_series,
-    squared,
-    times,
-    two_diff,
-    waving_pair,
-)
+from symhaptic.export.routines.arithmetic import *
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms.entire import Decay
 
 NEAR = Rational(9, 4)
@@ -472,3 +445,24 @@ def plant_trace(gamma, delta):
         (swing, "even"), (creep, "slow"), (creep, "ratio")))  # fmt: skip
     swings = 2 * rounded(scaled(swing["envelope"], even))
     return choose(creep["w"] < 0, swings, rounded(times(slow, one_plus(ratio))))
+
+
+def _kick(gamma, delta):
+    """The nearest float, and what it misses."""
+    swing, creep = shared(gamma, delta)
+    wave, fall, far = ((of[name], of[f"{name}_low"]) for of, name in (
+        (swing, "wave"), (creep, "slow"), (creep, "far")))  # fmt: skip
+    swings = fast_two_sum(*scaled(swing["envelope"], wave))
+    return pick(creep["w"] < 0, swings, fast_two_sum(*times(fall, far)))
+
+
+@routine()
+def kick(gamma, delta):
+    """displacement by a unit impulse after a period"""
+    return _kick(gamma, delta)[0]
+
+
+@routine()
+def kick_low(gamma, delta):
+    """what the last rounding of Kick takes"""
+    return _kick(gamma, delta)[1]

@@ -6,24 +6,10 @@ there it magnifies.
 
 from __future__ import annotations
 
-from sympy import And, Rational, S, cos, exp, sin, tan
-from sympy.codegen.cfunctions import expm1
-
-from symhaptic.export.notation import Pair, do, routine
 from symhaptic.export.passes import late_numbers, merged, of_form
-from symhaptic.export.routine import TwoProdError, choose
-from symhaptic.export.routines.arithmetic import (
-    fast_two_sum,
-    minus,
-    one_minus,
-    plus,
-    root_miss,
-    rounded,
-    scaled,
-    times,
-    two_diff,
-)
+from symhaptic.export.routines.arithmetic import *
 from symhaptic.export.routines.device import device_motion
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms.form import Form
 
 

@@ -23,11 +23,7 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
-import sympy as sp
-from sympy import Abs, And, Eq, Max, Min, Ne, Not, Or, S, atan2, floor, pi, sqrt
-
-from symhaptic.export.notation import do, routine
-from symhaptic.export.routine import choose
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms.root_count import ARGUMENTS, FRACTIONAL_ARGUMENTS
 
 alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apart = ARGUMENTS

@@ -11,13 +11,9 @@ small poles power series about their mean.
 
 from __future__ import annotations
 
-import sympy as sp
-from sympy import Abs, And, Max, Not, Rational, binomial, cos, exp, factorial, sin, sqrt
-
-from symhaptic.export.notation import do, pick, routine
-from symhaptic.export.routine import choose
-from symhaptic.export.routines.arithmetic import fast_two_sum, root_miss, scaled, times
-from symhaptic.export.routines.device import device_motion, real_poles, shared
+from symhaptic.export.routines.arithmetic import *
+from symhaptic.export.routines.device import device_motion, real_poles
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms.entire import (
     Chord,
     CosNext,
@@ -77,27 +73,6 @@ class _Device:
 
 
 # -- of the device -----------------------------------------------------------------------------
-
-
-def _kick(gamma, delta):
-    """The nearest float, and what it misses."""
-    swing, creep = shared(gamma, delta)
-    wave, fall, far = ((of[name], of[f"{name}_low"]) for of, name in (
-        (swing, "wave"), (creep, "slow"), (creep, "far")))  # fmt: skip
-    swings = fast_two_sum(*scaled(swing["envelope"], wave))
-    return pick(creep["w"] < 0, swings, fast_two_sum(*times(fall, far)))
-
-
-@routine()
-def kick(gamma, delta):
-    """displacement by a unit impulse after a period"""
-    return _kick(gamma, delta)[0]
-
-
-@routine()
-def kick_low(gamma, delta):
-    """what the last rounding of Kick takes"""
-    return _kick(gamma, delta)[1]
 
 
 @routine()

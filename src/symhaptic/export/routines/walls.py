@@ -9,22 +9,8 @@ from __future__ import annotations
 
 from functools import cache
 
-import sympy as sp
-from sympy import Abs, And, Eq, Max, Min, Or, S, Symbol, atan2, cos, floor, pi, sin, sqrt
-
-from symhaptic.export.notation import Steps, do, pick, routine
-from symhaptic.export.routine import Search, choose
-from symhaptic.export.routines.arithmetic import (
-    minus,
-    next_wave,
-    over,
-    plus,
-    rounded,
-    scaled,
-    squared,
-    times,
-    two_diff,
-)
+from symhaptic.export.routines.arithmetic import *
+from symhaptic.export.routines.prelude import *
 from symhaptic.forms import max_stiffness_slope, required_damping, stiffest_passive
 from symhaptic.forms.entire import CosNext, Sinc, SinNext
 from symhaptic.forms.implicit import MAX_STIFFNESS_SPRING
