@@ -25,11 +25,20 @@ import sympy as sp
 from sympy import Expr, Function, cos, cosh, exp, sin, sinh, sqrt
 
 
-class Entire(Function):  # type: ignore[misc]
-    """A function without singularities; the first line of its docstring is its closed form."""
+class Meant(Function):  # type: ignore[misc]
+    """A function of its own; its docstring begins with what it is, in plain text."""
 
     meaning: ClassVar[str]
-    """What it is, in plain text."""
+    """What it is: the first paragraph of its docstring."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        said = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
+        cls.meaning = vars(cls).get("meaning", said)
+        super().__init_subclass__()
+
+
+class Entire(Meant):
+    """A function without singularities; its docstring begins with its closed form."""
 
     definition: ClassVar[Callable[..., Expr]]
     """The closed form, valid wherever nothing in it is divided by zero."""
@@ -37,9 +46,8 @@ class Entire(Function):  # type: ignore[misc]
     at_zero: ClassVar[Expr]
     """Its value where all arguments are 0, as the closed form may be 0/0 there."""
 
-    def __init_subclass__(cls, nargs: int, at_zero: Any, **options: Any) -> None:
+    def __init_subclass__(cls, at_zero: Any, **options: Any) -> None:
         cls.at_zero = sp.sympify(at_zero)
-        cls.meaning = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
         super().__init_subclass__(**options)
 
     def fdiff(self, argindex: int = 1) -> Expr:

@@ -14,9 +14,10 @@ from typing import ClassVar
 import mpmath
 import sympy as sp
 from mpmath import mpf
-from sympy import Expr, Function, cacheit
+from sympy import Expr, cacheit
 
 from symhaptic.forms import max_stiffness_slope
+from symhaptic.forms.entire import Meant
 from symhaptic.forms.root_count import fractional_outside
 
 _MANY = 40
@@ -37,11 +38,8 @@ class Leaning:
     """Positive where it matters."""
 
 
-class ImplicitFunction(Function):  # type: ignore[misc]
+class ImplicitFunction(Meant):
     """A function without a closed form."""
-
-    meaning: str
-    """What it is, in plain text."""
 
     exact: ClassVar[Callable[..., mpf]]
     """Its value in the digits that mpmath is set to; raises ArithmeticError if none is found."""
@@ -57,19 +55,14 @@ def fraction(delay: mpf) -> tuple[mpf, mpf]:
     return whole, delay - whole
 
 
-class WholePart(ImplicitFunction):
-    """floor(d)."""
+class WholePart(ImplicitFunction, nargs=1):
+    """floor(d), the whole periods of a delay"""
 
-    nargs = 1
-    meaning = "floor(d), the whole periods of a delay"
     exact = staticmethod(mpmath.floor)
 
 
-class FractionalPart(ImplicitFunction):
-    """d - floor(d)."""
-
-    nargs = 1
-    meaning = "d - floor(d), the fraction of a period in a delay"
+class FractionalPart(ImplicitFunction, nargs=1):
+    """d - floor(d), the fraction of a period in a delay"""
 
     @staticmethod
     def exact(d: mpf) -> mpf:
@@ -77,11 +70,11 @@ class FractionalPart(ImplicitFunction):
         return d - mpmath.floor(d)
 
 
-class SomePart(ImplicitFunction):
-    """The same, and 1/2 in place of 0: so a branch for fractions is defined for whole delays."""
+class SomePart(ImplicitFunction, nargs=1):
+    """d - floor(d), or 1/2 where that is 0
 
-    nargs = 1
-    meaning = "d - floor(d), or 1/2 where that is 0"
+    So a branch for fractions is defined for whole delays, too.
+    """
 
     @staticmethod
     def exact(d: mpf) -> mpf:
@@ -142,14 +135,12 @@ def _peaks(values: list[mpf]) -> list[mpf]:
     return found
 
 
-class LargestRequiredDamping(ImplicitFunction):
-    """The damping that a wall needs at its worst angle: (alpha, beta, d)."""
+class LargestRequiredDamping(ImplicitFunction, nargs=3):
+    """the largest damping that the wall (alpha, beta) behind a delay d needs at any angle, searched
+    for; infinite for alpha < 0
 
-    nargs = 3
-    meaning = (
-        "the largest damping that the wall (alpha, beta) behind a delay d needs at any angle, "
-        "searched for; infinite for alpha < 0"
-    )
+    Of (alpha, beta, d).
+    """
 
     @staticmethod
     def exact(alpha: mpf, beta: mpf, d: mpf) -> mpf:
@@ -163,19 +154,16 @@ class LargestRequiredDamping(ImplicitFunction):
 
 
 class LargestWholeRequiredDamping(LargestRequiredDamping):
-    """The same for whole delays alone."""
-
-    meaning = (
-        "the largest damping that the wall (alpha, beta) behind a whole delay d needs at any "
-        "angle, searched for; infinite for alpha < 0"
-    )
+    """the largest damping that the wall (alpha, beta) behind a whole delay d needs at any angle,
+    searched for; infinite for alpha < 0
+    """
 
 
-class Lifted(ImplicitFunction):
-    """A number of a wall, such as alpha, times a power of two if it is tiny: (x, alpha, beta)."""
+class Lifted(ImplicitFunction, nargs=3):
+    """x, times a power of two where the squares of the wall (alpha, beta) would vanish
 
-    nargs = 3
-    meaning = "x, times a power of two where the squares of the wall (alpha, beta) would vanish"
+    Of (x, alpha, beta).
+    """
 
     @staticmethod
     def exact(x: mpf, alpha: mpf, beta: mpf) -> mpf:
@@ -183,14 +171,12 @@ class Lifted(ImplicitFunction):
         return x
 
 
-class CriticalAngle(ImplicitFunction):
-    """Where the need is largest: (alpha, beta, l, epsilon)."""
+class CriticalAngle(ImplicitFunction, nargs=4):
+    """half of the angle at which the wall (alpha, beta) behind a delay of l + epsilon periods needs
+    most damping, searched for
 
-    nargs = 4
-    meaning = (
-        "half of the angle at which the wall (alpha, beta) behind a delay of l + epsilon periods "
-        "needs most damping, searched for"
-    )
+    Of (alpha, beta, l, epsilon).
+    """
 
     @staticmethod
     def exact(alpha: mpf, beta: mpf, whole: mpf, part: mpf) -> mpf:
@@ -217,14 +203,12 @@ def _worst_at(theta: mpf, d: mpf) -> mpf:
     return mpmath.findroot(slope, (low, high), solver="anderson", verify=False)
 
 
-class Touching(ImplicitFunction):
-    """The wall that is worst at an angle: (theta, l, epsilon)."""
+class Touching(ImplicitFunction, nargs=3):
+    """the angle x of the wall with (l + 1) alpha = cos(x), beta + alpha/2 = sin(x) that needs most
+    damping at theta, behind a delay of l + epsilon periods; NaN if there is none
 
-    nargs = 3
-    meaning = (
-        "the angle x of the wall with (l + 1) alpha = cos(x), beta + alpha/2 = sin(x) that needs "
-        "most damping at theta, behind a delay of l + epsilon periods; NaN if there is none"
-    )
+    Of (theta, l, epsilon).
+    """
 
     @staticmethod
     def exact(theta: mpf, whole: mpf, part: mpf) -> mpf:
@@ -232,11 +216,11 @@ class Touching(ImplicitFunction):
         return _worst_at(theta, whole + part)
 
 
-class PassiveAngle(ImplicitFunction):
-    """The worst angle of the stiffest passive wall: (l, epsilon)."""
+class PassiveAngle(ImplicitFunction, nargs=2):
+    """the worst angle of the stiffest passive wall behind a delay of l + epsilon periods
 
-    nargs = 2
-    meaning = "the worst angle of the stiffest passive wall behind a delay of l + epsilon periods"
+    Of (l, epsilon).
+    """
 
     @staticmethod
     def exact(whole: mpf, part: mpf) -> mpf:
@@ -253,11 +237,8 @@ class PassiveAngle(ImplicitFunction):
         return mpmath.findroot(slope, ends, solver="anderson", verify=False)
 
 
-class Pushed(ImplicitFunction):
-    """The second argument, and infinity where the first is negative."""
-
-    nargs = 2
-    meaning = "the second number, or infinity where the first is negative"
+class Pushed(ImplicitFunction, nargs=2):
+    """the second number, or infinity where the first is negative"""
 
     @staticmethod
     def exact(alpha: mpf, value: mpf) -> mpf:
@@ -265,14 +246,12 @@ class Pushed(ImplicitFunction):
         return mpf("inf") if alpha < 0 else value
 
 
-class Lead(ImplicitFunction):
-    """Negative where a passivity boundary has ended for sure: (theta, l, epsilon)."""
+class Lead(ImplicitFunction, nargs=3):
+    """(1 - epsilon) sin((l + 1) theta) + epsilon sin((l + 2) theta) where (l + 1) theta < 4, else
+    -1: negative beyond the angle at which mere damping is in phase with its delay
 
-    nargs = 3
-    meaning = (
-        "(1 - epsilon) sin((l + 1) theta) + epsilon sin((l + 2) theta) where (l + 1) theta < 4, "
-        "else -1: negative beyond the angle at which mere damping is in phase with its delay"
-    )
+    Of (theta, l, epsilon).
+    """
 
     @staticmethod
     def exact(theta: mpf, whole: mpf, part: mpf) -> mpf:
@@ -283,11 +262,8 @@ class Lead(ImplicitFunction):
         return (1 - part) * early + part * late
 
 
-class Rated(ImplicitFunction):
-    """The second argument, and NaN where the first is negative."""
-
-    nargs = 2
-    meaning = "the second number, or NaN where the first is negative"
+class Rated(ImplicitFunction, nargs=2):
+    """the second number, or NaN where the first is negative"""
 
     @staticmethod
     def exact(alpha: mpf, value: mpf) -> mpf:
@@ -317,15 +293,13 @@ def _triples(values: Iterable[mpf]) -> Iterator[tuple[mpf, mpf, mpf]]:
     return ((x, y, z) for (x, y), (_, z) in pairwise(pairwise(values)))
 
 
-class MaxStiffnessAngle(ImplicitFunction):
-    """The angle of the wall of largest stable stiffness, of :data:`MAX_STIFFNESS_ARGUMENTS`."""
+class MaxStiffnessAngle(ImplicitFunction, nargs=12):
+    """the first angle at which the stiffness on the boundary is largest, searched for, or the end
+    at pi for delays below one period; NaN where that does not border the stable region, for
+    gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1
 
-    nargs = 12
-    meaning = (
-        "the first angle at which the stiffness on the boundary is largest, searched for, or the "
-        "end at pi for delays below one period; NaN where that does not border the stable region, "
-        "for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi with d > 1"
-    )
+    Of :data:`MAX_STIFFNESS_ARGUMENTS`.
+    """
 
     @property
     def parts(self) -> tuple[sp.Expr, ...]:
@@ -391,15 +365,13 @@ class MaxStiffnessAngle(ImplicitFunction):
         return +theta
 
 
-class MaxStiffnessWholeAngle(MaxStiffnessAngle):
-    """The same for whole delays alone, which have no parts."""
+class MaxStiffnessWholeAngle(MaxStiffnessAngle, nargs=10):
+    """the first angle at which the stiffness on the boundary is largest, searched for; NaN where
+    that does not border the stable region, for gamma > 9.8, and for sqrt(gamma) (d + 1) > pi
+    with d > 1
 
-    nargs = 10
-    meaning = (
-        "the first angle at which the stiffness on the boundary is largest, searched for; NaN "
-        "where that does not border the stable region, for gamma > 9.8, and for "
-        "sqrt(gamma) (d + 1) > pi with d > 1"
-    )
+    The same for whole delays alone, which have no parts.
+    """
 
     @property
     def parts(self) -> tuple[sp.Expr, ...]:

@@ -52,11 +52,11 @@ def between(early: Expr, late: Expr, share: Expr = epsilon) -> Expr:
     return early + share * (late - early)
 
 
-class Straight(Compensated):
-    """The need of straight motions as a function, whose products are not rounded one by one."""
+class Straight(Compensated, nargs=4):
+    """alpha sin((2 k + 1) psi)/(2 sin(psi)) - beta cos(2 (k + 1) psi)
 
-    nargs = 4
-    meaning = "alpha sin((2 k + 1) psi)/(2 sin(psi)) - beta cos(2 (k + 1) psi)"
+    The need of straight motions, whose products are not rounded one by one.
+    """
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -65,11 +65,11 @@ class Straight(Compensated):
         return straight(k).xreplace({alpha: stiffness, beta: damping, psi: angle})
 
 
-class StraightAt(Compensated):
-    """The same at an angle theta of (0, pi), where the delay turns many times as well."""
+class StraightAt(Compensated, nargs=4):
+    """alpha sin((k + 1/2) theta)/(2 sin(theta/2)) - beta cos((k + 1) theta)
 
-    nargs = 4
-    meaning = "alpha sin((k + 1/2) theta)/(2 sin(theta/2)) - beta cos((k + 1) theta)"
+    The same at an angle theta of (0, pi), where the delay turns many times as well.
+    """
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -79,11 +79,11 @@ class StraightAt(Compensated):
         return stiffness * kernel - damping * CosNext(k, angle)
 
 
-class Between(Compensated):
-    """The mean as a function, so that what is needed at the later delay stays one number."""
+class Between(Compensated, nargs=3):
+    """early + epsilon (late - early)
 
-    nargs = 3
-    meaning = "early + epsilon (late - early)"
+    What is needed at the later delay stays one number.
+    """
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -128,19 +128,15 @@ def straight_at() -> Expr:
     return alpha * push / 2 - beta * between(cosine, later)
 
 
-class RequiredAt(Compensated):
-    """The damping that all motions need at an angle of (0, pi), at a fraction of a period.
+class RequiredAt(Compensated, nargs=5):
+    """(n + sqrt(n^2 + epsilon (1 - epsilon) ((alpha cos(theta/2))^2 + ((alpha + 2 beta)
+    sin(theta/2))^2)))/2, n = alpha ((1 - epsilon) sin((l + 1/2) theta) + epsilon sin((l + 3/2)
+    theta))/(2 sin(theta/2)) - beta ((1 - epsilon) cos((l + 1) theta) + epsilon cos((l + 2)
+    theta))
 
-    A function of (alpha, beta, l, epsilon, theta).
+    The damping that all motions need at an angle of (0, pi), at a fraction of a period.  Of
+    (alpha, beta, l, epsilon, theta).
     """
-
-    nargs = 5
-    meaning = (
-        "(n + sqrt(n^2 + epsilon (1 - epsilon) ((alpha cos(theta/2))^2 + "
-        "((alpha + 2 beta) sin(theta/2))^2)))/2, n = alpha ((1 - epsilon) sin((l + 1/2) theta) + "
-        "epsilon sin((l + 3/2) theta))/(2 sin(theta/2)) - beta ((1 - epsilon) cos((l + 1) theta) + "
-        "epsilon cos((l + 2) theta))"
-    )
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:

@@ -11,14 +11,13 @@ from __future__ import annotations
 from functools import cache
 
 import sympy as sp
-from sympy import Expr, Function, cos, sin
+from sympy import Expr, cos, sin
+
+from symhaptic.forms.entire import Meant
 
 
-class Compensated(Function):  # type: ignore[misc]
+class Compensated(Meant):
     """A function whose exported routine rounds less than its closed form."""
-
-    meaning: str
-    """What it is, in plain text."""
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -31,18 +30,13 @@ class Compensated(Function):  # type: ignore[misc]
         return ()
 
 
-class Response(Compensated):
-    """A part of the force, of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.
+class Response(Compensated, nargs=7):
+    """part of (p c^2 - q s^2 + 2 j s c r)/(u c^2 - v s^2 + j s c x), c = cos(psi), s = sin(psi), of
+    psi, p, q, r, u, v and x: the force that moves the device by exp(2 j psi k)
 
-    Behind a fraction of m2 + m1 + m0, m2 - m1 + m0 and 2 (m2 - m0) in place of the last three.
+    Of psi, A(1), A(-1), 1 - e, n1 + n0, n1 - n0 and 2 n1.  Behind a fraction of m2 + m1 + m0,
+    m2 - m1 + m0 and 2 (m2 - m0) in place of the last three.
     """
-
-    nargs = 7
-    meaning = (
-        "part of (p c^2 - q s^2 + 2 j s c r)/(u c^2 - v s^2 + j s c x), c = cos(psi), "
-        "s = sin(psi), of psi, p, q, r, u, v and x: the force that moves the device by "
-        "exp(2 j psi k)"
-    )
 
     @classmethod
     def eval(cls, *args: Expr) -> Expr | None:
@@ -73,15 +67,13 @@ class Ahead(Response):
         return sin(psi) * cos(psi) * parts(*args)[1]
 
 
-class FractionalNumeratorGap(Compensated):
-    """M at z = -1 behind a fraction of a period, whose square the boundary has near pi.
+class FractionalNumeratorGap(Compensated, nargs=8):
+    """first - last + turned - 2 epsilon (1 - epsilon) (x y + x_low y + x y_low)
 
-    Of epsilon, what an impulse moves in the period's rest and in its beginning, each with what its
-    last rounding took, and three more terms.
+    M at z = -1 behind a fraction of a period, whose square the boundary has near pi.  Of epsilon,
+    what an impulse moves in the period's rest and in its beginning, each with what its last
+    rounding took, and three more terms.
     """
-
-    nargs = 8
-    meaning = "first - last + turned - 2 epsilon (1 - epsilon) (x y + x_low y + x y_low)"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -96,15 +88,13 @@ class FractionalNumeratorGap(Compensated):
         return cls.definition(*args) if args[1].is_number else None
 
 
-class HalfTurned(Compensated):
-    """M at z = -1 as it is found otherwise, of (found, gamma, delta, epsilon).
+class HalfTurned(Compensated, nargs=4):
+    """the first number, which is M(-1) of the device behind a fraction of a period
 
-    Near an odd number of half turns in a period its terms cancel; the routine takes the formula
-    :func:`symhaptic.forms.fractional_delay.half_turned` there, which is a sum of small terms.
+    Of (found, gamma, delta, epsilon).  Near an odd number of half turns in a period its terms
+    cancel; the routine takes the formula :func:`symhaptic.forms.fractional_delay.half_turned`
+    there, which is a sum of small terms.
     """
-
-    nargs = 4
-    meaning = "the first number, which is M(-1) of the device behind a fraction of a period"
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:
@@ -112,11 +102,8 @@ class HalfTurned(Compensated):
         return args[0]
 
 
-class KickLow(Compensated):
-    """What the last rounding of Kick takes: nothing, where nothing is rounded."""
-
-    nargs = 2
-    meaning = "what the last rounding of Kick takes"
+class KickLow(Compensated, nargs=2):
+    """what the last rounding of Kick takes"""
 
     @classmethod
     def definition(cls, *args: Expr) -> Expr:

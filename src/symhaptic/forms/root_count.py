@@ -5,7 +5,8 @@ from __future__ import annotations
 import mpmath
 import sympy as sp
 from mpmath import mpf
-from sympy import Function
+
+from symhaptic.forms.entire import Meant
 
 NEAR = sp.Symbol("NEAR")
 """How close to the circle a root is on neither side, where exact counts are asked for."""
@@ -14,32 +15,27 @@ _NEAR = mpf(10) ** -9
 """The same where nothing else is said."""
 
 
-class WholeRoots(Function):  # type: ignore[misc]
-    """Roots outside the unit circle, of arguments that :data:`ARGUMENTS` names."""
+class WholeRoots(Meant, nargs=10):
+    """roots outside the unit circle of a loop with wall (alpha, beta) and whole delay d, counted
+    from where device and wall are equally strong on the circle
 
-    nargs = 10
-    meaning = (
-        "roots outside the unit circle of a loop with wall (alpha, beta) and whole delay d, "
-        "counted from where device and wall are equally strong on the circle"
-    )
+    Of :data:`ARGUMENTS`.
+    """
 
 
-class FractionalRoots(Function):  # type: ignore[misc]
-    """The same for a fractional delay, of arguments that :data:`FRACTIONAL_ARGUMENTS` names."""
+class FractionalRoots(Meant, nargs=11):
+    """roots outside the unit circle behind a delay of l whole periods and a fraction, whose device
+    is (m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))
 
-    nargs = 11
-    meaning = (
-        "roots outside the unit circle behind a delay of l whole periods and a fraction, whose "
-        "device is "
-        "(m2 z^2 + m1 z + m0)/(z (z^2 - a z + e))"
-    )
+    Of :data:`FRACTIONAL_ARGUMENTS`.
+    """
 
 
-class Stable(Function):  # type: ignore[misc]
-    """1 where no root is outside or on the circle, else 0: (roots, alpha, beta, gamma, delta)."""
+class Stable(Meant, nargs=5):
+    """1 if roots is 0, alpha > -gamma, and the device is not left swinging, else 0
 
-    nargs = 5
-    meaning = "1 if roots is 0, alpha > -gamma, and the device is not left swinging, else 0"
+    Of (roots, alpha, beta, gamma, delta).
+    """
 
 
 ARGUMENTS = sp.symbols("alpha beta d n1 n0 gamma at_minus_one loss together apart")
