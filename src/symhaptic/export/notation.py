@@ -161,22 +161,31 @@ class Written:
     """A routine in this notation; a call of it is a step, or a part of one."""
 
     def __init__(
-        self, write: Callable[..., Any], gives: str, called: str, record: str, takes: str, name: str
+        self,
+        write: Callable[..., Any],
+        gives: str,
+        called: str,
+        record: str,
+        takes: str,
+        name: str,
+        groups: dict[str, tuple[Symbol, ...]],
     ) -> None:
         self.write, self.gives, self.called = write, gives.split(), (called or gives).split()
         self.name, self.record, self.takes = name, record, tuple(takes.split())
         given = inspect.signature(write).parameters
         self.precise = "precision" in given
         """Whether it depends on the precision."""
-        self.pairs = {own: p.annotation == "Pair" for own, p in given.items()
-                      if own != "precision"}  # fmt: skip
-        """Whether each argument is a pair, by their names."""
+        self.given = {
+            own: groups.get(own) or _symbol(own, p.annotation == "Pair")
+            for own, p in given.items()
+            if own != "precision"
+        }
+        """The symbols of each parameter, which is one of them or a group."""
 
     @property
     def arguments(self) -> tuple[Symbol, ...]:
         """All of them, one by one."""
-        both = ([own, f"{own}_low"] if pair else [own] for own, pair in self.pairs.items())
-        return tuple(Symbol(name) for own in both for name in own)
+        return tuple(flat(tuple(self.given.values())))
 
     def __call__(self, *given: Any) -> Any:
         """Its results, for arguments that are numbers or pairs."""
@@ -196,25 +205,28 @@ class Written:
 
     def _flat(self, given: Sequence[Any]) -> list[Expr]:
         found: list[Expr] = []
-        for (_, pair), value in zip(self.pairs.items(), given, strict=True):
-            if pair and not isinstance(value, tuple):
-                value = value, sp.S.Zero  # misses nothing
-            found += value if pair else [value]
+        for symbols, value in zip(self.given.values(), given, strict=True):
+            one = flat(value)
+            if isinstance(symbols, tuple) and len(one) < len(symbols):
+                one.append(sp.S.Zero)  # what is no pair misses nothing
+            found += one
         return found
 
     def make(self, precision: Precision = DOUBLE) -> Routine:
         """The routine for floats of a precision."""
-        given = [(Symbol(own), Symbol(f"{own}_low")) if pair else Symbol(own)
-                 for own, pair in self.pairs.items()]  # fmt: skip
         known = {"precision": precision} if self.precise else {}
         about = " ".join((self.write.__doc__ or "").split())
         with Steps(taken={s.name for s in self.arguments}) as steps:
-            found = self.write(*given, **known)
+            found = self.write(*self.given.values(), **known)
         if isinstance(found, Routine):
             return replace(found, name=self.name, about=about, arguments=self.arguments,
                            within=(), record=self.record)  # fmt: skip
         result = dict(zip(self.gives, flat(found), strict=True)) if self.gives else found
         return steps.routine(self.name, about, self.arguments, result, self.record, self.takes)
+
+
+def _symbol(name: str, pair: bool) -> Any:
+    return (Symbol(name), Symbol(f"{name}_low")) if pair else Symbol(name)
 
 
 def shaped(names: Sequence[str], found: Sequence[Expr]) -> Any:
@@ -239,7 +251,7 @@ ROUTINES: dict[str, Written] = {}
 
 def routine(
     gives: str = "", called: str = "", record: str = "", takes: str = "", name: str = "",
-    listed: bool = True,
+    listed: bool = True, **groups: tuple[Symbol, ...],
 ) -> Callable[[Callable[..., Any]], Written]:  # fmt: skip
     """A function as a routine: its parameters are symbols, its docstring says what it computes.
 
@@ -252,12 +264,15 @@ def routine(
     name : that of the routine, if it is not the function's
     listed : whether it is a routine of every library
 
-    A parameter ``precision`` is no argument of the routine, but what it depends on.
+    groups : by the names of parameters, symbols that are given together
+
+    Any other parameter is one symbol, or a pair where its annotation is ``Pair``.  ``precision`` is
+    no argument, but what the routine depends on.
     """
 
     def made(write: Callable[..., Any]) -> Written:
         own = name or routine_name(write.__name__)
-        found = Written(write, gives, called, record, takes, own)
+        found = Written(write, gives, called, record, takes, own, groups)
         if listed:
             ROUTINES[own] = found
         return found

@@ -25,11 +25,15 @@ def less(one, factor, square, low):
     return fast_two_sum(total, do("lost", lost - missed))
 
 
-def _force(psi, at_one, at_minus_one, loss, together, apart, across):
+_DEVICE = sp.symbols("at_one at_minus_one loss together apart across")
+
+
+def _force(psi, device):
     """A/z and M at z = exp(2 j psi), over cos(psi)^2, as pairs and the imaginary part of both.
 
     And the squared size of M.
     """
+    at_one, at_minus_one, loss, together, apart, across = device
     t = do("t", tan(psi))
     square, low = do("square", t * t), do("low", TwoProdError(t, t))
     above = less(at_one, at_minus_one, square, low)
@@ -39,22 +43,18 @@ def _force(psi, at_one, at_minus_one, loss, together, apart, across):
     return above, above_j, below, below_j, do("size", below[0] * below[0] + rest)
 
 
-@routine()
-def in_phase(psi, at_one, at_minus_one, loss, together, apart, across):
+@routine(device=_DEVICE)
+def in_phase(psi, device):
     """the real part of A/(z M), M over A being the device, at z = exp(2 j psi)"""
-    (above, above_low), above_j, (below, below_low), below_j, size = _force(
-        psi, at_one, at_minus_one, loss, together, apart, across
-    )
+    (above, above_low), above_j, (below, below_low), below_j, size = _force(psi, device)
     low = do("low", above_low * below + above * below_low)
     return do("found", above * below + do("rest", above_j * below_j + low)) / size
 
 
-@routine()
-def ahead(psi, at_one, at_minus_one, loss, together, apart, across):
+@routine(device=_DEVICE)
+def ahead(psi, device):
     """the imaginary part of A/(z M), M over A being the device, at z = exp(2 j psi)"""
-    (above, above_low), above_j, (below, below_low), below_j, size = _force(
-        psi, at_one, at_minus_one, loss, together, apart, across
-    )
+    (above, above_low), above_j, (below, below_low), below_j, size = _force(psi, device)
     low = do("low", above_j * below_low - above_low * below_j)
     return do("found", do("found", above_j * below - above * below_j) + low) / size
 

@@ -38,6 +38,9 @@ LOOP = alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off, a_off
 """What a crossing is told of wall and device: besides their last places M and A at z = -1 and n1
 may be off by the last three."""
 
+TERMS = sp.symbols("k0 k1 k2 k3")
+"""The coefficients of a cubic, that of the lowest power first."""
+
 WHOLE_LOOP = (*LOOP, center, beyond)
 """And the own frequency of the device, as y and 4 - y.  Behind a fraction n1 stands for m2 - m0."""
 
@@ -207,13 +210,13 @@ def _gap(parts, unit):
     return gap, do("rough", below.off + above.off + force.off + 3 * unit / 2)
 
 
-@routine(takes="Loop")
-def touches(leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
-            apart_off, n1_off, a_off, precision):  # fmt: skip
+@routine(takes="Loop", point=POINT, loop=LOOP)
+def touches(leads, point, loop, precision):
     """NaN where it is not certain that the device is stronger if leads is positive, and else the
     wall, else 0"""
     # at an extremum of |A|^2 - |M W|^2, whose sign tells whether there are crossings
     last = unit(precision)
+    y, rest, *_ = point
     parts, _, _ = _parts(do("at", Max(y, 0)), do("still", Max(rest, 0)), last, moving=False)
     gap, rough = _gap(parts, last)
     gap = do("signed", choose(leads > 0, gap, -gap))
@@ -221,15 +224,14 @@ def touches(leads, y, rest, off, loose, free, alpha, slope, far, d, n1, loss, to
     return choose(And(y > 0, rest > 0, good < 1), sp.nan, 0)
 
 
-@routine(takes="Loop")
-def phase_turns(y, rest, off, loose, free, alpha, slope, far, d, n1, loss, together, apart,
-                apart_off, n1_off, a_off, precision):  # fmt: skip
+@routine(takes="Loop", point=POINT, loop=LOOP)
+def phase_turns(point, loop, precision):
     """the nearest whole number of turns in the phase at a crossing, NaN where that is not
     certain"""
     # of wall and delay beside the device; how far the crossing is from this point at most follows
     # by Newton and Kantorovich, of 2 ln |A/(M W)|
     last = unit(precision)
-    y, rest = do("at", Max(y, 0)), do("still", Max(rest, 0))
+    y, rest = do("at", Max(point[0], 0)), do("still", Max(point[1], 0))
     parts, sine, edge = _parts(y, rest, last)
     below, above, force = parts
     gap, rough = _gap(parts, last)
@@ -365,25 +367,23 @@ def _of_nearest(found, *first):
     """A function of the point of expansion that is nearest, if that is on the circle."""
     *point, there = nearest_point(y, rest, off, center, beyond)
     point[:2] = (do(s.name, choose(there > 0, s, 2)) for s in point[:2])
-    return choose(there > 0, found(*first, *point, *LOOP), 0)
+    return choose(there > 0, found(*first, tuple(point), LOOP), 0)
 
 
-@routine(takes="Loop")
-def crossing_turns(y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together, apart,
-                   apart_off, n1_off, a_off):  # fmt: skip
+@routine(takes="Loop", loop=LOOP)
+def crossing_turns(y, rest, off, center, beyond, loop):
     """the turns at a crossing, if there is one"""
     return _of_nearest(phase_turns)
 
 
-@routine(takes="Loop")
-def bottom_touches(leads, y, rest, off, center, beyond, alpha, slope, far, d, n1, loss, together,
-                   apart, apart_off, n1_off, a_off):  # fmt: skip
+@routine(takes="Loop", loop=LOOP)
+def bottom_touches(leads, y, rest, off, center, beyond, loop):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     return _of_nearest(touches, leads)
 
 
-@routine()
-def whole_roots(alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apart, precision):
+@routine(given=ARGUMENTS)
+def whole_roots(given, precision):
     """roots outside the unit circle, -1 where that is not certain"""
     weak = _faint(precision)
     e = do("e", 1 - loss)
@@ -401,10 +401,10 @@ def whole_roots(alpha, beta, d, n1, n0, gamma, at_minus_one, loss, together, apa
     ys, offs, rests = (quadratic_roots(*k, root) for k in (near, own, end))
     rests = rests[::-1]
     loop = alpha, slope, far, d, n1, loss, together, apart, S.Zero, S.Zero, a_off
-    one, two = (crossing_turns(*point, center, beyond, *loop)
+    one, two = (crossing_turns(*point, center, beyond, loop)
                 for point in zip(ys, rests, offs, strict=True))  # fmt: skip
     bottoms = (do("bottom", _extremum(*k)) for k in (near, end, own))
-    none = bottom_touches(near[2], *bottoms, center, beyond, *loop)
+    none = bottom_touches(near[2], *bottoms, center, beyond, loop)
     inside = [choose(And(disc >= 0, _on_circle(*at)), 1, 0) for at in zip(ys, rests, strict=True)]
     sides = [choose(_leads(k), 1, 0) for k in (near, end)]
     odd = [do("odd", Abs(one - two)) for one, two in (inside, sides)]
@@ -440,7 +440,7 @@ def free_stable(alpha, beta, d, n1, n0, at_minus_one, loss, together, apart, pre
     a_off = _turned_off(precision, S.Zero)
     loop = alpha, slope, far, d, n1, loss, together, apart, 0, 0, a_off
     point = y, rest, y, last / do.nonzero(rest), S.Zero  # the last rounding of 4 - y counts
-    turns = do("turns", phase_turns(*point, *loop))
+    turns = do("turns", phase_turns(point, loop))
     end, _ = _at_the_end(far, last, a_off)
     pull = do("weaker", Abs(apart * far) - at_minus_one)
     weak = And(alpha > 0, pull < 0, Not(end), Not(_faint(precision, S.Zero)))
@@ -512,9 +512,8 @@ def _blurs(at_one, last):
     return do("apart_off", 8 * last * size * near_half), do("n1_off", 16 * last * near_whole)
 
 
-@routine()
-def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together, apart, across,
-                     precision):  # fmt: skip
+@routine(given=FRACTIONAL_ARGUMENTS)
+def fractional_roots(given, precision):
     """roots outside the unit circle behind a fractional delay, -1 where that is not certain"""
     weak, last = _faint(precision), unit(precision)
     slope, force, far = _wall()
@@ -541,9 +540,9 @@ def fractional_roots(alpha, beta, d, m2, m0, gamma, at_minus_one, loss, together
     loop = (alpha, slope, far, d, across, loss, together, apart, apart_off, n1_off, a_off, middle,
             rest)  # fmt: skip
     zones = [do("zone", sp.Integer(number)) for number in (NEAR, OWN, FAR)]
-    found = zone_turns(*near, zones[0], one, near[0], before, zones[0], *loop)
-    found += zone_turns(*own, -one, two, before, after, zones[1], *loop)
-    found += zone_turns(*end, zones[0], two, end[0], after, zones[2], *loop)
+    found = zone_turns(near, zones[0], one, near[0], before, zones[0], loop)
+    found += zone_turns(own, -one, two, before, after, zones[1], loop)
+    found += zone_turns(end, zones[0], two, end[0], after, zones[2], loop)
     return _counted(Or(*unsure), _ends(found, near, end, slope, far, across))
 
 
@@ -555,11 +554,10 @@ def _cut(top, bottom, low, high):
     return do("cut", choose(And(small, at > low, at < high), at, low))
 
 
-@routine(takes="Loop")
-def zone_turns(k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1, loss,
-               together, apart, apart_off, n1_off, a_off, center, beyond):  # fmt: skip
+@routine(takes="Loop", terms=TERMS, loop=WHOLE_LOOP)
+def zone_turns(terms, low, high, at_low, at_high, zone, loop):
     """what the crossings between two points add to the count"""
-    terms = k0, k1, k2, k3
+    _, k1, k2, k3 = terms
     disc = do("disc", k2 * k2 - 3 * k3 * k1)
     root = do("root", sqrt(Max(disc, 0)))
     q = do("q", -(k2 + choose(k2 < 0, -root, root)))
@@ -574,11 +572,11 @@ def zone_turns(k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, f
     found = S.Zero
     for extremum in extrema:
         value = do("value", _value(terms, extremum))
-        here = zone_touches(value, extremum, zone, *WHOLE_LOOP)
+        here = zone_touches(value, extremum, zone, loop)
         found = do("found", found + choose(extremum > low, here, 0))
     for i in range(4):
         ends = (cuts[i], cuts[i + 1], values[i], values[i + 1])
-        found = do("found", found + piece_turns(*terms, *ends, zone, *WHOLE_LOOP))
+        found = do("found", found + piece_turns(terms, *ends, zone, loop))
     return found
 
 
@@ -592,40 +590,39 @@ def _point(x, zone, last):
     return y, rest, off, loose, do("free", choose(own, 0, last * choose(near, center, beyond)))
 
 
-@routine(takes="Loop")
-def zone_touches(leads, x, zone, alpha, slope, far, d, n1, loss, together, apart, apart_off, n1_off,
-                 a_off, center, beyond, precision):  # fmt: skip
+@routine(takes="Loop", loop=WHOLE_LOOP)
+def zone_touches(leads, x, zone, loop, precision):
     """NaN where the wall may be as strong as the device at an extremum of both, else 0"""
     # at an extremum of the surplus, which may be so small that its sign is not certain
-    return touches(leads, *_point(x, zone, unit(precision)), *LOOP)
+    return touches(leads, _point(x, zone, unit(precision)), LOOP)
 
 
-@routine(takes="Loop")
-def piece_turns(k0, k1, k2, k3, low, high, at_low, at_high, zone, alpha, slope, far, d, n1, loss,
-                together, apart, apart_off, n1_off, a_off, center, beyond, precision):  # fmt: skip
+@routine(takes="Loop", terms=TERMS, loop=WHOLE_LOOP)
+def piece_turns(terms, low, high, at_low, at_high, zone, loop, precision):
     """what the crossing on a piece, if there is one, adds"""
     # the cubic has neither extremum nor inflection there; at an end of the circle it may be 0,
     # which is no crossing
     there = And(high > low, Or(And(at_low < 0, at_high >= 0), And(at_low >= 0, at_high < 0)),
                 Or(Ne(low, 0), Ne(at_low, 0)))  # fmt: skip
-    x = do("x", cubic_root(k0, k1, k2, k3, low, high, at_high - at_low))
+    x = do("x", cubic_root(terms, low, high, at_high - at_low))
     point = _point(x, zone, unit(precision))
     inner = And(point[0] > 0, point[1] > 0)
-    found = do("found", phase_turns(*point, *LOOP))
+    found = do("found", phase_turns(point, LOOP))
     rises = do("rises", choose(at_high > at_low, 1, -1) * choose(Eq(zone, FAR), -1, 1))
     return choose(there, choose(inner, -2 * rises * found, sp.nan), 0)
 
 
-@routine()
-def cubic_root(k0, k1, k2, k3, low, high, rise):
+@routine(terms=TERMS)
+def cubic_root(terms, low, high, rise):
     """the root of a cubic on a piece where it bends one way"""
+    _, k1, k2, k3 = terms
     convex = do("convex", choose(3 * k3 * (low + high) + 2 * k2 > 0, 1, -1))
     down = do("down", choose(rise * convex > 0, 1, -1))  # from this end it never overshoots
 
     def step(y, _):
         steep = do("steep", (3 * k3 * y + 2 * k2) * y + k1)
         some = do("some", choose(Eq(steep, 0), 1, steep))
-        move = do("move", choose(Eq(steep, 0), 0, _value((k0, k1, k2, k3), y) / some))
+        move = do("move", choose(Eq(steep, 0), 0, _value(terms, y) / some))
         new = do("new", Min(y - move, high))
         new = do("new", Max(new, low))
         return new, choose((y - new) * down > 0, 1, 0)

@@ -389,11 +389,15 @@ def early_slope(theta, k4, k3, k2, k1, k0):
     return found
 
 
-@routine()
-def undelayed_angle(at_one, at_minus_one, loss, together, apart):
+_DEVICE = max_stiffness_slope.UNDELAYED
+"""A(1), A(-1), 1 - e, and M(1) and M(-1)."""
+
+
+@routine(device=_DEVICE)
+def undelayed_angle(device):
     """the angle of the largest stiffness without delay"""
     # where a parabola changes its sign first, or pi where it does not
-    square = do("k", end_slope(at_minus_one, loss, together, apart, 0))
+    square = do("k", end_slope(*device[1:], 0))
     middle, last = (do("k", k) for k in do.common(*max_stiffness_slope.undelayed()[1:]))
     discriminant = do("discriminant", middle * middle - 4 * square * last)
     root = do("root", sqrt(Max(discriminant, 0)))
@@ -403,8 +407,8 @@ def undelayed_angle(at_one, at_minus_one, loss, together, apart):
     return 2 * atan2(sqrt(above), sqrt(below))
 
 
-@routine()
-def boundary_slope(theta, l, at_one, at_minus_one, loss, together, apart, across):
+@routine(device=_DEVICE)
+def boundary_slope(theta, l, device, across):
     """has the sign of the slope of the boundary's alpha"""
     return do.common(max_stiffness_slope.slope()[0])[0]
 
@@ -427,58 +431,54 @@ def _first_maximum(end, slope, rising, precision):
     return choose(found > 0, root, rising)
 
 
-@routine()
-def early_angle(at_one, at_minus_one, loss, together, apart, last, precision):
+@routine(device=_DEVICE)
+def early_angle(device, last, precision):
     """the angle of the largest stiffness for delays below a period"""
-    end = end_slope(at_minus_one, loss, together, apart, last)  # pi where it rises all the way
+    end = end_slope(*device[1:], last)  # pi where it rises all the way
     quartic = [do("k", k) for k in (end, *do.common(*max_stiffness_slope.early()[1:]))]
     return _first_maximum(pi, lambda at: early_slope(at, *quartic), pi, precision)
 
 
-@routine()
-def later_angle(d, l, at_one, at_minus_one, loss, together, apart, across, precision):
+@routine(device=_DEVICE)
+def later_angle(d, l, device, across, precision):
     """the angle of the largest stiffness for a period and more"""
-    numbers = l, at_one, at_minus_one, loss, together, apart, across
     half_turn = do("turn", pi / (d + 1))  # NaN where it rises so far
-    return _first_maximum(half_turn, lambda at: boundary_slope(at, *numbers), sp.nan, precision)
+    return _first_maximum(
+        half_turn, lambda at: boundary_slope(at, l, device, across), sp.nan, precision
+    )
 
 
 _INSIDE = sp.symbols("inside damping")
 
 
-@routine()
-def max_stiffness_angle(gamma, delta, d, l, part, first, last, at_one, at_minus_one, loss, together,
-                        apart, precision):  # fmt: skip
+@routine(device=_DEVICE)
+def max_stiffness_angle(gamma, delta, d, l, part, first, last, device, precision):
     """the angle of the wall of largest stable stiffness, or NaN"""
     whole = Eq(part, 0)
     across = do("across", choose(whole, first, first - last))
-    numbers = at_one, at_minus_one, loss, together, apart
-    later = later_angle(d, l, *numbers, across)
-    early = choose(d < 1, early_angle(*numbers, last), later)
-    top = do("theta", choose(Eq(d, 0), undelayed_angle(*numbers), early))
-    known = gamma, *numbers[1:]
+    late = choose(d < 1, early_angle(device, last), later_angle(d, l, device, across))
+    top = do("theta", choose(Eq(d, 0), undelayed_angle(device), late))
+    known = gamma, *device[1:]
     roots = choose(
         whole,
         WholeRoots(*_INSIDE, l, first, last, *known),
         FractionalRoots(*_INSIDE, l, first, last, *known, first - last),
     )
-    return _bordering(top, across, l, roots, gamma, delta, d, numbers, precision)
+    return _bordering(top, across, l, roots, gamma, delta, d, device, precision)
 
 
-@routine()
-def max_stiffness_whole_angle(gamma, delta, d, first, last, at_one, at_minus_one, loss, together,
-                              apart, precision):  # fmt: skip
+@routine(device=_DEVICE)
+def max_stiffness_whole_angle(gamma, delta, d, first, last, device, precision):
     """the angle of the wall of largest stable stiffness, or NaN"""
-    numbers = at_one, at_minus_one, loss, together, apart
-    later = later_angle(d, d, *numbers, first)
-    top = do("theta", choose(Eq(d, 0), undelayed_angle(*numbers), later))
-    roots = WholeRoots(*_INSIDE, d, first, last, gamma, *numbers[1:])
-    return _bordering(top, first, d, roots, gamma, delta, d, numbers, precision)
+    later = later_angle(d, d, device, first)
+    top = do("theta", choose(Eq(d, 0), undelayed_angle(device), later))
+    roots = WholeRoots(*_INSIDE, d, first, last, gamma, *device[1:])
+    return _bordering(top, first, d, roots, gamma, delta, d, device, precision)
 
 
-def _bordering(top, across, steps, roots, gamma, delta, d, numbers, precision):
+def _bordering(top, across, steps, roots, gamma, delta, d, device, precision):
     """The angle if its wall borders the stable region, else NaN; ``roots`` are those of a wall."""
-    stiffness, damping = do.common(*curve((*numbers, 2 * across), top, steps))
+    stiffness, damping = do.common(*curve((*device, 2 * across), top, steps))
     stiffness, damping = do("stiffness", stiffness), do("damping", damping)
     # a little inside a wall must be stable, so that the boundary borders the region; farther inside
     # where the count is not certain
