@@ -10,6 +10,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import count
 from typing import Any
 
@@ -157,30 +158,32 @@ class _Do:
 do = _Do()
 
 
+@dataclass(frozen=True)
 class Written:
     """A routine in this notation; a call of it is a step, or a part of one."""
 
-    def __init__(
-        self,
-        write: Callable[..., Any],
-        gives: str,
-        called: str,
-        record: str,
-        takes: str,
-        name: str,
-        groups: dict[str, tuple[Symbol, ...]],
-    ) -> None:
-        self.write, self.gives, self.called = write, gives.split(), (called or gives).split()
-        self.name, self.record, self.takes = name, record, tuple(takes.split())
-        given = inspect.signature(write).parameters
-        self.precise = "precision" in given
+    write: Callable[..., Any]
+    name: str
+    gives: tuple[str, ...]
+    called: tuple[str, ...]
+    record: str
+    takes: tuple[str, ...]
+    groups: dict[str, tuple[Symbol, ...]]
+
+    @cached_property
+    def given(self) -> dict[str, Any]:
+        """The symbols of each parameter, which is one of them, a pair or a group."""
+        found: dict[str, Any] = {}
+        for own, parameter in inspect.signature(self.write).parameters.items():
+            one = Symbol(own)
+            pair = (one, Symbol(f"{own}_low")) if parameter.annotation == "Pair" else one
+            found[own] = self.groups.get(own, pair)
+        return {own: symbols for own, symbols in found.items() if own != "precision"}
+
+    @property
+    def precise(self) -> bool:
         """Whether it depends on the precision."""
-        self.given = {
-            own: groups.get(own) or _symbol(own, p.annotation == "Pair")
-            for own, p in given.items()
-            if own != "precision"
-        }
-        """The symbols of each parameter, which is one of them or a group."""
+        return "precision" in inspect.signature(self.write).parameters
 
     @property
     def arguments(self) -> tuple[Symbol, ...]:
@@ -225,10 +228,6 @@ class Written:
         return steps.routine(self.name, about, self.arguments, result, self.record, self.takes)
 
 
-def _symbol(name: str, pair: bool) -> Any:
-    return (Symbol(name), Symbol(f"{name}_low")) if pair else Symbol(name)
-
-
 def shaped(names: Sequence[str], found: Sequence[Expr]) -> Any:
     """Results with each pair together; what is a pair alone is that pair."""
     parts: list[Any] = []
@@ -271,8 +270,9 @@ def routine(
     """
 
     def made(write: Callable[..., Any]) -> Written:
-        own = name or routine_name(write.__name__)
-        found = Written(write, gives, called, record, takes, own, groups)
+        own, names, others = name or routine_name(write.__name__), gives.split(), called.split()
+        found = Written(write, own, tuple(names), tuple(others or names), record,
+                        tuple(takes.split()), groups)  # fmt: skip
         if listed:
             ROUTINES[own] = found
         return found

@@ -6,7 +6,8 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from symhaptic.export.language import Refused, Target
@@ -91,29 +92,27 @@ def chosen(
     found = {}
     for name in dict.fromkeys(names):
         form = _by_name(name, parts, periods)
-        found[form.name] = _for_whole_delays(form) if whole_delays else form
+        with _refused("--whole-delays"):
+            found[form.name] = of_whole_delays(form) if whole_delays else form
     if not derivatives:
         return list(found.values())
-    return [_differentiated(form, derivatives) for form in found.values()]
+    with _refused("--derivative"):
+        by = tuple(dict.fromkeys(derivatives))
+        return [with_derivatives(form, by) for form in found.values()]
 
 
-def _for_whole_delays(form: Form) -> Form:
+@contextmanager
+def _refused(option: str) -> Iterator[None]:
+    """What has no form is refused with the option that asks for it."""
     try:
-        return of_whole_delays(form)
+        yield
     except NoForm as lacking:
-        raise Refused(f"--whole-delays: {lacking}") from None
+        raise Refused(f"{option}: {lacking}") from None
 
 
 def _is_for_one_delay(name: str) -> bool:
     known = {id: own for own, ids in stable.STATEMENTS.items() for id in ids}
     return known.get(name, name) in stable.FOR_ONE_DELAY
-
-
-def _differentiated(form: Form, by: Sequence[str]) -> Form:
-    try:
-        return with_derivatives(form, tuple(dict.fromkeys(by)))
-    except NoForm as lacking:
-        raise Refused(f"--derivative: {lacking}") from None
 
 
 def _all_differentiated(every: list[Form], by: Sequence[str]) -> list[Form]:
@@ -140,10 +139,8 @@ def _by_name(name: str, parts: Parts, delay: int | None) -> Form:
     if own not in stable.FORMS:
         close = suggested(name, [*stable.FORMS, *known], "`symhaptic export --list` lists all")
         raise Refused(f"FORMULA: {name!r} has no stable form; {close}")
-    try:
+    with _refused("FORMULA"):
         return stable.form(own, parts, delay)
-    except NoForm as lacking:
-        raise Refused(f"FORMULA: {lacking}") from None
 
 
 def built(
