@@ -5,8 +5,10 @@
 
 from __future__ import annotations
 
+import re
 from difflib import unified_diff
 from hashlib import sha256
+from itertools import chain
 from pathlib import Path
 
 from symhaptic.export import request
@@ -40,18 +42,39 @@ STAMP = "%s"
 """Of the sources in C, as the module that is compiled of them has it."""
 '''
 
+_BOTH = """#include <math.h>
+#include <stdbool.h>
+
+/* Compiled once in each precision: what is a number, an operation or a name in it. */
+#ifdef SINGLE
+#define REAL float
+#define NAME(name) haptic_single_##name
+#define M(operation) operation##f
+#define R(number) number##f
+#define PICK(in_double, in_single) in_single
+#else
+#define REAL double
+#define NAME(name) haptic_##name
+#define M(operation) operation
+#define R(number) number
+#define PICK(in_double, in_single) in_double
+#endif
+
+"""
+
+_SINGLE = """#define SINGLE
+#include "haptic.c"
+"""
+
 _TABLE = """#ifndef TABLE_H
 #define TABLE_H
 
 #include <math.h>
 
-#include "haptic.h"
-#include "haptic_single.h"
-
 #define STAMP "%(stamp)s"
 
 extern "C" {
-%(inside)s
+%(heads)s
 }
 
 /* What is true of each argument inside its range alone. */
@@ -77,24 +100,60 @@ def files() -> dict[str, str]:
     """The files of the folder, by name: for arrays of all libraries, and in C for NumPy's."""
     every = forms()
     _, made = request.built(TARGETS["numpy"], every, vectors=False)
-    double, in_c = request.built(TARGETS["c"], every, vectors=False)
-    single, more = request.built(TARGETS["c"].at(SINGLE), every, "haptic_single", vectors=False)
-    in_c |= more
-    heads: list[str] = []
-    for library, language in ((double, TARGETS["c"]), (single, TARGETS["c"].at(SINGLE))):
-        for helper in _inside(library):
-            head, *body = _shown(library, language, helper)
-            heads.append(f"{head};")
-            in_c[f"{library.name}.c"] += "\n".join(wrapped(["", f"{head} {{", *body, "}", ""]))
-    ufuncs = _UFUNCS.read_text(encoding="utf-8")
-    stamp = sha256("".join([*in_c.values(), ufuncs, _table(double, heads, "")]).encode())
-    stamp_ = stamp.hexdigest()[:16]
-    in_c |= {"table.h": _table(double, heads, stamp_), "_compiled.pyi": _typed(double)}
-    made |= {"__init__.py": _ABOUT % stamp_} | in_c
+    sources, heads = [], []
+    for precision, name in ((DOUBLE, "haptic"), (SINGLE, "haptic_single")):
+        language = TARGETS["c"].at(precision)
+        library, files = request.built(language, every, name, vectors=False)
+        whole = [_shown(library, language, helper) for helper in _inside(library)]
+        sources.append("\n".join([files[f"{name}.c"], *map("\n".join, whole)]))
+        heads += re.findall(r"^\w+ \w+\([^)]*\);$", files[f"{name}.h"], re.M)
+        heads += [f"{head.removesuffix(' {')};" for head, *_ in whole]
+    in_c = {"haptic.c": _BOTH + both(*sources), "haptic_single.c": _SINGLE}
+    parts = [*in_c.values(), _UFUNCS.read_text(encoding="utf-8"), _table(library, heads, "")]
+    stamp = sha256("".join(parts).encode()).hexdigest()[:16]
+    in_c |= {"table.h": _table(library, heads, stamp), "_compiled.pyi": _typed(library)}
+    made |= {"__init__.py": _ABOUT % stamp} | in_c
     return {
         name: (_REMARK if name.endswith((".c", ".h")) else _HEADER) + text
         for name, text in made.items()
     }
+
+
+_TOKEN = re.compile(r"\d[\w.]*(?:(?<=e)[-+]\d+f?)?|\w+|\S")
+
+
+def both(double: str, single: str) -> str:
+    """One source of two that say the same in either precision.
+
+    >>> both("double y = exp(x) + 0.5;", "float y = expf(x) + 0.5f;")
+    'REAL y = M(exp)(x) + R(0.5);'
+    """
+    found: list[str] = []
+    parts = [source.split("\n\n") for source in (double, single)]
+    parts = [[part for part in own if not part.startswith("#include")] for own in parts]
+    for one, other in zip(*parts, strict=True):
+        tokens = _TOKEN.findall(one), _TOKEN.findall(other)
+        merged = list(map(_in_both, *tokens)) if len({*map(len, tokens)}) == 1 else [""]
+        if all(merged):
+            gaps = _TOKEN.split(one)
+            text = "".join(chain(*zip(gaps, [*merged, ""], strict=True)))
+            found.append("\n".join(wrapped(text.split("\n"))))
+        else:
+            found.append(f"#ifndef SINGLE\n{one}\n#else\n{other}\n#endif")
+    return "\n\n".join(found)
+
+
+def _in_both(double: str, single: str) -> str:
+    """A token that stands for both, if there is one."""
+    number = double[0].isdigit()
+    if single == double or (double, single) == ("double", "float"):
+        return double if single == double else "REAL"
+    if single == f"{double}f":
+        return f"{'R' if number else 'M'}({double})"
+    if number and single[0].isdigit():
+        return f"PICK({double}, {single})"
+    name = double.removeprefix("haptic_")
+    return f"NAME({name})" if single == f"haptic_single_{name}" else ""
 
 
 def _inside(library: Library) -> list[Routine]:
@@ -102,15 +161,17 @@ def _inside(library: Library) -> list[Routine]:
 
 
 def _shown(library: Library, language: Target, routine: Routine) -> list[str]:
-    """The head and the body of a function that gives what one inside of its file gives."""
+    """A function that gives what one inside of its file gives."""
     real, name = language.real, language.call(routine.name)
     given = [language.rename(s.name) for s in routine.arguments]
     outs = [own for own, _ in routine.results]
     arguments = [f"{real} {own}" for own in given] + [f"{real} *{own}_out" for own in outs]
     return [
-        f"void {library.name}_{name}({', '.join(arguments)})",
+        f"void {library.name}_{name}({', '.join(arguments)}) {{",
         f"    const {routine.record} found = {name}({', '.join(given)});",
         *(f"    *{own}_out = found.{own};" for own in outs),
+        "}",
+        "",
     ]
 
 
@@ -134,7 +195,7 @@ def _table(library: Library, heads: list[str], stamp: str) -> str:
     others = [_kernel(routine, [f"{routine.about}."], "") for routine in _inside(library)]
     return _TABLE % {
         "stamp": stamp,
-        "inside": "\n".join(wrapped(heads)),
+        "heads": "\n".join(wrapped(" ".join(head.split()) for head in heads)),
         "ranges": "\n".join(ranges),
         "kernels": " \\\n".join(kernels),
         "others": " \\\n".join(others),

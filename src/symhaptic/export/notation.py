@@ -152,6 +152,8 @@ class _Do:
         return _WRITTEN[-1](name, expr)
 
     def __getattr__(self, name: str) -> Any:
+        if not _WRITTEN:
+            raise AttributeError(f"{name}: no routine is written now")
         return getattr(_WRITTEN[-1], name)
 
 

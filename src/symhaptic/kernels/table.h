@@ -4,14 +4,45 @@
 
 #include <math.h>
 
-#include "haptic.h"
-#include "haptic_single.h"
-
-#define STAMP "65ef80a77fa4c426"
+#define STAMP "3def2c0259ffad48"
 
 extern "C" {
+void haptic_discretize(double gamma, double delta, double *n1_out, double *n0_out, double *a_out,
+    double *e_out);
+void haptic_discretize_fractional(double gamma, double delta, double epsilon, double *m2_out,
+    double *m1_out, double *m0_out, double *a_out, double *e_out);
+bool haptic_is_stable(double alpha, double beta, double gamma, double delta, double d);
+double haptic_unstable_roots(double alpha, double beta, double gamma, double delta, double d);
+void haptic_stability_boundary(double theta, double gamma, double delta, double d,
+    double *alpha_out, double *beta_out);
+void haptic_max_stable_stiffness(double gamma, double delta, double d, double *alpha_out,
+    double *beta_out, double *theta_out);
+double haptic_passivity_margin_at(double theta, double alpha, double beta, double delta, double d);
+double haptic_passivity_margin(double alpha, double beta, double delta, double d);
+void haptic_passivity_boundary(double theta, double delta, double d, double *alpha_out,
+    double *beta_out);
+void haptic_max_passive_stiffness(double delta, double d, double *alpha_out, double *beta_out,
+    double *theta_out);
+double haptic_linear_limit(double beta, double delta, double d);
 void haptic_late_device(double gamma, double delta, double part, double *apart_out, double *m2_out,
     double *kicked_out, double *m0_out);
+void haptic_single_discretize(float gamma, float delta, float *n1_out, float *n0_out, float *a_out,
+    float *e_out);
+void haptic_single_discretize_fractional(float gamma, float delta, float epsilon, float *m2_out,
+    float *m1_out, float *m0_out, float *a_out, float *e_out);
+bool haptic_single_is_stable(float alpha, float beta, float gamma, float delta, float d);
+float haptic_single_unstable_roots(float alpha, float beta, float gamma, float delta, float d);
+void haptic_single_stability_boundary(float theta, float gamma, float delta, float d,
+    float *alpha_out, float *beta_out);
+void haptic_single_max_stable_stiffness(float gamma, float delta, float d, float *alpha_out,
+    float *beta_out, float *theta_out);
+float haptic_single_passivity_margin_at(float theta, float alpha, float beta, float delta, float d);
+float haptic_single_passivity_margin(float alpha, float beta, float delta, float d);
+void haptic_single_passivity_boundary(float theta, float delta, float d, float *alpha_out,
+    float *beta_out);
+void haptic_single_max_passive_stiffness(float delta, float d, float *alpha_out, float *beta_out,
+    float *theta_out);
+float haptic_single_linear_limit(float beta, float delta, float d);
 void haptic_single_late_device(float gamma, float delta, float part, float *apart_out,
     float *m2_out, float *kicked_out, float *m0_out);
 }
