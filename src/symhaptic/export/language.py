@@ -6,8 +6,9 @@ One that lacks an operation is refused by name before anything is written.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
+from functools import cache
 from itertools import accumulate
 from types import MappingProxyType
 from typing import Any, Self
@@ -20,6 +21,7 @@ from sympy.printing.precedence import PRECEDENCE, precedence
 
 from symhaptic.export.precision import DOUBLE, Precision
 from symhaptic.export.routine import OPERATIONS, Library, Repeat, Several, brief, code_name
+from symhaptic.export.routines import ROUTINES
 from symhaptic.forms.stable import Form
 from symhaptic.notation import SYMBOLS
 
@@ -72,8 +74,6 @@ class Target:
     words: Mapping[str, str] = MappingProxyType({})
     """Comparisons, connectives and words of blocks that are written in another way."""
     ignores_case = False
-    taken: Callable[[], frozenset[str]] = frozenset
-    """The names of all routines, which no variable may have; handed in with the list of targets."""
     precision = DOUBLE
     single: Mapping[str, str] | None = None
     """The shared operations in single precision, where the language has it."""
@@ -147,7 +147,7 @@ class Target:
     def rename(self, name: str) -> str:
         """The name of a variable: neither a keyword nor that of a routine."""
         name = brief(name)
-        return f"{name}_" if self.reserves(name) or name in self.taken() else name
+        return f"{name}_" if self.reserves(name) or name in _taken() else name
 
     def reserves(self, name: str) -> bool:
         """Whether a name is a keyword."""
@@ -231,6 +231,12 @@ class Target:
     def notes(self, library: Library) -> list[str]:
         """Lines of the README on what is special in this language."""
         return []
+
+
+@cache
+def _taken() -> frozenset[str]:
+    """The names of all routines, which no variable may have."""
+    return frozenset(map(code_name, ROUTINES))
 
 
 class Printing(CodePrinter):  # type: ignore[misc]
