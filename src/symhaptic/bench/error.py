@@ -12,8 +12,7 @@ import flint
 import numpy as np
 from flint import arb
 
-from symhaptic.bench.exact import EXACT, bits
-from symhaptic.bench.exact_slopes import slopes
+from symhaptic.bench.exact import EXACT, bits, slopes
 from symhaptic.bench.exported import GCC, compiled
 from symhaptic.bench.points import Array, columns
 from symhaptic.bench.terms import sized
@@ -37,19 +36,19 @@ def functions(form: Form) -> Any:
 
 
 _FEW, _TOLD = 320, 100
-"""Bits that balls are tried with first, and so many of each result they have to tell then."""
+"""Bits of the first attempt, and correct bits that each result must then have."""
 
 
-@lru_cache(maxsize=8192)  # several exports are held against the same points
-def exactly(form: Form, point: tuple[float, ...]) -> tuple[Any, ...]:
-    """The results of a form, and after them their derivatives if it has any.
+@lru_cache(maxsize=8192)  # several exports are compared at the same points
+def exactly(form: Form, point: tuple[float, ...], told: int = _TOLD) -> tuple[Any, ...]:
+    """The results of a form, followed by their derivatives if it has any.
 
-    Few bits tell nearly all of them; where the balls are wide or none, as many are taken as the
-    arguments may ask for.
+    Nearly all of them are found with few bits.  If a ball is wide or infinite, the working
+    precision is the one that the arguments may require.
     """
     with flint.ctx.workprec(_FEW):
         found = _in_balls(form, point)
-        if all(x.is_finite() and x.rel_accuracy_bits() >= _TOLD for x in found):
+        if all(x.is_finite() and x.rel_accuracy_bits() >= told for x in found):
             return found
     with flint.ctx.workprec(bits(point)):
         return _in_balls(form, point)

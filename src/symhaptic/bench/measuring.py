@@ -11,13 +11,16 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from symhaptic.bench import functions, models, peers, tracing, verdicts
 from symhaptic.bench.functions import FUNCTIONS
 from symhaptic.bench.timing import METHOD
-from symhaptic.book.measured.record import SCHEMA
+from symhaptic.book.listing import replace
+from symhaptic.book.measured.record import SCHEMA, text
+from symhaptic.book.measured.tables import markdown
 from symhaptic.version import __version__
 
 
@@ -97,6 +100,25 @@ def _short(value: Any) -> Any:
     if isinstance(value, float):
         return float(f"{value:.3g}") if math.isfinite(value) else None
     return value
+
+
+FORMATS = ("png", "pdf", "svg")
+
+
+def write(record: dict[str, Any], folder: Path) -> bool:
+    """Write bench.json and bench.md; return whether Matplotlib is installed and drew the plots."""
+    folder.mkdir(parents=True, exist_ok=True)
+    replace(folder / "bench.json", text(record))
+    replace(folder / "bench.md", markdown(record))
+    if find_spec("matplotlib") is None:
+        return False
+    from symhaptic.book.figures.bench import drawings
+    from symhaptic.book.figures.passivity import save
+
+    for name, (draw, panels, height) in drawings(record).items():
+        for format in FORMATS:
+            save(draw, folder / f"{name}.{format}", panels, height)
+    return True
 
 
 def commit(folder: Path = Path(__file__).parent) -> str | None:

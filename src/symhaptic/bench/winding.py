@@ -20,7 +20,7 @@ import flint
 import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
-from symhaptic.bench.exact import device, late
+from symhaptic.bench.closed import delayed, device
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""
@@ -46,7 +46,7 @@ class Plant(NamedTuple):
 
 def plant(gamma: float, delta: float, part: Any) -> Plant:
     """The device behind a fraction of a period."""
-    m2, m1, m0, a, e = late(gamma, delta, part)
+    m2, m1, m0, a, e = delayed(gamma, delta, part)
     n1, n0 = device(gamma, delta)[:2]
     return Plant(m2, m1, m0, a, e, n1 + n0, -(-arb(delta)).expm1())
 
