@@ -263,7 +263,7 @@ def test_the_digest_of_the_package_changes_with_its_code(tmp_path, monkeypatch):
 
 
 def test_a_worker_with_other_code_is_refused(monkeypatch):
-    plan, _ = plan_of("linear_limit", None, (), (), None, {"beta": DELTA, "delta": 0, "delay": 1})
+    plan = plan_of("linear_limit", None, (), (), None, {"beta": DELTA, "delta": 0, "delay": 1})
     piece = plan.piece((0,))
     monkeypatch.setattr("symhaptic.sweeps.plan.package", lambda: "0.2.0 (0123456789ab)")
     told = r"^workers: this one has symhaptic 0\.2\.0 \(0123456789ab\), and the sweep began with "

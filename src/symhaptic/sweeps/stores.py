@@ -13,10 +13,10 @@ import os
 import sys
 import zlib
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NoReturn
 from uuid import uuid4
 
 import numpy as np
@@ -24,7 +24,6 @@ import numpy as np
 from symhaptic.book.processes import folder
 from symhaptic.notation.extras import needed
 from symhaptic.notation.quantities import shown
-from symhaptic.sweeps.dataset import lazily
 from symhaptic.sweeps.plan import Piece, Plan
 from symhaptic.sweeps.quantities import IN_SI, INPUTS
 
@@ -42,25 +41,6 @@ _TAKEN = ("blocks", "zarr.json")
 """Names of its own in a group."""
 
 
-class Store(Protocol):
-    """A place for blocks."""
-
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make it ready, or see that it is the same sweep that it was begun for."""
-
-    def alone(self) -> AbstractContextManager[None]:
-        """Refuse a second writer on this machine, and remove drafts of one that was killed."""
-
-    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
-        """The blocks that are not done."""
-
-    def finish(self, piece: Piece) -> None:
-        """Compute a block and keep it, unless it is done; for workers."""
-
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """What is kept, read when it is asked for."""
-
-
 def store(to: str | Path) -> Store:
     """Zarr or Parquet, by the end of the name."""
     place = str(to).rstrip("/")
@@ -74,24 +54,6 @@ def store(to: str | Path) -> Store:
         f"to: {place!r} is not allowed; give a name that ends in .zarr, or a folder's that "
         "ends in .parquet"
     )
-
-
-def _begun(place: str, said: str | bytes | None, plan: Plan, where: str) -> None:
-    """Refuse what is there and is not this sweep; ``where`` is the file that says which it is."""
-    if said is None:
-        raise ValueError(f"to: {place!r} is not allowed; it is there and holds no sweep")
-    try:
-        was = json.loads(said)
-    except ValueError:
-        was = None
-    if not isinstance(was, dict):
-        raise _damaged(place, where)
-    now = json.loads(plan.description())
-    if was != now:
-        other = ", ".join(key for key in now if was.get(key) != now[key])
-        raise ValueError(
-            f"to: {place!r} is not allowed; it holds another sweep, which differs in {other}"
-        )
 
 
 def _damaged(place: str, where: str) -> ValueError:
@@ -125,25 +87,6 @@ def _bad_block(files: str, mark: str) -> ValueError:
 
 
 @contextmanager
-def _alone(place: str, file: str, drafts: str) -> Iterator[None]:
-    """Lock a file as long as this process writes; the system unlocks it if that is killed."""
-    with open(Path(place) / file, "r+b") as held:
-        if sys.platform != "win32":
-            import fcntl
-
-            try:
-                fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise ValueError(
-                    f"to: another process is writing to {place!r}; wait until it has ended, or "
-                    "give another place"
-                ) from None
-        for draft in Path(place).rglob(drafts):
-            draft.unlink(missing_ok=True)
-        yield
-
-
-@contextmanager
 def _beside(place: Path) -> Iterator[Path]:
     """Where it is made before it has its name, in a folder of its own that does not stay."""
     stack = ExitStack()
@@ -169,45 +112,123 @@ def _named(draft: Path, place: str) -> None:
 
 
 @dataclass(frozen=True)
-class Zarr:
-    """A Zarr group: one chunk a block, and in ``blocks/done`` checksums of each that is done."""
+class Store:
+    """A place for blocks."""
 
     place: str
 
-    _ABOUT: ClassVar = "zarr.json"
+    ABOUT: ClassVar[str]
+    """The file that says which sweep it is."""
+    DRAFTS: ClassVar[str]
+    """Names of files that a killed process leaves half written."""
 
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make the group whole at once, under another name first where names can be changed."""
-        import zarr
+    def begin(self, plan: Plan) -> None:
+        """Make it whole at once, or see that it is the same sweep that it was begun for.
 
+        It is made under another name first, where names can be changed.
+        """
         local = "://" not in self.place
         if not local or os.path.lexists(self.place):
-            try:
-                found = zarr.open_group(self.place, mode="r")
-            except FileNotFoundError:
-                if local:
-                    _begun(self.place, None, plan, self._ABOUT)
-            except _WRONG:
-                raise _damaged(self.place, self._ABOUT) from None
-            else:
-                said = found.attrs.get(PLAN)
-                _begun(self.place, said if isinstance(said, str) else None, plan, self._ABOUT)
-                return self._labelled(empty)
-        for name, coord in empty.coords.items():
-            self._to_be_kept(str(name), coord)
+            said = self._said()
+            if said is not None:
+                return self._same(plan, said)
+            if local:
+                raise ValueError(
+                    f"to: {self.place!r} is not allowed; it is there and holds no sweep"
+                )
+        self._refuse_labels(plan.labels)
         if not local:
-            return self._made(self.place, plan, empty)
-        with _beside(Path(self.place)) as place:
-            self._made(str(place), plan, empty)
-            _named(place, self.place)
-        return self.begin(plan, empty)
+            return self._make(self.place, plan)
+        with _beside(Path(self.place)) as draft:
+            self._make(str(draft), plan)
+            _named(draft, self.place)
+        return self.begin(plan)
 
-    @staticmethod
-    def _made(place: str, plan: Plan, empty: xarray.Dataset) -> None:
-        """A group without values, in which no block is done."""
+    def _same(self, plan: Plan, said: str | bytes) -> None:
+        """Refuse another sweep."""
+        try:
+            was = json.loads(said)
+        except ValueError:
+            was = None
+        if not isinstance(was, dict):
+            raise _damaged(self.place, self.ABOUT)
+        now = json.loads(plan.description())
+        if was != now:
+            self._differs(", ".join(key for key in now if was.get(key) != now[key]))
+
+    def _differs(self, what: str) -> NoReturn:
+        raise ValueError(
+            f"to: {self.place!r} is not allowed; it holds another sweep, which differs in {what}"
+        )
+
+    @contextmanager
+    def alone(self) -> Iterator[None]:
+        """Refuse a second writer on this machine, and remove drafts of one that was killed.
+
+        A file is locked as long as this process writes; the system unlocks it if that is killed.
+        """
+        if "://" in self.place:
+            yield
+            return
+        with open(Path(self.place) / self.ABOUT, "r+b") as held:
+            if sys.platform != "win32":
+                import fcntl
+
+                try:
+                    fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    raise ValueError(
+                        f"to: another process is writing to {self.place!r}; wait until it has "
+                        "ended, or give another place"
+                    ) from None
+            for draft in Path(self.place).rglob(self.DRAFTS):
+                draft.unlink(missing_ok=True)
+            yield
+
+    def _said(self) -> str | bytes | None:
+        """The description of the sweep that is there."""
+        raise NotImplementedError
+
+    def _refuse_labels(self, labels: xarray.Dataset) -> None:
+        """Refuse labels that would be lost or changed."""
+
+    def _make(self, place: str, plan: Plan) -> None:
+        """Make it without a block."""
+        raise NotImplementedError
+
+    def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
+        """The blocks that are not done."""
+        raise NotImplementedError
+
+    def finish(self, piece: Piece) -> None:
+        """Compute a block and keep it, unless it is done; for workers."""
+        raise NotImplementedError
+
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """A block that is kept."""
+        raise NotImplementedError
+
+
+class Zarr(Store):
+    """A Zarr group: one chunk a block, and in ``blocks/done`` checksums of each that is done."""
+
+    ABOUT = "zarr.json"
+    DRAFTS = "*.partial"
+
+    def _said(self) -> str | bytes | None:
+        try:
+            said = self._group("r").attrs.get(PLAN)
+        except FileNotFoundError:
+            return None
+        except _WRONG:
+            raise _damaged(self.place, self.ABOUT) from None
+        return said if isinstance(said, str) else None
+
+    def _make(self, place: str, plan: Plan) -> None:
         import zarr
         from zarr.codecs import Crc32cCodec, ZstdCodec
 
+        empty = plan.empty()
         kept: dict[str, dict[str, Any]] = {
             str(name): {"compressors": (ZstdCodec(level=0), Crc32cCodec())}
             for name in empty.variables
@@ -223,39 +244,41 @@ class Zarr:
         )  # fmt: skip
         group.attrs[PLAN] = plan.description()
 
-    def _to_be_kept(self, name: str, coord: xarray.DataArray) -> None:
-        """Refuse labels that Zarr would lose or change."""
+    def _refuse_labels(self, labels: xarray.Dataset) -> None:
         import xarray
         from zarr.storage import MemoryStore
 
-        tried = MemoryStore()
-        try:
-            xarray.Dataset(coords={name: coord}).to_zarr(tried, consolidated=False, zarr_format=3)
-            found = xarray.open_zarr(tried, consolidated=False, chunks=None)
-        except (TypeError, ValueError):
-            found = xarray.Dataset()
-        if name in _TAKEN or name not in found or not found[name].equals(coord):
-            raise ValueError(
-                f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
-                "give numbers, text or dates, with a plain name and plain attributes"
-            )
+        for name, coord in labels.coords.items():
+            tried = MemoryStore()
+            try:
+                one = xarray.Dataset(coords={name: coord.variable})
+                one.to_zarr(tried, consolidated=False, zarr_format=3)
+                found = xarray.open_zarr(tried, consolidated=False, chunks=None)
+            except (TypeError, ValueError):
+                found = xarray.Dataset()
+            if (
+                name in _TAKEN
+                or name not in found
+                or not found[name].variable.equals(coord.variable)
+            ):
+                raise ValueError(
+                    f"{name}: {shown(coord.values)} as labels are not allowed in {self.place!r}; "
+                    "give numbers, text or dates, with a plain name and plain attributes"
+                )
 
-    def _labelled(self, empty: xarray.Dataset) -> None:
-        """Refuse a sweep of other labels."""
+    def _same(self, plan: Plan, said: str | bytes) -> None:
+        """Refuse a sweep of other labels, too."""
         import xarray
 
+        super()._same(plan, said)
         with _readable(self.place):
             found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
             for coord in found.values():
                 coord.load()
-        for name in sorted({*map(str, found), *map(str, empty.coords)}):
-            if name not in found or name not in empty.coords or not (
-                found[name].equals(empty.coords[name])
-            ):  # fmt: skip
-                raise ValueError(
-                    f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
-                    f"the labels {name!r}"
-                )
+        wanted = plan.labels.coords
+        for name in sorted({*map(str, found), *map(str, wanted)}):
+            if name not in found or name not in wanted or not found[name].equals(wanted[name]):
+                self._differs(f"the labels {name!r}")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
@@ -274,11 +297,8 @@ class Zarr:
             group[variable.name][piece.region] = values
         done[piece.index] = [*map(_checksum, found)]
 
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """The group as arrays of Dask."""
-        return lazily(plan, empty, self._read)
-
-    def _read(self, piece: Piece) -> list[NDArray[Any]]:
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """The chunks of a block, if their checksums are those of its mark."""
         with _readable(self.place):
             group = self._group("r")
         found, place = [], "/".join(("c", *map(str, piece.index)))
@@ -294,12 +314,6 @@ class Zarr:
             found.append(values)
         return found
 
-    def alone(self) -> AbstractContextManager[None]:
-        """Lock the file of the group, where it is one of this machine."""
-        if "://" in self.place:
-            return nullcontext()
-        return _alone(self.place, self._ABOUT, "*.partial")
-
     def _group(self, mode: Literal["r", "r+"] = "r+") -> Any:
         import zarr
 
@@ -313,31 +327,19 @@ def _checksum(values: NDArray[Any]) -> int:
     return 2**32 + zlib.crc32(np.ascontiguousarray(values).tobytes())
 
 
-@dataclass(frozen=True)
-class Parquet:
+class Parquet(Store):
     """A folder of Parquet files, one a block with a row a point, each there at once when done."""
 
-    place: str
+    ABOUT = f"_{PLAN}.json"  # which readers of Parquet pass over
+    DRAFTS = f"{_DRAFT}*"
 
-    def begin(self, plan: Plan, empty: xarray.Dataset) -> None:
-        """Make the folder, with the plan in a file that readers of Parquet pass over."""
-        if os.path.lexists(self.place):
-            file = self._plan(self.place)
-            said = file.read_bytes() if file.is_file() else None
-            return _begun(self.place, said, plan, file.name)
-        with _beside(Path(self.place)) as place:
-            place.mkdir()
-            self._plan(place).write_text(plan.description(), "utf-8")
-            _named(place, self.place)
-        return self.begin(plan, empty)
+    def _said(self) -> str | bytes | None:
+        file = Path(self.place) / self.ABOUT
+        return file.read_bytes() if file.is_file() else None
 
-    @staticmethod
-    def _plan(place: str | Path) -> Path:
-        return Path(place) / f"_{PLAN}.json"
-
-    def alone(self) -> AbstractContextManager[None]:
-        """Lock the file of the plan."""
-        return _alone(self.place, self._plan(self.place).name, f"{_DRAFT}*")
+    def _make(self, place: str, plan: Plan) -> None:
+        Path(place).mkdir()
+        (Path(place) / self.ABOUT).write_text(plan.description(), "utf-8")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no file."""
@@ -353,7 +355,7 @@ class Parquet:
         if whole.exists():
             return
         values = piece.compute()
-        kept = len(piece.begin)
+        kept = len(piece.region)
         shape = piece.shape[:kept]
         meanings = IN_SI if piece.work.in_si else INPUTS
         columns: dict[str, NDArray[Any]] = {}
@@ -374,16 +376,13 @@ class Parquet:
         parquet.write_table(table, beside, write_page_checksum=True)
         os.replace(beside, whole)
 
-    def open(self, plan: Plan, empty: xarray.Dataset) -> xarray.Dataset:
-        """The files as arrays of Dask."""
-        return lazily(plan, empty, self._read)
-
-    def _read(self, piece: Piece) -> list[NDArray[Any]]:
+    def read(self, piece: Piece) -> list[NDArray[Any]]:
+        """The columns of a block; Parquet compares its own checksums."""
         from pyarrow import ArrowException, parquet
 
         names = [v.name for v in piece.variables]
         file = Path(self.place) / _file(piece.index)
-        shape = piece.shape[: len(piece.begin)]
+        shape = piece.shape[: len(piece.region)]
         try:
             table = parquet.read_table(file, columns=names, page_checksum_verification=True)
             return [table[name].to_numpy().reshape(shape) for name in names]
