@@ -13,7 +13,7 @@ import os
 import sys
 import zlib
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NoReturn
@@ -37,6 +37,9 @@ PLAN = "symhaptic_sweep"
 _DRAFT = "_draft-"
 """Beginning of the name of a file of Parquet that is being written; its readers pass over it."""
 
+_DONE = "blocks/done"
+"""The array of Zarr with a mark for each block that is done."""
+
 _TAKEN = ("blocks", "zarr.json")
 """Names of its own in a group."""
 
@@ -56,10 +59,12 @@ def store(to: str | Path) -> Store:
     )
 
 
-def _damaged(place: str, where: str) -> ValueError:
+def _damaged(file: str, why: object = None) -> ValueError:
+    """The error for a file that describes a store."""
+    said = f" ({why})" if why else ""
     return ValueError(
-        f"to: {place!r} is not allowed; its file {where}, which says what it holds, is damaged; "
-        "give another place, or remove this one"
+        f"to: {file}, which describes what is stored, is damaged{said}; give another place, or "
+        "remove this one"
     )
 
 
@@ -68,15 +73,14 @@ _WRONG = (KeyError, TypeError, ValueError, RuntimeError)
 
 
 @contextmanager
-def _readable(place: str) -> Iterator[None]:
-    """Report damage of what describes a group."""
+def _readable(file: str) -> Iterator[None]:
+    """Report damage of a file that describes a store."""
     try:
         yield
+    except FileNotFoundError:
+        raise
     except _WRONG as wrong:
-        raise ValueError(
-            f"to: a zarr.json, a label or a mark in {place!r} is damaged ({wrong}); give another "
-            "place, or remove this one"
-        ) from None
+        raise _damaged(file, " ".join(str(wrong).split())) from None
 
 
 def _bad_block(files: str, mark: str) -> ValueError:
@@ -151,7 +155,7 @@ class Store:
         except ValueError:
             was = None
         if not isinstance(was, dict):
-            raise _damaged(self.place, self.ABOUT)
+            raise _damaged(f"{self.place}/{self.ABOUT}")
         now = json.loads(plan.description())
         if was != now:
             self._differs(", ".join(key for key in now if was.get(key) != now[key]))
@@ -220,8 +224,6 @@ class Zarr(Store):
             said = self._group("r").attrs.get(PLAN)
         except FileNotFoundError:
             return None
-        except _WRONG:
-            raise _damaged(self.place, self.ABOUT) from None
         return said if isinstance(said, str) else None
 
     def _make(self, place: str, plan: Plan) -> None:
@@ -233,13 +235,14 @@ class Zarr(Store):
             str(name): {"compressors": (ZstdCodec(level=0), Crc32cCodec())}
             for name in empty.variables
         }
-        for name in map(str, empty.data_vars):
-            kept[name] |= {"chunks": plan.lengths} if plan.lengths else {}
+        for name, values in empty.variables.items():
+            chunks = plan.lengths if name in empty.data_vars else values.shape
+            kept[str(name)] |= {"chunks": chunks} if chunks else {}
         empty.to_zarr(place, compute=False, encoding=kept, consolidated=False, zarr_format=3)
         group = zarr.open_group(place, mode="r+")
         count = len(plan.variables)
         group.create_array(
-            "blocks/done", shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
+            _DONE, shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
             dtype="uint64", fill_value=0, compressors=None,
         )  # fmt: skip
         group.attrs[PLAN] = plan.description()
@@ -267,29 +270,40 @@ class Zarr(Store):
                 )
 
     def _same(self, plan: Plan, said: str | bytes) -> None:
-        """Refuse a sweep of other labels, too."""
+        """Refuse a sweep of other labels, and damage of what describes the group."""
+        super()._same(plan, said)
+        group, labels = self._group("r"), plan.labels.coords
+        results = {v.name for v in plan.variables}
+        for name in (*results, _DONE, *map(str, labels)):
+            with suppress(KeyError):
+                self._array(group, name)
+        there = {*group.array_keys()} - results
+        for name in sorted({*there, *map(str, labels)}):
+            if name not in there or name not in labels or not self._holds(group, labels[name]):
+                self._differs(f"the labels {name!r}")
+
+    def _holds(self, group: Any, label: xarray.DataArray) -> bool:
+        """Whether these labels are stored; they are one file."""
         import xarray
 
-        super()._same(plan, said)
-        with _readable(self.place):
-            found = xarray.open_zarr(self.place, consolidated=False, chunks=None).coords
-            for coord in found.values():
-                coord.load()
-        wanted = plan.labels.coords
-        for name in sorted({*map(str, found), *map(str, wanted)}):
-            if name not in found or name not in wanted or not found[name].equals(wanted[name]):
-                self._differs(f"the labels {name!r}")
+        name = str(label.name)
+        with _readable("/".join((self.place, name, "c", *("0" for _ in group[name].shape)))):
+            others = [other for other in group.array_keys() if other != name]
+            found = xarray.open_zarr(
+                self.place, consolidated=False, chunks=None, drop_variables=others
+            )
+            return bool(found[name].variable.equals(label.variable))
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
-        with _readable(self.place):
-            done = np.asarray(self._group()["blocks/done"][...])
+        with _readable(f"{self.place}/{_DONE}/c"):
+            done = np.asarray(self._array(self._group(), _DONE)[...])
         return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
         """The block first, then its mark."""
         group = self._group()
-        done = group["blocks/done"]
+        done = group[_DONE]
         if np.any(done[piece.index]):
             return
         found = piece.compute()
@@ -299,17 +313,18 @@ class Zarr(Store):
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
         """The chunks of a block, if their checksums are those of its mark."""
-        with _readable(self.place):
-            group = self._group("r")
-        found, place = [], "/".join(("c", *map(str, piece.index)))
-        mark = f"{self.place}/blocks/done/{place}/0"
-        for i, variable in enumerate(piece.variables):
+        group = self._group("r")
+        arrays = [self._array(group, v.name) for v in piece.variables]
+        done, place = self._array(group, _DONE), "/".join(("c", *map(str, piece.index)))
+        found = []
+        for i, (variable, array) in enumerate(zip(piece.variables, arrays, strict=True)):
             try:
-                values = np.asarray(group[variable.name][piece.region])
-                same = group["blocks/done"][piece.index][i] == _checksum(values)
+                values = np.asarray(array[piece.region])
+                same = done[piece.index][i] == _checksum(values)
             except _WRONG:
                 same = False
             if not same:
+                mark = f"{self.place}/{_DONE}/{place}/0"
                 raise _bad_block(f"{self.place}/{variable.name}/{place}", mark)
             found.append(values)
         return found
@@ -317,7 +332,17 @@ class Zarr(Store):
     def _group(self, mode: Literal["r", "r+"] = "r+") -> Any:
         import zarr
 
-        return zarr.open_group(self.place, mode=mode)
+        with _readable(f"{self.place}/{self.ABOUT}"):
+            return zarr.open_group(self.place, mode=mode)
+
+    def _array(self, group: Any, name: str) -> Any:
+        """One of the group's arrays; :class:`KeyError` if there is none."""
+        try:
+            return group[name]
+        except KeyError:
+            raise
+        except _WRONG as wrong:
+            raise _damaged(f"{self.place}/{name}/zarr.json", wrong) from None
 
 
 def _checksum(values: NDArray[Any]) -> int:
