@@ -15,6 +15,7 @@ from flint import arb, arb_series
 
 from symhaptic.bench import closed, winding
 from symhaptic.bench.closed import HALF, SHORT, required_damping, required_damping_at
+from symhaptic.bounds.newton import narrowed
 
 _MANY = 40
 """Angles a half turn of the delay."""
@@ -123,17 +124,11 @@ class _Largest:
                 left += [(middle, high), (low, middle)]
 
     def _top(self, piece: Any, look: Callable[[Any], Sequence[Any]]) -> Any:
-        """Where a concave function is largest: Newton's method on the slope, in balls."""
-        for _ in range(40):
-            middle = arb(piece.mid())
-            new = middle - look(middle)[1] / (2 * look(piece)[2])
-            if not new.overlaps(piece):  # the slope keeps its sign: the top is an end
-                return piece.upper() if new > piece else piece.lower()
-            new = new.intersection(piece)
-            if not new.rad() * 2 < piece.rad():
-                return new
-            piece = new
-        return piece
+        """Where a concave function is largest: where its slope is zero, or at an end."""
+        found = narrowed(lambda t: look(t)[1], lambda t: 2 * look(t)[2], piece)
+        if found is None:  # the slope keeps its sign
+            return piece.upper() if look(arb(piece.mid()))[1] > 0 else piece.lower()
+        return found
 
 
 def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[Any, Any]:

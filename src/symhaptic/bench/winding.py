@@ -21,6 +21,7 @@ import numpy as np
 from flint import acb, acb_poly, arb, arb_poly
 
 from symhaptic.bench.closed import delayed, device
+from symhaptic.bounds.newton import narrowed
 
 BITS = (160, 320, 640, 1280, 2560)
 """Working precisions, tried one after the other."""
@@ -184,18 +185,10 @@ def _divided(whole: Any) -> list[Any]:
 
 def _newton(row: Any, slope: Any, y: Any) -> Any:
     """A ball with one zero made smaller."""
-    while True:
-        middle = arb(y.mid())
-        rise = slope(y)
-        if not (rise > 0 or rise < 0):
-            return y
-        new = middle - row(middle) / rise
-        if not new.overlaps(y):
-            raise Undecided
-        new = new.intersection(y)
-        if not new.rad() * 2 < y.rad():
-            return new
-        y = new
+    found = narrowed(row, slope, y)
+    if found is None:
+        raise Undecided
+    return found
 
 
 def _angle(real: Any, up: Any, y: Any) -> tuple[Any, int | None]:
