@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import itertools
-import json
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -230,9 +229,9 @@ class Plan:
         shape = tuple(part.sizes[d] for d in dims)
         return Piece(index, region, self.work, inputs, shape, self.variables, maker())
 
-    def description(self) -> str:
+    def description(self) -> dict[str, Any]:
         """What two sweeps have in common whose blocks may stand beside each other."""
-        said = {
+        return {
             **maker(),
             "quantity": self.work.says,
             "function": self.work.body,
@@ -250,7 +249,6 @@ class Plan:
             "over": list(self.over),
             "blocks": list(self.lengths),
         }
-        return json.dumps(said, sort_keys=True)
 
     def empty(self) -> xarray.Dataset:
         """The result without its values: arrays of Dask that are all zero and take no memory."""

@@ -7,16 +7,17 @@ when a block is read.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import os
 import sys
 import zlib
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NoReturn
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 from uuid import uuid4
 
 import numpy as np
@@ -59,28 +60,33 @@ def store(to: str | Path) -> Store:
     )
 
 
-def _damaged(file: str, why: object = None) -> ValueError:
-    """The error for a file that describes a store."""
-    said = f" ({why})" if why else ""
+def _damaged(file: str) -> ValueError:
     return ValueError(
-        f"to: {file}, which describes what is stored, is damaged{said}; give another place, or "
-        "remove this one"
+        f"to: {file}, which describes what is stored, is damaged or missing; give another place, "
+        "or remove this one"
     )
 
 
-_WRONG = (KeyError, TypeError, ValueError, RuntimeError)
+_WRONG = (LookupError, TypeError, ValueError, RuntimeError, ArithmeticError)
 """What Zarr, and what it decompresses with, raise for files that are damaged."""
 
 
-@contextmanager
-def _readable(file: str) -> Iterator[None]:
-    """Report damage of a file that describes a store."""
+def _sealed(said: Mapping[str, Any]) -> str:
+    """A description with its own checksum."""
+    text = json.dumps(said, sort_keys=True)
+    return json.dumps({**said, _SEAL: zlib.crc32(text.encode())}, sort_keys=True)
+
+
+def _opened(text: str | bytes) -> dict[str, Any] | None:
+    """A description, or None if it is damaged."""
     try:
-        yield
-    except FileNotFoundError:
-        raise
-    except _WRONG as wrong:
-        raise _damaged(file, " ".join(str(wrong).split())) from None
+        said = json.loads(text)
+        return said if _sealed({k: said[k] for k in said if k != _SEAL}) == text else None
+    except (ValueError, TypeError, LookupError):
+        return None
+
+
+_SEAL = "crc32"
 
 
 def _bad_block(files: str, mark: str) -> ValueError:
@@ -133,9 +139,9 @@ class Store:
         """
         local = "://" not in self.place
         if not local or os.path.lexists(self.place):
-            said = self._said()
-            if said is not None:
-                return self._same(plan, said)
+            text = self._said()
+            if text is not None:
+                return self._same(plan, text)
             if local:
                 raise ValueError(
                     f"to: {self.place!r} is not allowed; it is there and holds no sweep"
@@ -148,22 +154,31 @@ class Store:
             _named(draft, self.place)
         return self.begin(plan)
 
-    def _same(self, plan: Plan, said: str | bytes) -> None:
-        """Refuse another sweep."""
-        try:
-            was = json.loads(said)
-        except ValueError:
-            was = None
-        if not isinstance(was, dict):
+    def _same(self, plan: Plan, text: str) -> None:
+        """Refuse another sweep, and damage of what describes this one."""
+        was, now = _opened(text), self._describe(plan)
+        if was is None:
             raise _damaged(f"{self.place}/{self.ABOUT}")
-        now = json.loads(plan.description())
-        if was != now:
-            self._differs(", ".join(key for key in now if was.get(key) != now[key]))
+        files, labels, known = was.pop("files"), was.pop("labels"), now.pop("labels")
+        other = [key for key in now if was.get(key) != now[key]]
+        other += [f"the labels {name!r}" for name in sorted({*labels, *known})
+                  if labels.get(name) != known.get(name)]  # fmt: skip
+        if other:
+            raise ValueError(
+                f"to: {self.place!r} is not allowed; it holds another sweep, which differs in "
+                f"{', '.join(other)}"
+            )
+        self._refuse_damage(files)
 
-    def _differs(self, what: str) -> NoReturn:
-        raise ValueError(
-            f"to: {self.place!r} is not allowed; it holds another sweep, which differs in {what}"
-        )
+    def _describe(self, plan: Plan) -> dict[str, Any]:
+        """The sweep, with the labels that are stored."""
+        return {**json.loads(json.dumps(plan.description())), "labels": {}}
+
+    def _refuse_damage(self, files: Mapping[str, int]) -> None:
+        """Compare files that never change with their checksums."""
+        for name, known in files.items():
+            if zlib.crc32(_bytes(f"{self.place}/{name}")) != known:
+                raise _damaged(f"{self.place}/{name}")
 
     @contextmanager
     def alone(self) -> Iterator[None]:
@@ -189,7 +204,7 @@ class Store:
                 draft.unlink(missing_ok=True)
             yield
 
-    def _said(self) -> str | bytes | None:
+    def _said(self) -> str | None:
         """The description of the sweep that is there."""
         raise NotImplementedError
 
@@ -219,12 +234,24 @@ class Zarr(Store):
     ABOUT = "zarr.json"
     DRAFTS = "*.partial"
 
-    def _said(self) -> str | bytes | None:
+    def _said(self) -> str | None:
         try:
             said = self._group("r").attrs.get(PLAN)
-        except FileNotFoundError:
-            return None
-        return said if isinstance(said, str) else None
+        except FileNotFoundError:  # Zarr finds no group
+            said = None
+        except _WRONG:
+            raise _damaged(f"{self.place}/{self.ABOUT}") from None
+        if said is None and _bytes(f"{self.place}/{_DONE}/zarr.json"):
+            raise _damaged(f"{self.place}/{self.ABOUT}")
+        return said if isinstance(said, str) else None if said is None else ""
+
+    def _describe(self, plan: Plan) -> dict[str, Any]:
+        labels = {
+            str(name): hashlib.sha256(repr((c.dims, c.dtype, c.values.tolist())).encode())
+            for name, c in plan.labels.coords.items()
+            if name not in plan.names
+        }
+        return super()._describe(plan) | {"labels": {n: d.hexdigest() for n, d in labels.items()}}
 
     def _make(self, place: str, plan: Plan) -> None:
         import zarr
@@ -245,7 +272,11 @@ class Zarr(Store):
             _DONE, shape=(*plan.grid, count), chunks=(*(1 for _ in plan.grid), count),
             dtype="uint64", fill_value=0, compressors=None,
         )  # fmt: skip
-        group.attrs[PLAN] = plan.description()
+        names = [f"{name}/zarr.json" for name in (*empty.variables, "blocks", _DONE)]
+        names += ["/".join((str(name), "c", *("0" for _ in label.dims)))
+                  for name, label in empty.coords.items()]  # fmt: skip
+        files = {name: zlib.crc32(_bytes(f"{place}/{name}")) for name in names}
+        group.attrs[PLAN] = _sealed(self._describe(plan) | {"files": files})
 
     def _refuse_labels(self, labels: xarray.Dataset) -> None:
         import xarray
@@ -269,35 +300,13 @@ class Zarr(Store):
                     "give numbers, text or dates, with a plain name and plain attributes"
                 )
 
-    def _same(self, plan: Plan, said: str | bytes) -> None:
-        """Refuse a sweep of other labels, and damage of what describes the group."""
-        super()._same(plan, said)
-        group, labels = self._group("r"), plan.labels.coords
-        results = {v.name for v in plan.variables}
-        for name in (*results, _DONE, *map(str, labels)):
-            with suppress(KeyError):
-                self._array(group, name)
-        there = {*group.array_keys()} - results
-        for name in sorted({*there, *map(str, labels)}):
-            if name not in there or name not in labels or not self._holds(group, labels[name]):
-                self._differs(f"the labels {name!r}")
-
-    def _holds(self, group: Any, label: xarray.DataArray) -> bool:
-        """Whether these labels are stored; they are one file."""
-        import xarray
-
-        name = str(label.name)
-        with _readable("/".join((self.place, name, "c", *("0" for _ in group[name].shape)))):
-            others = [other for other in group.array_keys() if other != name]
-            found = xarray.open_zarr(
-                self.place, consolidated=False, chunks=None, drop_variables=others
-            )
-            return bool(found[name].variable.equals(label.variable))
-
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no mark."""
-        with _readable(f"{self.place}/{_DONE}/c"):
-            done = np.asarray(self._array(self._group(), _DONE)[...])
+        try:
+            done = np.asarray(self._group("r")[_DONE][...])
+        except _WRONG:
+            what = f"{self.place}/{self.ABOUT} or a file in {self.place}/{_DONE}/c"
+            raise _damaged(what) from None
         return (index for index in plan.indices() if not done[index].any())
 
     def finish(self, piece: Piece) -> None:
@@ -313,17 +322,19 @@ class Zarr(Store):
 
     def read(self, piece: Piece) -> list[NDArray[Any]]:
         """The chunks of a block, if their checksums are those of its mark."""
-        group = self._group("r")
-        arrays = [self._array(group, v.name) for v in piece.variables]
-        done, place = self._array(group, _DONE), "/".join(("c", *map(str, piece.index)))
-        found = []
-        for i, (variable, array) in enumerate(zip(piece.variables, arrays, strict=True)):
+        found, place = [], "/".join(("c", *map(str, piece.index)))
+        for i, variable in enumerate(piece.variables):
             try:
-                values = np.asarray(array[piece.region])
-                same = done[piece.index][i] == _checksum(values)
+                group = self._group("r")
+                values = np.asarray(group[variable.name][piece.region])
+                same = group[_DONE][piece.index][i] == _checksum(values)
             except _WRONG:
                 same = False
             if not same:
+                said = _opened(self._said() or "")
+                if said is None:
+                    raise _damaged(f"{self.place}/{self.ABOUT}")
+                self._refuse_damage(said["files"])
                 mark = f"{self.place}/{_DONE}/{place}/0"
                 raise _bad_block(f"{self.place}/{variable.name}/{place}", mark)
             found.append(values)
@@ -332,17 +343,21 @@ class Zarr(Store):
     def _group(self, mode: Literal["r", "r+"] = "r+") -> Any:
         import zarr
 
-        with _readable(f"{self.place}/{self.ABOUT}"):
-            return zarr.open_group(self.place, mode=mode)
+        return zarr.open_group(self.place, mode=mode)
 
-    def _array(self, group: Any, name: str) -> Any:
-        """One of the group's arrays; :class:`KeyError` if there is none."""
-        try:
-            return group[name]
-        except KeyError:
-            raise
-        except _WRONG as wrong:
-            raise _damaged(f"{self.place}/{name}/zarr.json", wrong) from None
+
+def _bytes(file: str) -> bytes:
+    """What a file holds, here or at an address; nothing if there is none."""
+    try:
+        if "://" not in file:
+            return Path(file).read_bytes()
+        from fsspec import open as opened
+
+        with opened(file, "rb") as held:
+            found: bytes = held.read()
+            return found
+    except OSError:
+        return b""
 
 
 def _checksum(values: NDArray[Any]) -> int:
@@ -358,13 +373,14 @@ class Parquet(Store):
     ABOUT = f"_{PLAN}.json"  # which readers of Parquet pass over
     DRAFTS = f"{_DRAFT}*"
 
-    def _said(self) -> str | bytes | None:
+    def _said(self) -> str | None:
         file = Path(self.place) / self.ABOUT
-        return file.read_bytes() if file.is_file() else None
+        return file.read_text("utf-8", "replace") if file.is_file() else None
 
     def _make(self, place: str, plan: Plan) -> None:
         Path(place).mkdir()
-        (Path(place) / self.ABOUT).write_text(plan.description(), "utf-8")
+        text = _sealed(self._describe(plan) | {"files": {}})
+        (Path(place) / self.ABOUT).write_text(text, "utf-8")
 
     def missing(self, plan: Plan) -> Iterator[tuple[int, ...]]:
         """Where there is no file."""
