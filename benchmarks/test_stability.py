@@ -1,7 +1,7 @@
 """Root counts, stiffnesses and margins of many walls.
 
-`.venv/bin/pytest benchmarks/test_stability.py --benchmark-only -s`.  `symhaptic bench` compares them
-with the paper's grid, eigenvalues, SciPy and python-control.
+`.venv/bin/pytest benchmarks/test_stability.py --benchmark-only -s`.  The comparison with the
+paper's grid, eigenvalues, SciPy and python-control is part of `symhaptic bench`.
 """
 
 import resource

@@ -33,13 +33,13 @@ _ALL = 250
 """Bits of each exact value, more than the 50 digits that are compared with it."""
 
 _LONG = ("discretize_fractional", "passivity_margin", "max_stable_stiffness")
-"""Of fractions of a period, or searched for: in balls they take seconds a point."""
+"""Functions of fractional delays, or that search: in balls they take seconds a point."""
 
 FUNCTIONS = tuple(name for name in EXACT if name not in _LONG)
 
 
 class WrongExact(RuntimeError):
-    """An exact value that another road contradicts; the message is one line."""
+    """An exact value that another method contradicts; the message is one line."""
 
 
 @dataclass(frozen=True)
@@ -47,9 +47,9 @@ class Effort:
     """How many points are measured."""
 
     points: int
-    """A set, in floats."""
+    """Points of a set, in floats."""
     slow: int
-    """Of these with many digits."""
+    """Points that are also computed with many digits."""
     timed: int
     """Elements of the arrays that are timed."""
 
@@ -72,7 +72,7 @@ def measured(effort: Effort, names: Sequence[str] = FUNCTIONS) -> Iterator[dict[
 
 
 def chosen(form: Form, which: str, count: int) -> list[Array]:
-    """Arguments of a form: inside the paper's (23), or hard ones."""
+    """Arguments of a form: in the paper's range (23), or hard ones."""
     rng = np.random.default_rng(23)
     if which == "hard":  # whole delays, for which the paper's forms are meant
         arrays = points.columns(form, rng, count)
@@ -148,9 +148,9 @@ def errors(
 
 
 def confirm(form: Form, arrays: list[Array], digits: int = 50) -> None:
-    """Compare the exact values with the stable form in many digits, which is another road.
+    """Compare the exact values with the stable form in many digits, an independent method.
 
-    Raises :class:`WrongExact` where a ball and the number are apart.
+    Raises :class:`WrongExact` if the number is outside of the ball.
     """
     other = symhaptic.lambdify(form.name, modules="mpmath")
     for point in zip(*(map(float, a) for a in arrays), strict=True):
@@ -228,7 +228,7 @@ def _listed(found: Any) -> Sequence[Any]:
 
 
 def _real(call: Callable[..., Any], complex: bool, kind: Any) -> Callable[..., Sequence[Any]]:
-    """A printed form on arrays, as somebody would type it in."""
+    """A published form on arrays, as a user would type it in."""
     if not complex:
         return lambda arrays: call(*arrays)
     wide = np.result_type(kind, np.complex64)

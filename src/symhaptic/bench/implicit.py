@@ -18,16 +18,16 @@ from symhaptic.bench.closed import HALF, SHORT, required_damping, required_dampi
 from symhaptic.bounds.newton import narrowed
 
 _MANY = 40
-"""Angles a half turn of the delay."""
+"""Angles up to theta (d + 1) = pi."""
 
 _LEAST = 1e-25
 """Share of the largest value by which the enclosure of a piece may be larger."""
 
 _TERMS = 14
-"""Of a series for |x| < 1/2."""
+"""Terms of a series for |x| < 1/2."""
 
 _PIECES = 2000
-"""Pieces that are looked at before the working precision counts as too low."""
+"""The largest number of pieces; with more, the working precision is too low."""
 
 
 def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
@@ -41,14 +41,14 @@ def series(f: Callable[[Any], Any], at: Any, terms: int) -> list[Any]:
 
 
 def passivity_margin(alpha: float, beta: float, delta: float, d: float) -> tuple[Any, ...]:
-    """delta minus the largest need on (0, pi), with its limits at the ends."""
+    """delta minus the largest required damping on (0, pi), limits at the ends included."""
     if alpha < 0:
         return (arb("-inf"),)
     return (arb(delta) - largest_required_damping(alpha, beta, d)[0],)
 
 
 def largest_required_damping(alpha: float, beta: float, d: float) -> tuple[Any, Any]:
-    """The largest need on (0, pi) for alpha >= 0, in a ball, and an angle where it is reached.
+    """The largest required damping on (0, pi) for alpha >= 0, and an angle where it is reached.
 
     With R^2 = (alpha/2)^2 cot^2(theta/2) + (alpha/2 + beta)^2 and
     rho^2 = 1 - 4 e (1 - e) sin^2(theta/2) for the fraction e, no need is larger than
@@ -81,7 +81,7 @@ def _bound(alpha: Any, beta: Any, part: Any, theta: Any) -> Any:
 
 
 class _Largest:
-    """The largest value of a function of an angle, over the pieces that are looked at."""
+    """The largest value of a function of an angle over pieces of its range."""
 
     def __init__(self, f: Callable[[Any], Any], size: Any) -> None:
         self.f, self.least = f, size * _LEAST
@@ -132,9 +132,9 @@ class _Largest:
 
 
 def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[Any, Any]:
-    """The need and its slope, on a ball of angles below 1/8 of a half turn and around 0.
+    """The required damping and its slope for small angles, on a ball that contains 0.
 
-    The slope over t, where its sign is known: that of the slope.
+    If the sign of the slope over t is known, it is returned instead of the slope.
     """
 
     def sloped(x: Any) -> tuple[Any, Any]:
@@ -170,9 +170,9 @@ def _near_zero(alpha: Any, beta: Any, whole: int, part: Any, t: Any) -> tuple[An
 
 
 def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> Any:
-    """The root of f between two numbers where it has different signs; NaN if it has not.
+    """The root of f between two numbers where f has different signs; NaN if the signs are equal.
 
-    The Illinois method, with a bisection now and then.
+    The Illinois method; each eighth step is a bisection.
     """
     at_low, at_high = f(low), f(high)
     if not (at_low > 0) ^ (at_high > 0):
@@ -197,7 +197,7 @@ def crossing(f: Callable[[Any], Any], low: Any, high: Any, digits: int = 30) -> 
 
 
 def touching(theta: Any, whole: int, part: Any, digits: int = 30) -> tuple[Any, Any]:
-    """The wall that is just passive for a damping of 1 and whose need has no slope at theta."""
+    """The wall that is just passive for a damping of 1 and whose worst angle is theta."""
 
     def wall(x: Any) -> tuple[Any, Any]:
         alpha = x.cos() / (whole + 1)

@@ -73,7 +73,7 @@ def sections(size: Size) -> dict[str, Iterator[dict[str, Any]]]:
 def measured(
     size: Size, told: Callable[[int, str], None] = lambda done, name: None
 ) -> dict[str, Any]:
-    """A whole record; ``told`` hears which section is under way."""
+    """A complete record; ``told`` is called with each section that begins."""
     begin = time.perf_counter()
     record: dict[str, Any] = {
         "schema": SCHEMA,
@@ -94,7 +94,7 @@ def measured(
 
 
 def _short(value: Any) -> Any:
-    """Numbers to three digits, and None for what is no number."""
+    """Numbers with three digits; None for infinite numbers and NaN."""
     if isinstance(value, dict):
         return {k: v if k in ("at", "threshold", "last") else _short(v) for k, v in value.items()}
     if isinstance(value, float):
@@ -122,7 +122,7 @@ def write(record: dict[str, Any], folder: Path) -> bool:
 
 
 def commit(folder: Path = Path(__file__).parent) -> str | None:
-    """That which is measured, with -dirty where files differ from it; None outside a checkout."""
+    """The commit that is measured, with -dirty if files have changed; None outside a checkout."""
     if not shutil.which("git"):
         return None
     said = subprocess.run(
@@ -150,7 +150,7 @@ def machine() -> dict[str, Any]:
 
 
 def versions() -> dict[str, str | None]:
-    """Of everything that is measured; None for what is not installed."""
+    """Versions of everything that is measured; None if it is not installed."""
     found: dict[str, str | None] = {"python": platform.python_version()}
     for name in ("numpy", "scipy", "sympy", "mpmath", "python-flint", "control"):
         try:

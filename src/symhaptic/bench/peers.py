@@ -1,4 +1,4 @@
-"""The package beside other tools: the same question, one at a time and on arrays."""
+"""The package compared with other tools, for single numbers and for arrays."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _ON_ARRAYS = ("printed (14), NumPy",)
 
 @dataclass(frozen=True)
 class Task:
-    """A question: its points, how far off an answer is, and who answers."""
+    """A task: its points, the error of an answer, and the tools that answer."""
 
     name: str
     points: Sequence[Point]
@@ -40,7 +40,7 @@ class Task:
     peers: dict[str, Callable[..., Any] | None]
     """None for one that is not installed."""
     judged: Callable[..., Any] | None = None
-    """What the package answers, where that is more than what is timed."""
+    """The answer of the package, if that takes more than the function that is timed."""
 
 
 def tasks(count: int) -> list[Task]:
@@ -143,7 +143,7 @@ def _plant_error(point: Point, found: Any) -> float:
 
 
 def _margin_error(point: Point, found: Any) -> float:
-    """Relative, beside the first delay, by halving, with which the loop is not stable."""
+    """The relative error of a delay margin; the exact one is found by bisection."""
     with flint.ctx.workprec(_BITS):
         low, high = arb(0), arb(1)
         while _stable_with(high, *point):

@@ -1,4 +1,4 @@
-"""Stability of walls close to the boundary: eigenvalues, Jury's table and the counted roots."""
+"""Stability of walls close to the boundary: eigenvalues, Jury's table and root counts."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from symhaptic.numeric.plant import discretize
 from symhaptic.numeric.stability import is_stable, unstable_roots
 
 DISTANCES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
-"""Relative distances from the boundary, along the line to the wall without any forces."""
+"""Relative distances from the boundary, towards alpha = beta = 0 and away from it."""
 
 _SIZES = {"eigenvalues": 2, "(14) as printed": 2, "Jury table": 200}
-"""Walls that are timed together by what is slow."""
+"""Number of walls that slow methods are timed with."""
 
 Walls = tuple[Array, Array, Array, Array]
 """alpha, beta, gamma and delta."""
@@ -72,7 +72,7 @@ def coefficients(walls: Walls, delay: int, plant: Plant = discretize) -> Array:
 
 
 def by_roots(rows: Array) -> Array:
-    """``numpy.roots`` of one polynomial after the other; NaN, refused, where one is not known."""
+    """``numpy.roots`` of one polynomial after the other; NaN if a coefficient is not finite."""
     known = np.isfinite(rows.sum(axis=1))
     return np.array(
         [np.abs(np.roots(r)).max() < 1 if k else np.nan for r, k in zip(rows, known, strict=True)]
@@ -98,7 +98,7 @@ Way = Callable[[Walls, int], Any]
 
 
 def methods(folder: Path) -> dict[str, tuple[Way, Way]]:
-    """Each method's verdicts on walls, NaN for a wall that it refuses, and what is timed."""
+    """The verdicts of each method, NaN for a wall that it refuses, and the function that is timed."""
     (plant,) = request.chosen(["discretize"])
     paper = function(plant, "printed", "numpy")
 
